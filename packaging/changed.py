@@ -207,6 +207,8 @@ def _module(file: str) -> str:
     path = PurePosixPath(file)
     if path.suffix != ".py" or _is_test(file):
         return ""
+    if path.parts[:3] == ("packaging", "generators", "meshes"):
+        return ".".join((path.parent if path.name == "__init__.py" else path.with_suffix("")).parts[2:])
     if path.parts[0] in ("tests", "packaging"):
         return "" if path.name in _NAMELESS else path.stem
     parts = path.parent.parts if path.name == "__init__.py" else path.with_suffix("").parts
@@ -220,7 +222,7 @@ def _is_test(file: str) -> bool:
 def _files(root: Path) -> list[str]:
     """List the files of the checkout; without git those of the folders that matter."""
     tracked = _git(root, "ls-files", "--cached", "--others", "--exclude-standard", "-z")
-    folders = (*_INSTALLED, "packaging/", "docs/", "tests/")
+    folders = (*_INSTALLED, "packaging/", "tools/", "docs/", "tests/")
     return tracked or [
         path.relative_to(root).as_posix()
         for folder in folders

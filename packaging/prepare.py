@@ -166,7 +166,7 @@ class Checkout:
         steps = [["-P", "-m", "compileall", "-q", "-j", "0", *folders]]
         if "speed" in extras:
             report("Compiling the filter of environments")
-            steps.append(["-P", "-m", "brdf_suite.lighting.compiled"])
+            steps.append(["-P", "-m", "brdf_suite.lighting.filter.kernels.compilation"])
         for step in steps:
             with self._log.open("a", encoding="utf-8") as log:
                 command = [str(self.python), *step]

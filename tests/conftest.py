@@ -7,6 +7,7 @@ import gc
 import importlib.util
 import os
 import signal
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -21,6 +22,7 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 CHECKOUT = Path(__file__).resolve().parent.parent
+sys.path.append(str(CHECKOUT / "packaging" / "generators"))  # of the packaged meshes
 
 # Neither has a limit of time: the speed of a machine decides no test. Runs that name no profile use "ci", which tries
 # the same examples each time; "--hypothesis-profile=nightly" tries ten times as many, with new seeds, and prints how

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from brdf_qt.application import error_relay
-from brdf_qt.document_files import DocumentFormat
-from brdf_qt.message_bar import Message
-from brdf_qt.recovery import Recovered
-from brdf_qt.translation import moment, tr
+from brdf_qt.documents.files import DocumentFormat
+from brdf_qt.documents.recovery import Recovered
+from brdf_qt.program.application import error_relay
+from brdf_qt.program.translation import moment, tr
+from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QCoreApplication, QTimer
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
 from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.export_dialog import ExportDialogs, QtExportDialogs
-from brdf_color_swatch.file_part import new_palette
-from brdf_color_swatch.library import Library
+from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
+from brdf_color_swatch.features.view_part import ViewPart
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.file_part import new_palette
+from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.parts import build_parts
-from brdf_color_swatch.view_part import ViewPart
-from brdf_color_swatch.view_state import Scope
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import (

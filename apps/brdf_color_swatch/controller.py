@@ -4,23 +4,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from brdf_qt.labels import plain_tip
-from brdf_qt.translation import tr
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
 from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.library import Item
-from brdf_color_swatch.pane import Pane
-from brdf_color_swatch.rows import group_title
-from brdf_color_swatch.swatch_panel import readings_of
-from brdf_color_swatch.view_state import Look, PaneState, Scope
+from brdf_color_swatch.grid.pane import Pane
+from brdf_color_swatch.grid.rows import group_title
+from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
+from brdf_color_swatch.library.library import Item
+from brdf_color_swatch.panels.swatch import readings_of
 from brdf_color_swatch.window import SwatchWindow
-from brdf_suite.appearance.flat_colours import display_notes
+from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
-from brdf_suite.pipeline.palette_columns import Columns
+from brdf_suite.palettes.columns import Columns
 
 
 class Controller(QObject):

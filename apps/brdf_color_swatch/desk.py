@@ -6,17 +6,17 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from brdf_qt.message_bar import message_of
-from brdf_qt.settings import settings
-from brdf_qt.translation import tr
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, Signal
 
-from brdf_color_swatch.grid_layout import Part
-from brdf_color_swatch.library import Item, Library
-from brdf_color_swatch.model import Shown
-from brdf_color_swatch.narrowing import is_slow, narrowed
-from brdf_color_swatch.rows import Rows, group_title
-from brdf_color_swatch.view_state import Look, PaneState, Scope
+from brdf_color_swatch.grid.layout import Part
+from brdf_color_swatch.grid.model import Shown
+from brdf_color_swatch.grid.narrowing import is_slow, narrowed
+from brdf_color_swatch.grid.rows import Rows, group_title
+from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
+from brdf_color_swatch.library.library import Item, Library
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 

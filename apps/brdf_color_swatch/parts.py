@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from brdf_color_swatch.compare_part import ComparePart
 from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.drop_part import DropPart
-from brdf_color_swatch.edit_part import EditPart
-from brdf_color_swatch.export_part import ExportPart
-from brdf_color_swatch.file_part import FilePart
-from brdf_color_swatch.group_part import GroupPart
-from brdf_color_swatch.link_part import LinkPart
-from brdf_color_swatch.map_part import MapPart
-from brdf_color_swatch.near_part import NearPart
-from brdf_color_swatch.outside_part import OutsidePart
-from brdf_color_swatch.picture_part import PicturePart
-from brdf_color_swatch.sheet_part import SheetPart
-from brdf_color_swatch.view_part import ViewPart
+from brdf_color_swatch.export.part import ExportPart
+from brdf_color_swatch.export.sheet_part import SheetPart
+from brdf_color_swatch.features.compare_part import ComparePart
+from brdf_color_swatch.features.drop_part import DropPart
+from brdf_color_swatch.features.edit_part import EditPart
+from brdf_color_swatch.features.group_part import GroupPart
+from brdf_color_swatch.features.link_part import LinkPart
+from brdf_color_swatch.features.near_part import NearPart
+from brdf_color_swatch.features.view_part import ViewPart
+from brdf_color_swatch.library.file_part import FilePart
+from brdf_color_swatch.library.outside_part import OutsidePart
+from brdf_color_swatch.map.part import MapPart
+from brdf_color_swatch.pictures.part import PicturePart
 from brdf_color_swatch.window import SwatchWindow
 
 PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (

@@ -8,21 +8,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from brdf_qt.labels import plain_tip
-from brdf_qt.main_window import Shortcut, SuiteWindow
-from brdf_qt.message_bar import Message
-from brdf_qt.section import Section
-from brdf_qt.translation import mark, tr
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.main_window import Shortcut, SuiteWindow
+from brdf_qt.window.message_bar import Message
+from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtWidgets import QDockWidget, QHBoxLayout, QMenu, QSplitter, QToolButton, QVBoxLayout, QWidget
 
-from brdf_color_swatch.filters_panel import FiltersPanel
-from brdf_color_swatch.library_tree import LibraryTree
-from brdf_color_swatch.palette_panel import PalettePanel
-from brdf_color_swatch.pane import Pane
-from brdf_color_swatch.swatch_panel import SwatchPanel
-from brdf_color_swatch.top_bar import TopBar
+from brdf_color_swatch.grid.pane import Pane
+from brdf_color_swatch.library.tree import LibraryTree
+from brdf_color_swatch.panels.filters import FiltersPanel
+from brdf_color_swatch.panels.palette import PalettePanel
+from brdf_color_swatch.panels.swatch import SwatchPanel
+from brdf_color_swatch.panels.top_bar import TopBar
 
 
 class SwatchWindow(SuiteWindow):

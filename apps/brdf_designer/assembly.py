@@ -5,26 +5,26 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from brdf_qt.application import error_relay
-from brdf_qt.dialogs import Dialogs, QtDialogs
-from brdf_qt.document_files import DocumentFiles, DocumentFormat
-from brdf_qt.document_store import DocumentStore
-from brdf_qt.link import LiveLink
-from brdf_qt.message_bar import Message, message_of
-from brdf_qt.translation import tr
+from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.link.link import LiveLink
+from brdf_qt.program.application import error_relay
+from brdf_qt.program.translation import tr
+from brdf_qt.window.dialogs import Dialogs, QtDialogs
+from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QCoreApplication, QProcess, QTimer
 from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
-from brdf_designer.desk import Desk
-from brdf_designer.desk_part import Closable, Unhurried
-from brdf_designer.measured_control import MeasuredControl
-from brdf_designer.paint_offer import PaintOffer
-from brdf_designer.recovery_offer import RecoveryOffer
-from brdf_designer.sections import build_sections
-from brdf_designer.tabs import Documents
-from brdf_designer.thumbnails import thumbnails_of
-from brdf_designer.window import DesignerWindow
+from brdf_designer.documents.paint_offer import PaintOffer
+from brdf_designer.documents.recovery_offer import RecoveryOffer
+from brdf_designer.documents.tabs import Documents
+from brdf_designer.measured.control import MeasuredControl
+from brdf_designer.preview.thumbnails import thumbnails_of
+from brdf_designer.session.desk import Desk
+from brdf_designer.session.part import Closable, Unhurried
+from brdf_designer.window.sections import build_sections
+from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
 from brdf_suite.documents.store import (
     PAINT_ENDING,

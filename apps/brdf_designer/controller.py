@@ -6,12 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any, Protocol
 
-from brdf_qt.message_bar import Message, message_of
-from brdf_qt.translation import tr
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
-from brdf_designer.desk import Desk
-from brdf_designer.desk_state import (
+from brdf_designer.session.desk import Desk
+from brdf_designer.session.fields import Key, TooRoughError, edited, step_name
+from brdf_designer.session.state import (
     Colours,
     Curves,
     FitState,
@@ -20,7 +21,6 @@ from brdf_designer.desk_state import (
     curves_of,
     fit_state_of,
 )
-from brdf_designer.fields import Key, TooRoughError, edited, step_name
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.lobe_fit import LobeFit

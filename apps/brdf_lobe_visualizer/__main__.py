@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_qt.application import create_application, process_age_s, run
-from brdf_qt.arguments import window_size
-from brdf_qt.theme import THEMES
+from brdf_qt.program.application import create_application, process_age_s, run
+from brdf_qt.program.arguments import window_size
+from brdf_qt.program.theme import THEMES
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 

@@ -5,23 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from brdf_qt.link import LiveLink
-from brdf_qt.settings import settings
-from brdf_qt.translation import mark, tr
+from brdf_qt.link.link import LiveLink
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer import remembered
 from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.fits import Fits
-from brdf_lobe_visualizer.legend_control import LegendControl
-from brdf_lobe_visualizer.link_follow import KEY as DESIGNER
-from brdf_lobe_visualizer.link_follow import FollowedPaint
-from brdf_lobe_visualizer.numbers import AskPath, Numbers
+from brdf_lobe_visualizer.legend.control import LegendControl
+from brdf_lobe_visualizer.numbers.panel import AskPath, Numbers
 from brdf_lobe_visualizer.parts import PARTS, MakePart, build_parts
-from brdf_lobe_visualizer.sources_control import Sources
-from brdf_lobe_visualizer.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.status import Status
+from brdf_lobe_visualizer.subjects.fits import Fits
+from brdf_lobe_visualizer.subjects.link_follow import KEY as DESIGNER
+from brdf_lobe_visualizer.subjects.link_follow import FollowedPaint
+from brdf_lobe_visualizer.subjects.sources_control import Sources
+from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.window import LobeWindow
 
 _FOLDER_KEY = "folder/open"

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from brdf_qt.quiet_fields import QuietComboBox
-from brdf_qt.translation import tr
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QWidget
 

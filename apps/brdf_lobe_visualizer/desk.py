@@ -10,12 +10,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
-from brdf_qt.message_bar import Message
-from brdf_qt.tasks import TaskRunner
+from brdf_qt.window.message_bar import Message
+from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options, Part
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_suite.geometry.directions import Floats, spherical
 
 if TYPE_CHECKING:

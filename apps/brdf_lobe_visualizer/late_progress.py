@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from brdf_qt.progress_strip import ProgressStrip
+from brdf_qt.window.progress_strip import ProgressStrip
 from PySide6.QtCore import QObject, QTimer
 
 SHOW_AFTER_MS = 400

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from brdf_lobe_visualizer.basis_part import Basis
+from brdf_lobe_visualizer.basis.part import Basis
+from brdf_lobe_visualizer.cuts.panel import Slices
 from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.factors_part import Factors
-from brdf_lobe_visualizer.slices import Slices
-from brdf_lobe_visualizer.space import Space
+from brdf_lobe_visualizer.factors.part import Factors
+from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
 
 MakePart = Callable[[Desk, LobeWindow], object]

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from brdf_qt.choice_button import ChoiceButton
-from brdf_qt.settings import settings
-from brdf_qt.translation import tr
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
 

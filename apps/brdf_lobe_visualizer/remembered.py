@@ -6,7 +6,7 @@ import json
 from dataclasses import fields
 from typing import Any
 
-from brdf_qt.settings import settings
+from brdf_qt.program.settings import settings
 from PySide6.QtWidgets import QSplitter
 
 from brdf_lobe_visualizer.desk import Desk

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.status_line import StatusLine
-from brdf_qt.translation import mark, tr
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.status_line import StatusLine
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.desk import Desk

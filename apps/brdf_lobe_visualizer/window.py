@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from brdf_qt.labels import PlainLabel, plain_tip
-from brdf_qt.main_window import Shortcut, SuiteWindow
-from brdf_qt.message_bar import Message
-from brdf_qt.section import Section
-from brdf_qt.translation import mark, tr
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.main_window import Shortcut, SuiteWindow
+from brdf_qt.window.message_bar import Message
+from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget

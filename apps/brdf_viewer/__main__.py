@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from brdf_qt.application import create_application, process_age_s, run
-from brdf_qt.arguments import window_size
-from brdf_qt.settings import settings
-from brdf_qt.theme import THEMES
+from brdf_qt.program.application import create_application, process_age_s, run
+from brdf_qt.program.arguments import window_size
+from brdf_qt.program.settings import settings
+from brdf_qt.program.theme import THEMES
 from PySide6.QtCore import Qt, QTimer
 
 if TYPE_CHECKING:
@@ -112,7 +112,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _first_view(options: argparse.Namespace) -> View:
-    from brdf_viewer.remembered import recall
+    from brdf_viewer.documents.remembered import recall
 
     wanted = {
         "environment": options.environment and name_in_view(options.environment, environment_names()),

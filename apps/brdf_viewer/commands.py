@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from brdf_qt.labels import plain_tip
-from brdf_qt.main_window import SuiteWindow
-from brdf_qt.translation import tr
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import tr
+from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_viewer.camera_presets import PRESETS
-from brdf_viewer.sections.compare import MODE_TITLES
-from brdf_viewer.sections.environment import BACKGROUND_TITLES
-from brdf_viewer.sections.fresnel import FRESNEL_TITLES, LOOK_UP_TITLES
-from brdf_viewer.sections.sparkle import SPARKLE_TITLES
-from brdf_viewer.sections.tone import TONE_TITLES
-from brdf_viewer.source_chooser import Source
+from brdf_viewer.camera.presets import PRESETS
+from brdf_viewer.compare.section import MODE_TITLES
+from brdf_viewer.fields.source_chooser import Source
+from brdf_viewer.light.environment_section import BACKGROUND_TITLES
+from brdf_viewer.paint.fresnel_section import FRESNEL_TITLES, LOOK_UP_TITLES
+from brdf_viewer.paint.sparkle_section import SPARKLE_TITLES
+from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 

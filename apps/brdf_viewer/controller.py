@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import partial
 
-from brdf_qt.dialogs import Dialogs, QtDialogs
-from brdf_qt.link import LiveLink
-from brdf_qt.message_bar import Message
-from brdf_qt.settings import settings
-from brdf_qt.tasks import TaskRunner
+from brdf_qt.link.link import LiveLink
+from brdf_qt.program.settings import settings
+from brdf_qt.window.dialogs import Dialogs, QtDialogs
+from brdf_qt.window.message_bar import Message
+from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
@@ -17,30 +17,30 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.processes import child_command
-from brdf_suite.realtime.context import Context
-from brdf_viewer.camera_control import CameraControl
-from brdf_viewer.compare_control import KIND, CompareControl
-from brdf_viewer.drawing import StageDrawer
-from brdf_viewer.export_control import ExportControl, ask_target
-from brdf_viewer.figures_overlay import FiguresOverlay
-from brdf_viewer.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
-from brdf_viewer.frame_meter import FrameMeter
-from brdf_viewer.lighting_control import LightingControl
-from brdf_viewer.loading import SceneLoader
-from brdf_viewer.paint_control import PaintControl
-from brdf_viewer.picture_export import PictureExport
-from brdf_viewer.readout import Readout
-from brdf_viewer.relief_control import IMAGES, ReliefControl
-from brdf_viewer.remembered import remember
-from brdf_viewer.scene_control import SHIPPED_TITLES, SceneControl
-from brdf_viewer.source_chooser import title_of
-from brdf_viewer.sparkle_control import SparkleControl
-from brdf_viewer.stage import Stage
-from brdf_viewer.studio.control import StudioControl
-from brdf_viewer.surface_control import SurfaceControl
-from brdf_viewer.tone_control import ToneControl
+from brdf_suite.realtime.gl.context import Context
+from brdf_viewer.camera.control import CameraControl
+from brdf_viewer.compare.control import KIND, CompareControl
+from brdf_viewer.documents.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
+from brdf_viewer.documents.remembered import remember
+from brdf_viewer.documents.view_files import ViewFiles
+from brdf_viewer.export.control import ExportControl, ask_target
+from brdf_viewer.export.picture import PictureExport
+from brdf_viewer.fields.source_chooser import title_of
+from brdf_viewer.light.control import LightingControl
+from brdf_viewer.light.studio.control import StudioControl
+from brdf_viewer.overlay.figures import FiguresOverlay
+from brdf_viewer.overlay.frame_meter import FrameMeter
+from brdf_viewer.overlay.readout import Readout
+from brdf_viewer.paint.control import PaintControl
+from brdf_viewer.paint.sparkle_control import SparkleControl
+from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
+from brdf_viewer.scene.drawing import StageDrawer
+from brdf_viewer.scene.loading import SceneLoader
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.surface.control import SurfaceControl
+from brdf_viewer.surface.relief_control import IMAGES, ReliefControl
+from brdf_viewer.tone.control import ToneControl
 from brdf_viewer.traced.control import TracedControl
-from brdf_viewer.view_files import ViewFiles
 from brdf_viewer.window import ViewerWindow
 
 _PUBLISH_MS = 50

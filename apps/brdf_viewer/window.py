@@ -4,29 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from brdf_qt.gl_surface import Drawer, GlSurface
-from brdf_qt.main_window import SuiteWindow
-from brdf_qt.number_field import NumberField
+from brdf_qt.fields.number import NumberField
+from brdf_qt.gl.surface import Drawer, GlSurface
+from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
-from brdf_suite.realtime.context import Context
-from brdf_viewer.camera_presets import PRESETS
+from brdf_suite.realtime.gl.context import Context
+from brdf_viewer.camera.presets import PRESETS
+from brdf_viewer.camera.section import CameraSection
 from brdf_viewer.commands import ViewerCommands
-from brdf_viewer.overlay import PictureOverlay
-from brdf_viewer.sections.camera import CameraSection
-from brdf_viewer.sections.compare import CompareSection
-from brdf_viewer.sections.environment import EnvironmentSection
-from brdf_viewer.sections.fresnel import FresnelSection
-from brdf_viewer.sections.lighting import LightingSection
-from brdf_viewer.sections.paint import PaintSection
-from brdf_viewer.sections.relief import ReliefSection
-from brdf_viewer.sections.renderer import RendererSection
-from brdf_viewer.sections.sparkle import SparkleSection
-from brdf_viewer.sections.surface import SurfaceSection
-from brdf_viewer.sections.tone import ToneSection
-from brdf_viewer.studio.panel import StudioPanel
+from brdf_viewer.compare.section import CompareSection
+from brdf_viewer.light.environment_section import EnvironmentSection
+from brdf_viewer.light.section import LightingSection
+from brdf_viewer.light.studio.panel import StudioPanel
+from brdf_viewer.overlay.overlay import PictureOverlay
+from brdf_viewer.paint.fresnel_section import FresnelSection
+from brdf_viewer.paint.section import PaintSection
+from brdf_viewer.paint.sparkle_section import SparkleSection
+from brdf_viewer.surface.relief_section import ReliefSection
+from brdf_viewer.surface.section import SurfaceSection
+from brdf_viewer.tone.section import ToneSection
+from brdf_viewer.traced.section import RendererSection
 
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""

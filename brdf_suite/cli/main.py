@@ -12,31 +12,22 @@ import sys
 from collections.abc import Sequence
 from importlib.metadata import version
 
-from brdf_suite.cli import (
+from brdf_suite.cli import programs
+from brdf_suite.cli.light import environment, prefilter
+from brdf_suite.cli.measured import (
     acquire,
-    agreement,
-    basis,
-    bench,
-    cache,
     check,
     compare,
     convert,
-    design,
-    environment,
-    export,
     factorize,
     fit,
     fit_cook_torrance,
-    judge,
     measure,
-    palette,
-    prefilter,
-    programs,
-    render,
-    shading_table,
-    sheet,
-    turntable,
 )
+from brdf_suite.cli.paint import design, export, judge
+from brdf_suite.cli.palette import palette
+from brdf_suite.cli.picture import render, sheet, turntable
+from brdf_suite.cli.tools import agreement, basis, bench, cache, shading_table
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 

@@ -110,9 +110,9 @@ def open_one(name: str, arguments: Sequence[str]) -> int:
 
 def _render_instead(missing: str, paint: str | None) -> int:
     from brdf_suite.cli.output import progress_bar
+    from brdf_suite.output.still import render_to_file
     from brdf_suite.pipeline.material import default_paint_name
     from brdf_suite.pipeline.scene import default_view
-    from brdf_suite.pipeline.still import render_to_file
 
     print(f"brdf-suite: {missing}; rendering the default scene to {_FALLBACK_PICTURE} instead.")
     with progress_bar("rendering") as progress:

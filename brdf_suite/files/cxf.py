@@ -16,9 +16,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import xyz_to_lab
-from brdf_suite.appearance.spaces import lch_to_lab
-from brdf_suite.appearance.spectra import spectrum_to_lab
+from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
+from brdf_suite.appearance.colour.spaces import lch_to_lab
+from brdf_suite.appearance.colour.spectra import spectrum_to_lab
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf_specification import (

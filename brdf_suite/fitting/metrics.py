@@ -13,8 +13,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination

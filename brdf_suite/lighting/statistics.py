@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import WORKING_TO_XYZ
+from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 

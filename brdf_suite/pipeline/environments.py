@@ -63,7 +63,7 @@ def read_environment_file(
     path: str | os.PathLike[str], layout: str = AUTOMATIC, progress: Progress | None = None
 ) -> EnvironmentFile:
     """Return an environment and what its file was; arguments and errors as :func:`read_environment`."""
-    from brdf_suite.files.images import read_environment_image
+    from brdf_suite.files.images.environments import read_environment_image
 
     if layout != AUTOMATIC and layout not in LAYOUTS:
         raise ValueRangeError("layout", f"must be {AUTOMATIC} or one of {', '.join(LAYOUTS)}, not {layout!r}")

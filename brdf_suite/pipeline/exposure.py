@@ -12,9 +12,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.documents.view import PARAMETERS, View
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.pictures.renderer import Renderer
 
 MIDDLE_GREY = 0.18
 LONGEST_EDGE = 160

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from brdf_suite.realtime.factored_values import (
+from brdf_suite.realtime.factors.values import (
     LARGEST_LOG,
     MOST_FACTORS,
     MOST_MAPS,
@@ -19,8 +19,8 @@ from brdf_suite.realtime.factored_values import (
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.reflectance.factor_map import Map, MapFactor
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.map import Map, MapFactor
+    from brdf_suite.reflectance.factored.model import Factored
 
 _OVER_LARGEST = 4.0
 """A product may be as much above the largest sample before it is bent; there it still loses only 0.1 %."""
@@ -32,7 +32,7 @@ TOO_MANY = (
 
 def is_factored(reflectance: Reflectance) -> bool:
     """Whether lamps on it are shaded by its factors: it is factored, with a clearcoat or without."""
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.model import Factored
 
     return isinstance(getattr(reflectance, "base", reflectance), Factored) and not too_many_maps(reflectance)
 
@@ -43,7 +43,7 @@ def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
     So they do where there are more maps than a shader has textures for (:func:`too_many_maps`).
     """
     # Not on the start-up path: a paint without factors has no need of them.
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.model import Factored
     from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 
     if too_many_maps(reflectance):
@@ -59,7 +59,7 @@ def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
 
 def too_many_maps(reflectance: object) -> bool:
     """Whether it is factored, with a clearcoat or without, into more maps than a shader has textures for."""
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.model import Factored
 
     base = getattr(reflectance, "base", reflectance)
     if not isinstance(base, Factored):

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.raised import RaisedWeights
 from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, scattered_values

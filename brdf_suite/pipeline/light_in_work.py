@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.prefilter import prefilter
+from brdf_suite.lighting.filter.prefilter import prefilter
 from brdf_suite.pipeline.environments import draw_light
 from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, prepare_environment
 from brdf_suite.progress import Progress, subrange

@@ -2,7 +2,7 @@
 
 The weights are of one kind, whatever they were fitted to, and the renderer draws them all. What differs is how:
 
-- A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.layers``).
+- A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.designed.layers``).
 - A reflectance without separate layers is fitted in a single step (``fitting.lobes.undivided``).
 
 :class:`PaintFitter` is the edit path: no file access, no import, no allocation that grows; under a millisecond or
@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FittingError
@@ -32,10 +32,10 @@ from brdf_suite.fitting.metrics import AngleError, HeldOut, as_rgb_tuple
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.designed.several_lights import SeveralLights
 from brdf_suite.reflectance.material import Material
-from brdf_suite.reflectance.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.protocol import Layered, Reflectance
-from brdf_suite.reflectance.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from concurrent.futures import Future
@@ -289,7 +289,7 @@ def fit_material(
     # Much to import, and no paint that is edited needs it.
     from brdf_suite.pipeline.factored_maps import TOO_MANY, too_many_maps
     from brdf_suite.pipeline.fit_errors import held_out_errors
-    from brdf_suite.reflectance.layers import split_layers
+    from brdf_suite.reflectance.designed.layers import split_layers
 
     report(progress, 0.0, "fitting")
     layers = split_layers(material.reflectance)

@@ -12,22 +12,22 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from brdf_suite.appearance.flat_colours import to_paint
-from brdf_suite.appearance.light_matrix import ILLUMINANT_OF
+from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
-from brdf_suite.reflectance.build import build_paint, build_reflectance
+from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
+from brdf_suite.reflectance.designed.misses import interpolation_notices
 from brdf_suite.reflectance.material import Material
-from brdf_suite.reflectance.misses import interpolation_notices
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
     from brdf_suite.files.palettes import ReadPalette
-    from brdf_suite.reflectance.aperture import Aperture
+    from brdf_suite.reflectance.instruments.aperture import Aperture
 
 __all__ = ["Material"]
 
@@ -126,7 +126,7 @@ def load_material(
         return _load_model(text) if not is_file(text) else load_measured(text, observer_deg)
     if isinstance(found, Paint) and solved_through is not None:
         # Solved by measuring in turns, which few ask for.
-        from brdf_suite.reflectance.through_aperture import build_through
+        from brdf_suite.reflectance.instruments.through_aperture import build_through
 
         solved = build_through(found, solved_through)
         return _designed(found, text, solved.reflectance, solved.notices)
@@ -174,8 +174,8 @@ def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Mater
     """Return the material of a measured file; raise :class:`FileError` where it is none."""
     # Measured data are much to import, and most starts need none.
     from brdf_suite.files.measured import ReadOptions, read_measured
+    from brdf_suite.reflectance.instruments.under_light import has_spectra
     from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-    from brdf_suite.reflectance.under_light import has_spectra
 
     value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
     notes = value.facts.get("notes", ())
@@ -212,8 +212,8 @@ def under_illuminant(material: Material, colour: LightColour) -> Material:
     illuminant = ILLUMINANT_OF.get(colour.illuminant, "D65")
     if illuminant == "D65":
         return material
-    from brdf_suite.reflectance.relit import relit
-    from brdf_suite.reflectance.under_light import has_spectra
+    from brdf_suite.reflectance.instruments.relit import relit
+    from brdf_suite.reflectance.instruments.under_light import has_spectra
 
     if not has_spectra(material.reflectance):
         return material

@@ -11,18 +11,24 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from brdf_suite.appearance.colour.spaces import in_display_gamut
+from brdf_suite.appearance.difference.tolerance import (
+    DIFFERENCES,
+    Tolerances,
+    Verdict,
+    find_difference,
+    judge,
+)
+from brdf_suite.appearance.difference.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
-from brdf_suite.appearance.spaces import in_display_gamut
-from brdf_suite.appearance.tolerance import DIFFERENCES, Tolerances, Verdict, find_difference, judge
-from brdf_suite.appearance.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
 from brdf_suite.geometry.directions import Floats, angle_between, mirror, spherical
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
-from brdf_suite.reflectance.aperture import POINT, Aperture
+from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
+from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, Reading, measure
+from brdf_suite.reflectance.instruments.under_light import has_spectra, metamerism, readings_under
 from brdf_suite.reflectance.material import Material
-from brdf_suite.reflectance.spectrophotometer import InstrumentReport, Reading, measure
-from brdf_suite.reflectance.under_light import has_spectra, metamerism, readings_under
 
 if TYPE_CHECKING:
     pass

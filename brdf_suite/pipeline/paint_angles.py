@@ -22,9 +22,9 @@ from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
-from brdf_suite.realtime.look_up_table import RAMP_COSINES
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
-from brdf_suite.reflectance.several_lights import SeveralLights
+from brdf_suite.reflectance.designed.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.angles import AngleFit, AngleFitter, AngleWeights
@@ -88,7 +88,7 @@ class PaintAngles:
 
     def of(self, fit: LobeFit) -> FitOverAngle | None:
         """Return the fit of ``fit`` over the incidence; None where nothing divides it into layers."""
-        from brdf_suite.reflectance.layers import split_layers  # with models that no start needs
+        from brdf_suite.reflectance.designed.layers import split_layers  # with models that no start needs
 
         if fit not in self._over:
             layers = split_layers(fit.reflectance)
@@ -104,7 +104,7 @@ class PaintAngles:
         too, of which the fit of one incidence knows nothing.
         """
         # Models that no start needs; and what they are is asked here, not by who edits.
-        from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+        from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
         reflectance = fit.reflectance
         if isinstance(reflectance, PaintReflectance) and not isinstance(reflectance.base, SeveralLights):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
-from brdf_suite.lighting.face_array import FaceArray
+from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.factored_maps import maps_of
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit
@@ -17,13 +17,13 @@ from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, orange_peel_tile
 from brdf_suite.realtime.camera import Bounds
-from brdf_suite.realtime.captured import CapturedPaint
-from brdf_suite.realtime.context import Context, create_context, release_context
-from brdf_suite.realtime.factored_values import FactoredMaps
-from brdf_suite.realtime.gpu_objects import Counters
-from brdf_suite.realtime.light_block import NO_LIGHTS, DistantLights
-from brdf_suite.realtime.offscreen import SECOND_PAINT
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.factors.values import FactoredMaps
+from brdf_suite.realtime.gl.context import Context, create_context, release_context
+from brdf_suite.realtime.gl.objects import Counters
+from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
+from brdf_suite.realtime.pictures.captured import CapturedPaint
+from brdf_suite.realtime.pictures.offscreen import SECOND_PAINT
+from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,
     EnvironmentMaps,

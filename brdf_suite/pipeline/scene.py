@@ -13,13 +13,13 @@ import numpy as np
 
 from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.lighting.cache import MapCache
+from brdf_suite.lighting.cache.maps import MapCache
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.face_array import FaceArray
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.partial_maps import PartialMaps
+from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
-from brdf_suite.lighting.prefilter import LobeMaps, Ready
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
-from brdf_suite.pipeline.partial_maps import PartialMaps
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.resources import check_exists, exists, packaged_name, resource, resource_names
@@ -183,7 +183,7 @@ def narrowed(environment: Environment, columns: int) -> Environment:
 
 
 Filter = Callable[[Environment, Sequence[float], Progress | None, Ready | None], LobeMaps]
-"""What makes the maps: :func:`brdf_suite.lighting.prefilter.prefilter`, or a cache before it."""
+"""What makes the maps: :func:`brdf_suite.lighting.filter.prefilter.prefilter`, or a cache before it."""
 
 
 def prepare_environment(
@@ -222,6 +222,6 @@ def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Me
     check_surface(name_or_path)
     shipped = packaged_name(os.fspath(name_or_path), surface_names())
     path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
-    from brdf_suite.files.meshes import read_mesh
+    from brdf_suite.files.meshes.reading import read_mesh
 
     return read_mesh(path, unit)

@@ -7,9 +7,10 @@ along the normal and a third at grazing (docs/method/shading.md); measured data 
 a paint read under several lights has another colour at each of them.
 
 So here the target at a view is T(ω) = f_r·(N·ω) over the whole half sphere, the columns are the look-ups themselves, as
-the renderer's table has them, and the measure is the error in typical light (``lighting/mirror_harmonics.py``). In the
-end all weights of an angle are scaled such that constant light comes back as it should. Of the lobes at most six broad
-and four sharp ones are kept, what the renderer has written-out programs for.
+the renderer's table has them, and the measure is the error in typical light
+(``lighting/filter/mirror_harmonics.py``). In the end all weights of an angle are scaled such that constant light
+comes back as it should. Of the lobes at most six broad and four sharp ones are kept, what the renderer has
+written-out programs for.
 """
 
 from __future__ import annotations
@@ -26,8 +27,8 @@ from numpy.typing import NDArray
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
 from brdf_suite.fitting.lobes.checks import check_targets
-from brdf_suite.realtime.ladder import BROADEST_SHARP
-from brdf_suite.realtime.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
+from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import WeightsOverAngle
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -62,7 +63,7 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
     """
     # With scipy's Legendre functions; no paint that is edited needs them.
     from brdf_suite.fitting.lobes.undivided_samples import differs_with_azimuth
-    from brdf_suite.lighting.mirror_harmonics import mirror_harmonics
+    from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     sphere = mirror_harmonics()
     columns = tuple(_columns(exponents))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.realtime.ladder import BROADEST_SHARP
+from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 
 STACK_RATIO = 1.5
 """Between neighbouring slices of the stack: halfway, a mixture of the two errs by 1 % of the lobe's peak."""

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, LightColour
-from brdf_suite.files.relief_images import read_mask, read_normal_map, read_tangent_map
+from brdf_suite.files.images.relief import read_mask, read_normal_map, read_tangent_map
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.progress import Progress, report
-from brdf_suite.realtime.relief_values import MaskImage, PeelTile, SlopeMap, TangentMap
+from brdf_suite.realtime.relief.values import MaskImage, PeelTile, SlopeMap, TangentMap
 from brdf_suite.surface.orange_peel import TILE_WAVES, peel_slopes
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from brdf_suite.errors import ValueRangeError
 
 MAX_LOBES = 64
-"""Of a material, and maps of an environment; how many a material may have weights on, ``material_ramp.py`` says."""
+"""Of a material, and maps of an environment; how many a material may have weights on, ``material/ramp.py`` says."""
 
 Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal"]
 

@@ -17,7 +17,7 @@ import numpy.typing as npt
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reference.mitsuba_modules import mi
-from brdf_suite.reference.scene import TracedScene
+from brdf_suite.reference.scene.scene import TracedScene
 
 Pixels = npt.NDArray[np.float64]
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.errors import ReferenceUnavailableError, ValueRangeError
 from brdf_suite.files.measured.rgl import write_rgl
 from brdf_suite.geometry.directions import Floats
@@ -81,7 +81,8 @@ class _Coloured:
 
 @dataclass(frozen=True, eq=False)
 class LobesSeen:
-    """Lobe weights with the gains of the view's angle, in numpy: :class:`.lobe_weights.LobeWeightsTerm`."""
+    """Lobe weights with the gains of the view's angle, in numpy:
+    :class:`brdf_suite.reference.bsdfs.lobe_weights.LobeWeightsTerm`."""
 
     exponents: Floats
     kd: Floats

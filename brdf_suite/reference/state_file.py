@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
-from brdf_suite.files.primaries import REC2020
+from brdf_suite.files.images.primaries import REC2020
 
 Plane = npt.NDArray[np.float64]
 

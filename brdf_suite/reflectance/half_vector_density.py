@@ -23,7 +23,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.reflectance.models import mixture

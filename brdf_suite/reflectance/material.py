@@ -22,7 +22,7 @@ class Material:
         What the user calls it.
     reflectance
         f_r in 1/sr, linear Rec. 2020; of designed paints a
-        :class:`~brdf_suite.reflectance.paint_reflectance.PaintReflectance`.
+        :class:`~brdf_suite.reflectance.designed.paint_reflectance.PaintReflectance`.
     origin
         The name or path by which it was asked for, which distinguishes materials that share a ``name``; empty where
         it comes from neither.

@@ -56,7 +56,7 @@ def _aspecular(
     interpolation: Interpolation = "flake", out_of_plane: OutOfPlane = "aspecular", second_light: bool = False
 ) -> Reflectance:
     from brdf_suite.documents.paint import Gloss, Measurement, Paint
-    from brdf_suite.reflectance.build import build_paint
+    from brdf_suite.reflectance.designed.build import build_paint
 
     # A blue metallic paint; the second light's readings turn it to violet, as a colour-shifting pigment does.
     readings = [
@@ -148,7 +148,7 @@ def _factored() -> Reflectance:
     import numpy as np
 
     from brdf_suite.geometry.directions import Floats
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.model import Factored
 
     # Satin: facets with a broad and a narrow part, and a colour that pales towards grazing.
     def of_direction(w: Floats) -> Floats:
@@ -165,8 +165,8 @@ def _factored() -> Reflectance:
 def _factored_radial() -> Reflectance:
     import numpy as np
 
-    from brdf_suite.reflectance.factor_map import MapFactor
-    from brdf_suite.reflectance.factored import Factored
+    from brdf_suite.reflectance.factored.map import MapFactor
+    from brdf_suite.reflectance.factored.model import Factored
 
     # A body of radial maps with a peak apart that Fresnel's rise brightens, as factored measurements are.
     along = (np.arange(24)[:, None] + 0.5) / 24
@@ -194,7 +194,7 @@ def _lambertian() -> Reflectance:
 
 
 def _coat() -> Reflectance:
-    from brdf_suite.reflectance.coat_lobe import CoatLobe
+    from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 
     return CoatLobe(1.5, 0.01)
 

@@ -5,9 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.exposure_faults import ExposureFault, exposure_faults, raise_fatal, time_errors
-from brdf_suite.acquisition.merge import merge
-from brdf_suite.acquisition.response import linear_response
+from brdf_suite.acquisition.photographs.exposure_faults import (
+    ExposureFault,
+    exposure_faults,
+    raise_fatal,
+    time_errors,
+)
+from brdf_suite.acquisition.radiance.merge import merge
+from brdf_suite.acquisition.response.response import linear_response
 from brdf_suite.errors import FileError
 
 TIMES = np.geomspace(0.00025, 0.328, 12)

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.acquisition.lens import Lens
-from brdf_suite.acquisition.session import Intrinsics
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.session import Intrinsics
 from brdf_suite.errors import ValueRangeError
 
 _SMALL = st.floats(-0.15, 0.15)

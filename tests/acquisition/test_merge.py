@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.acquisition.dark import dark_model
-from brdf_suite.acquisition.flat_field import flat_field
-from brdf_suite.acquisition.merge import CLIPPED, DARK, GOOD, OUTSIDE, MergedRadiance, merge
-from brdf_suite.acquisition.response import Response, linear_response
+from brdf_suite.acquisition.radiance.dark_frame import dark_model
+from brdf_suite.acquisition.radiance.flat_field import flat_field
+from brdf_suite.acquisition.radiance.merge import CLIPPED, DARK, GOOD, OUTSIDE, MergedRadiance, merge
+from brdf_suite.acquisition.response.response import Response, linear_response
 from brdf_suite.errors import ValueRangeError
 
 TIMES = np.geomspace(0.00025, 0.328, 16)

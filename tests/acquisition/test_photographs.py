@@ -18,12 +18,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
-from brdf_suite.acquisition import tiff_pixels
-from brdf_suite.acquisition.photographs import exif_time, photograph_facts, read_photograph
+from brdf_suite.acquisition.photographs import tiff as tiff_pixels
+from brdf_suite.acquisition.photographs.reading import exif_time, photograph_facts, read_photograph
 from brdf_suite.acquisition.simulator.writing import exif, write_photograph
 from brdf_suite.errors import FileError
-from brdf_suite.files.exr import write_exr
-from brdf_suite.files.png import write_png
+from brdf_suite.files.images.exr.image import write_exr
+from brdf_suite.files.images.png import write_png
 
 RANDOM = np.random.default_rng(3)
 CODES_8 = RANDOM.integers(0, 256, (11, 7, 3)).astype(np.uint8)

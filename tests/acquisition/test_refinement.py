@@ -7,13 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.refinement import Refinement, calibrate_geometry, format_movement_notice, refine
+from brdf_suite.acquisition.geometry.refinement.refinement import (
+    Refinement,
+    calibrate_geometry,
+    format_movement_notice,
+    refine,
+)
+from brdf_suite.acquisition.geometry.sphere.highlight import Highlight, find_highlight
+from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline, find_outline
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
+from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
+from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_geometry import RigGeometry, unit
-from brdf_suite.acquisition.sphere_highlight import Highlight, find_highlight
-from brdf_suite.acquisition.sphere_outline import SphereOutline, find_outline
-from brdf_suite.acquisition.sphere_session import nominal_geometry
-from brdf_suite.acquisition.sphere_union import PhotographUnion
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.acquisition.response import (
+from brdf_suite.acquisition.response.response import (
     Response,
     default_highest,
     linear_response,

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.response import linear_response, middle_code
-from brdf_suite.acquisition.response_fit import ResponseFit, calibrate_response
-from brdf_suite.acquisition.response_samples import ResponseSamples, spread
+from brdf_suite.acquisition.response.fit import ResponseFit, calibrate_response
+from brdf_suite.acquisition.response.response import linear_response, middle_code
+from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.errors import AcquisitionError, Cancelled, ValueRangeError
 
 TIMES = np.geomspace(0.00025, 0.328, 16)

@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.samples import PositionSamples, SphereSampler
-from brdf_suite.acquisition.session import Session, WhiteReference
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple, unit
+from brdf_suite.acquisition.geometry.sphere.stated import in_rig, nominal_geometry
+from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
+from brdf_suite.acquisition.session.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.sphere_geometry import RigGeometry, triple, unit
-from brdf_suite.acquisition.sphere_session import in_rig, nominal_geometry
-from brdf_suite.acquisition.white_reference import irradiance_from_white, with_refined_white
+from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.geometry.directions import half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.acquisition.session import (
+from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,
     Intrinsics,
@@ -19,7 +19,7 @@ from brdf_suite.acquisition.session import (
     Sphere,
     WhiteReference,
 )
-from brdf_suite.acquisition.session_store import (
+from brdf_suite.acquisition.session.store import (
     read_session,
     session_from_json,
     session_to_json,

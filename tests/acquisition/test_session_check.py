@@ -10,25 +10,25 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.acquisition.exposure_order import check_exposures
-from brdf_suite.acquisition.photograph_series import (
+from brdf_suite.acquisition.photographs.exposure_order import check_exposures
+from brdf_suite.acquisition.reconstruction.source import FolderSource
+from brdf_suite.acquisition.session.check import check_session
+from brdf_suite.acquisition.session.finding import exposures_lost, positions_lost, raise_fatal
+from brdf_suite.acquisition.session.position_order import PositionOrder
+from brdf_suite.acquisition.session.series import (
     read_dark,
     read_flat_field,
     read_mask,
     read_position,
     read_white,
 )
-from brdf_suite.acquisition.position_order import PositionOrder
-from brdf_suite.acquisition.session import Session
-from brdf_suite.acquisition.session_check import check_session
-from brdf_suite.acquisition.session_finding import exposures_lost, positions_lost, raise_fatal
-from brdf_suite.acquisition.session_store import read_session, write_session
-from brdf_suite.acquisition.session_template import write_template
+from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import read_session, write_session
+from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
 from brdf_suite.acquisition.simulator.writing import write_photograph
 from brdf_suite.errors import Cancelled, FileError
-from brdf_suite.files.exr import write_exr
-from brdf_suite.pipeline.acquiring_source import FolderSource
+from brdf_suite.files.images.exr.image import write_exr
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 

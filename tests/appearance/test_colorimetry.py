@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import (
+from brdf_suite.appearance.colour.colorimetry import (
     LUMINANCE,
     REC709_PRIMARIES,
     REC709_TO_WORKING,

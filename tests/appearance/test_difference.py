@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 
 # Sharma, Wu and Dalal 2005, Table 1.
 SHARMA = [

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import display_to_lab
-from brdf_suite.appearance.difference_scale import STEPS, scale_colour, scale_table
+from brdf_suite.appearance.colour.colorimetry import display_to_lab
+from brdf_suite.appearance.difference.scale import STEPS, scale_colour, scale_table
 
 
 def test_lightness_rises_evenly_and_nothing_is_clipped() -> None:

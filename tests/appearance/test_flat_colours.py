@@ -5,9 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import display_to_lab
-from brdf_suite.appearance.flat_colours import display_notes, flat_labs, lab_to_hex, reference_white, to_paint
-from brdf_suite.appearance.spectra import white_xyz
+from brdf_suite.appearance.colour.colorimetry import display_to_lab
+from brdf_suite.appearance.colour.flat_colours import (
+    display_notes,
+    flat_labs,
+    lab_to_hex,
+    reference_white,
+    to_paint,
+)
+from brdf_suite.appearance.colour.spectra import white_xyz
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import solid_paint
 

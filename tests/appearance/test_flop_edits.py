@@ -7,8 +7,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.flop import flop_index
-from brdf_suite.appearance.flop_edits import (
+from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
+from brdf_suite.appearance.flop.edits import (
     flop_ends,
     hue_difference,
     measure_flop,
@@ -18,8 +18,8 @@ from brdf_suite.appearance.flop_edits import (
     with_flop_index,
     with_flop_travel,
 )
-from brdf_suite.appearance.spaces import lab_to_lch, lch_to_lab
-from brdf_suite.appearance.travel import travel
+from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.errors import ValueRangeError
 
 THREE = (15.0, 45.0, 110.0)

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import (
     DEFAULT_SET,
     GEOMETRY_SETS,
@@ -17,7 +18,6 @@ from brdf_suite.appearance.geometries import (
 )
 from brdf_suite.appearance.gloss import gloss_units
 from brdf_suite.appearance.haze import haze_units
-from brdf_suite.appearance.travel import travel
 from brdf_suite.errors import ValueRangeError
 
 

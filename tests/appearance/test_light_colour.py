@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from brdf_suite.appearance.colorimetry import WHITE_D65_10
-from brdf_suite.appearance.difference import delta_e_76, delta_e_2000
-from brdf_suite.appearance.light_colour import adapt_colour, colour_from_spectra, metamerism_index
-from brdf_suite.appearance.spectra import (
+from brdf_suite.appearance.colour.colorimetry import WHITE_D65_10
+from brdf_suite.appearance.colour.spectra import (
     DEFAULT_WAVELENGTHS_NM,
     spectrum_to_lab,
     spectrum_to_xyz,
     spectrum_weights,
     white_xyz,
 )
+from brdf_suite.appearance.difference.formulas import delta_e_76, delta_e_2000
+from brdf_suite.appearance.light.colour import adapt_colour, colour_from_spectra, metamerism_index
 from brdf_suite.errors import ValueRangeError
 
 BANDS = DEFAULT_WAVELENGTHS_NM

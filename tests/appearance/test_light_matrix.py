@@ -7,11 +7,11 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, lab_to_working
-from brdf_suite.appearance.light_colour import adapt_colour
-from brdf_suite.appearance.light_matrix import ILLUMINANT_OF, light_matrix
-from brdf_suite.appearance.spaces import adapt_xyz
-from brdf_suite.appearance.spectra import ILLUMINANTS, Illuminant
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, lab_to_working
+from brdf_suite.appearance.colour.spaces import adapt_xyz
+from brdf_suite.appearance.colour.spectra import ILLUMINANTS, Illuminant
+from brdf_suite.appearance.light.colour import adapt_colour
+from brdf_suite.appearance.light.matrix import ILLUMINANT_OF, light_matrix
 from brdf_suite.documents.view_settings import ILLUMINANTS as LAMPS
 
 

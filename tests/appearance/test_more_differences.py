@@ -10,15 +10,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.cam02ucs import (
+from brdf_suite.appearance.colour.colorimetry import WHITE_D65_10, lab_to_xyz
+from brdf_suite.appearance.difference.cam02ucs import (
     SURROUNDS,
     ViewingConditions,
     delta_e_cam02ucs,
     lab_to_cam02ucs,
     xyz_to_cam02ucs,
 )
-from brdf_suite.appearance.colorimetry import WHITE_D65_10, lab_to_xyz
-from brdf_suite.appearance.difference import delta_e_76, delta_e_cmc
+from brdf_suite.appearance.difference.formulas import delta_e_76, delta_e_cmc
 from brdf_suite.errors import ValueRangeError
 
 COUNT = 10_000

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import (
+from brdf_suite.appearance.colour.colorimetry import (
     WHITE_D65_10,
     WORKING_TO_XYZ,
     adaptation,
@@ -18,7 +18,7 @@ from brdf_suite.appearance.colorimetry import (
     lab_to_xyz,
     working_to_display,
 )
-from brdf_suite.appearance.spaces import (
+from brdf_suite.appearance.colour.spaces import (
     adapt_xyz,
     in_display_gamut,
     lab_to_lch,

@@ -12,8 +12,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import WHITE_D65_10, lab_to_working, working_to_lab
-from brdf_suite.appearance.spectra import (
+from brdf_suite.appearance.colour.colorimetry import WHITE_D65_10, lab_to_working, working_to_lab
+from brdf_suite.appearance.colour.spectra import (
     DEFAULT_WAVELENGTHS_NM,
     ILLUMINANTS,
     colour_matching,
@@ -180,7 +180,7 @@ def test_the_committed_command_writes_the_packaged_table(
 ) -> None:
     command = [
         sys.executable,
-        str(checkout / "packaging" / "generate_colour_tables.py"),
+        str(checkout / "packaging" / "generators" / "colour_tables.py"),
         tmp_path / "cie.csv",
     ]
     subprocess.run(command, check=True, timeout=240, capture_output=True)

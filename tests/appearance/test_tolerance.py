@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.difference import delta_e_76, delta_e_2000, delta_e_cmc
-from brdf_suite.appearance.tolerance import (
+from brdf_suite.appearance.difference.formulas import delta_e_76, delta_e_2000, delta_e_cmc
+from brdf_suite.appearance.difference.tolerance import (
     DIFFERENCES,
     TITLES,
     Limits,

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.appearance.spaces import lch_to_lab
-from brdf_suite.appearance.words import (
+from brdf_suite.appearance.colour.spaces import lch_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.appearance.difference.words import (
     PATTERNS,
     WORDS,
     hue_word,

@@ -47,7 +47,7 @@ def run(progress=None):
     from brdf_suite.progress import report
 
     report(progress, 0.1, "dragging a slider of Designer")
-    script = Path(__file__).with_name("designer_drag.py")
+    script = Path(__file__).parent / "parts" / "designer_drag.py"
     done = subprocess.run(
         [sys.executable, str(script)], capture_output=True, text=True, check=True, timeout=300
     )

@@ -9,7 +9,7 @@ from time import perf_counter
 
 import numpy as np
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
@@ -24,9 +24,9 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
-_held_out = load_module(Path(__file__).with_name("factorization_held_out.py"))
-_samples = load_module(Path(__file__).with_name("factorization_samples.py"))
-_shading = load_module(Path(__file__).with_name("factorization_shading.py"))
+_held_out = load_module(Path(__file__).parent / "parts" / "factorization_held_out.py")
+_samples = load_module(Path(__file__).parent / "parts" / "factorization_samples.py")
+_shading = load_module(Path(__file__).parent / "parts" / "factorization_shading.py")
 
 NAME = "factorization"
 

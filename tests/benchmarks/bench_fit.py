@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 from types import ModuleType
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.progress import Progress, report, subrange
 
 NAME = "fit"
@@ -16,7 +16,9 @@ NAME = "fit"
 
 def _parts() -> list[ModuleType]:
     """Load the parts beside this file: ``fit_*.py``, each with ``TITLE``, ``BOUNDS`` and ``run`` as a benchmark has."""
-    return [load_module(path) for path in sorted(Path(__file__).resolve().parent.glob("fit_*.py"))]
+    return [
+        load_module(path) for path in sorted((Path(__file__).resolve().parent / "parts").glob("fit_*.py"))
+    ]
 
 
 PARTS = _parts()

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.progress import subrange
 
 _HERE = Path(__file__).parent
-_surface = load_module(_HERE / "lobes_surface.py")
-_slices = load_module(_HERE / "lobes_slices.py")
-_open = load_module(_HERE / "lobes_open.py")
+_surface = load_module(_HERE / "parts" / "lobes" / "lobes_surface.py")
+_slices = load_module(_HERE / "parts" / "lobes" / "lobes_slices.py")
+_open = load_module(_HERE / "parts" / "lobes" / "lobes_open.py")
 
 NAME = "lobes"
 BOUNDS = (

@@ -13,19 +13,19 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.geometries import geometry_set, measured_set
 from brdf_suite.appearance.gloss import gloss_units
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.aperture import APERTURES, POINT, WIDE
-from brdf_suite.reflectance.build import build_paint
-from brdf_suite.reflectance.coat_lobe import CoatLobe
-from brdf_suite.reflectance.glossmeter import gloss_reading
-from brdf_suite.reflectance.spectrophotometer import measure
-from brdf_suite.reflectance.through_aperture import build_through
+from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.instruments.aperture import APERTURES, POINT, WIDE
+from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
+from brdf_suite.reflectance.instruments.spectrophotometer import measure
+from brdf_suite.reflectance.instruments.through_aperture import build_through
 
 NAME = "measure"
 
@@ -129,5 +129,5 @@ def run(progress: Progress | None) -> dict[str, float | None]:
 
 def appendix() -> str:
     """Return the readings of the eight paints of Table 1, as Markdown."""
-    script = Path(__file__).resolve().parents[2] / "packaging" / "measure_table1.py"
+    script = Path(__file__).resolve().parents[2] / "packaging" / "documents" / "measure_table1.py"
     return str(runpy.run_path(str(script))["readings"]())

@@ -76,11 +76,11 @@ DRAWN = 192
 
 
 def run(progress=None):
-    from brdf_suite.cli.bench import load_module
+    from brdf_suite.cli.tools.bench import load_module
     from brdf_suite.documents.palette_store import save_palette
     from brdf_suite.progress import report
 
-    made = load_module(Path(__file__).with_name("palette_paints.py"))
+    made = load_module(Path(__file__).parent / "parts" / "palette_paints.py")
     found = {}
     with tempfile.TemporaryDirectory() as folder:
         report(progress, 0.0, "making ten thousand paints")
@@ -99,9 +99,9 @@ def run(progress=None):
 
 def rates(some, folder):
     """Pictures a second, after the first have loaded light, form and shaders."""
-    from brdf_suite.pipeline.swatch_look import SwatchLook
-    from brdf_suite.pipeline.swatch_pictures import SwatchPainter
-    from brdf_suite.pipeline.swatch_store import SwatchStore
+    from brdf_suite.palettes.swatches.look import SwatchLook
+    from brdf_suite.palettes.swatches.pictures import SwatchPainter
+    from brdf_suite.palettes.swatches.store import SwatchStore
 
     found = {}
     with SwatchPainter() as painter:
@@ -135,11 +135,11 @@ def rates(some, folder):
 
 def searching(large):
     """Nearest, columns, duplicates, order; the nearest are checked against a comparison with every paint."""
-    from brdf_suite.appearance.difference import delta_e_2000
-    from brdf_suite.pipeline.palette_columns import Columns
-    from brdf_suite.pipeline.palette_duplicates import duplicates
-    from brdf_suite.pipeline.palette_order import ordered
-    from brdf_suite.pipeline.palette_search import nearest
+    from brdf_suite.appearance.difference.formulas import delta_e_2000
+    from brdf_suite.palettes.columns import Columns
+    from brdf_suite.palettes.duplicates import duplicates
+    from brdf_suite.palettes.order import ordered
+    from brdf_suite.palettes.search import nearest
 
     began = perf_counter()
     columns = Columns.of(large.entries)
@@ -164,7 +164,7 @@ def searching(large):
 
 
 def window(file):
-    from brdf_suite.lighting.cache import default_root
+    from brdf_suite.lighting.cache.maps import default_root
 
     # The light and the form are there already, as they are after any start but the first; no picture is.
     cache = file.parent / "own cache"
@@ -172,7 +172,7 @@ def window(file):
     for kept in ("lobe_maps", "occlusion"):
         if (default_root() / kept).is_dir():
             (cache / kept).symlink_to(default_root() / kept)
-    script = Path(__file__).with_name("palette_window.py")
+    script = Path(__file__).parent / "parts" / "palette_window.py"
     done = subprocess.run(
         [sys.executable, str(script), str(file)],
         capture_output=True,

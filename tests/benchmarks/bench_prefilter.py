@@ -15,14 +15,14 @@ import numpy as np
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.basis import default_basis
-from brdf_suite.lighting.compiled import compile_now
 from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.filter.kernels.compilation import compile_now
+from brdf_suite.lighting.filter.lobe_filter import LobeFilter
+from brdf_suite.lighting.filter.prefilter import Ready, face_size, prefilter
+from brdf_suite.lighting.filter.zonal import BROAD_BANDLIMIT, lobe_bandlimit, lobe_coefficients
 from brdf_suite.lighting.latlong import angles, fejer_weights
-from brdf_suite.lighting.lobe_filter import LobeFilter
-from brdf_suite.lighting.prefilter import Ready, face_size, prefilter
-from brdf_suite.lighting.zonal import BROAD_BANDLIMIT, lobe_bandlimit, lobe_coefficients
 from brdf_suite.progress import Progress, report
 
 NAME = "prefilter"
@@ -149,11 +149,11 @@ def _large() -> tuple[float, float]:
 
 
 def _cache_hits() -> float:
-    from brdf_suite.lighting.cache import MapCache
+    from brdf_suite.lighting.cache.maps import MapCache
     from brdf_suite.pipeline.scene import load_environment
-    from brdf_suite.realtime.context import create_context
-    from brdf_suite.realtime.environment_textures import EnvironmentTextures
-    from brdf_suite.realtime.gpu_objects import GpuObjects
+    from brdf_suite.realtime.environment.textures import EnvironmentTextures
+    from brdf_suite.realtime.gl.context import create_context
+    from brdf_suite.realtime.gl.objects import GpuObjects
     from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
 
     def faces(item: FaceArray) -> CubeFaces:
@@ -178,7 +178,7 @@ def _cache_hits() -> float:
 
 def _accuracy() -> ModuleType:
     """Load the module beside this file."""
-    path = Path(__file__).resolve().parent / "prefilter_accuracy.py"
+    path = Path(__file__).resolve().parent / "parts" / "prefilter_accuracy.py"
     spec = importlib.util.spec_from_file_location("brdf_suite_prefilter_accuracy", path)
     if spec is None or spec.loader is None:
         raise SuiteError(f"{path} cannot be imported.")

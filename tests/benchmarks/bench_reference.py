@@ -12,20 +12,20 @@ import os
 from pathlib import Path
 from time import process_time
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
-from brdf_suite.lighting.cache import default_root
-from brdf_suite.pipeline.agreement import DEFAULT_FORM, Case, Order, compare, summary
-from brdf_suite.pipeline.reference_flakes import sparkle_energy_ratio
-from brdf_suite.pipeline.reference_scene import prepare_reference
+from brdf_suite.lighting.cache.maps import default_root
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.tracing.agreement.comparison import DEFAULT_FORM, Case, Order, compare, summary
+from brdf_suite.tracing.reference.scene import prepare_reference
+from tools.evaluation.reference_flakes import sparkle_energy_ratio
 
 NAME = "reference"
 
 
-_raytraced = load_module(Path(__file__).with_name("raytraced_figures.py"))
+_raytraced = load_module(Path(__file__).parent / "parts" / "raytraced_figures.py")
 
 #: The sixteen of docs/method/reference.md: from analytic fits of measured paints, and invented.
 DESIGNED = (

@@ -16,26 +16,26 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.fitting.lobes.basis import default_basis
-from brdf_suite.lighting.prefilter import face_size
+from brdf_suite.lighting.filter.prefilter import face_size
+from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, material_of
 from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
 from brdf_suite.pipeline.picture import gl_renderer_name
 from brdf_suite.pipeline.shading_maps import map_exponents
-from brdf_suite.pipeline.still import loaded_scene
 from brdf_suite.progress import report, subrange
 from brdf_suite.realtime.camera import orbit
-from brdf_suite.realtime.context import create_context
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.gl.context import create_context
+from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 
-_ball = load_module(Path(__file__).with_name("ball.py"))
-_sparkle = load_module(Path(__file__).with_name("viewer_sparkle.py"))
+_ball = load_module(Path(__file__).parent / "parts" / "ball.py")
+_sparkle = load_module(Path(__file__).parent / "parts" / "viewer_sparkle.py")
 
 NAME = "viewer"
 BOUNDS = {

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 
-compare_look_ups = load_module(Path(__file__).resolve().with_name("compare_look_ups.py"))
+compare_look_ups = load_module(Path(__file__).resolve().parent / "comparisons" / "compare_look_ups.py")
 
 
 @pytest.mark.usefixtures("shared_cache")

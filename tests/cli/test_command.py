@@ -17,7 +17,7 @@ from PIL import Image
 
 from brdf_suite.cli.main import main
 from brdf_suite.cli.output import STAGE_END
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import Material
 
@@ -312,7 +312,7 @@ def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: P
         found = fit_material(material)
         return replace(found, weights=replace(found.weights, time_limited=True))
 
-    monkeypatch.setattr("brdf_suite.pipeline.still.fit_material", stopped)
+    monkeypatch.setattr("brdf_suite.output.still.fit_material", stopped)
     assert main(["render", "blue", "-o", str(tmp_path / "out.png"), "--size", "64x48"]) == 0
     assert " ms, time-limited, maps " in capsys.readouterr().out
 

@@ -11,8 +11,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_designer.assembly import FIRST_PAINT, Designer
-from brdf_designer.thumbnails import Thumbnails
-from brdf_qt.dialogs import Answer, Overwrite
+from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_qt.window.dialogs import Answer, Overwrite
 from PySide6.QtCore import QCoreApplication, QEvent
 
 from brdf_suite.pipeline.lobe_fit import PaintFitter
@@ -124,7 +124,7 @@ def simulated(tmp_path_factory) -> Path:
     """A folder with photographs of a painted sphere, 96 pixels, 8 positions of the lamp × 5; not to be changed."""
     from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
     from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
-    from brdf_suite.reflectance.build import build_reflectance
+    from brdf_suite.reflectance.designed.build import build_reflectance
 
     paint = CookTorrancePaint("Test", (0.2, 0.15, 0.1), (CookTorranceLobe((0.3, 0.3, 0.3), 0.2, 0.3),))
     angles = (20.0, 37.0, 54.0, 71.0, 88.0, 105.0, 122.0, 140.0)

@@ -10,7 +10,7 @@ import sys
 from threading import Thread
 
 from brdf_designer.assembly import Designer
-from brdf_qt.application import create_application, run
+from brdf_qt.program.application import create_application, run
 from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtTest import QTest
 

@@ -7,14 +7,14 @@ from unittest.mock import create_autospec
 import numpy as np
 import pytest
 from brdf_designer.assembly import paint_format
+from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller, View
-from brdf_designer.desk import Desk
-from brdf_designer.desk_state import curves_of
-from brdf_designer.patches import PatchRow
-from brdf_designer.status import DeskStatus
-from brdf_designer.tabs import Documents
-from brdf_qt.link_messages import BadMessageError, encode
-from brdf_qt.status_line import StatusLine
+from brdf_designer.documents.tabs import Documents
+from brdf_designer.session.desk import Desk
+from brdf_designer.session.state import curves_of
+from brdf_designer.window.status import DeskStatus
+from brdf_qt.link.messages import BadMessageError, encode
+from brdf_qt.window.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
 from brdf_suite.fitting.lobes.solver import SolverOutcome

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_qt.command_palette import commands
-from brdf_qt.dialogs import Answer
-from brdf_qt.link import LiveLink
+from brdf_qt.link.link import LiveLink
+from brdf_qt.window.command_palette import commands
+from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QColor, QMouseEvent
 from PySide6.QtTest import QTest
@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.gloss_reading import total_gloss
+from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
 
 
 def action(designer, path: str):
@@ -357,8 +357,8 @@ def test_every_edit_reaches_the_other_programs(designer, qtbot):
 
 
 def test_every_control_has_a_name_for_a_screen_reader(designer):
-    from brdf_qt.colour_slider import ColourSlider
-    from brdf_qt.number_field import NumberField
+    from brdf_qt.fields.colour_slider import ColourSlider
+    from brdf_qt.fields.number import NumberField
 
     controls = [*designer.window.findChildren(ColourSlider), *designer.window.findChildren(NumberField)]
     assert len(controls) >= 9 * 2 + 7

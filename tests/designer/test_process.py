@@ -148,7 +148,7 @@ def test_a_kill_in_the_middle_of_a_drag_keeps_the_work_of_every_tab(qtbot, dialo
         order.process.wait(120)
     assert kept(own_session)["Red"] >= 40.0
     # The settings are named after the program; this test's own process is another one.
-    monkeypatch.setattr("brdf_qt.settings.QCoreApplication.applicationName", lambda: "Designer")
+    monkeypatch.setattr("brdf_qt.program.settings.QCoreApplication.applicationName", lambda: "Designer")
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.cli.main import main
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
 _spec = importlib.util.spec_from_file_location("xvfb", _FILE)

@@ -12,7 +12,7 @@ import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from brdf_qt.application import create_application, run
+from brdf_qt.program.application import create_application, run
 from PySide6.QtCore import QObject, QProcess, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
@@ -20,7 +20,7 @@ from shiboken6 import isValid
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.pictures.renderer import Renderer
 
 Step = Callable[[], bool]
 """A step is over as soon as it returns True."""
@@ -123,7 +123,7 @@ def designer(folder: Path) -> Walk:
 def viewer(folder: Path) -> Walk:
     """Open the Viewer; it traces with both renderers, and exports a video."""
     from brdf_viewer.controller import ViewerController
-    from brdf_viewer.export_job import FORMATS, ExportSettings
+    from brdf_viewer.export.job import FORMATS, ExportSettings
 
     view = View(environment=str(folder / "light.exr"), surface="sphere", sparkle=Sparkle(mode="off"))
     program = ViewerController(view, "blue")

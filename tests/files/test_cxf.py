@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import lab_to_xyz
-from brdf_suite.appearance.spaces import lab_to_lch
-from brdf_suite.appearance.spectra import spectrum_to_lab
+from brdf_suite.appearance.colour.colorimetry import lab_to_xyz
+from brdf_suite.appearance.colour.spaces import lab_to_lch
+from brdf_suite.appearance.colour.spectra import spectrum_to_lab
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
 from brdf_suite.files.hardened_xml import DEEPEST

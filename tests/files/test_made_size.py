@@ -15,16 +15,16 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.images import read_environment_image
+from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made, within_memory
-from brdf_suite.files.meshes import read_mesh
+from brdf_suite.files.meshes.reading import read_mesh
 
 MEASURE = """
 import sys
-from brdf_suite.acquisition.photographs import read_photograph
+from brdf_suite.acquisition.photographs.reading import read_photograph
 from brdf_suite.errors import FileError
-from brdf_suite.files.images import read_environment_image
-from brdf_suite.files.meshes import read_mesh
+from brdf_suite.files.images.environments import read_environment_image
+from brdf_suite.files.meshes.reading import read_mesh
 import OpenEXR, scipy.spatial, tifffile
 def peak():  # of this process alone: getrusage begins with the peak of the process that started it
     with open("/proc/self/status") as status:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from meshes.forms import speed_form, sphere
 
 from brdf_suite.geometry.closed_surface import is_closed_outward
-from brdf_suite.surface.forms import speed_form, sphere
 
 CUBE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float32)
 SIDES = np.array(

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from brdf_suite.lighting.compiled import compile_now
+from brdf_suite.lighting.filter.kernels.compilation import compile_now
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 
 

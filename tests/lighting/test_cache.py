@@ -14,13 +14,13 @@ import pytest
 from filelock import FileLock
 
 from brdf_suite.errors import Cancelled
-from brdf_suite.lighting import cache as cache_module
-from brdf_suite.lighting import cache_lock
-from brdf_suite.lighting.cache import MapCache, cache_key, default_root
-from brdf_suite.lighting.cache_lock import exclusive_entry, lock_path
+from brdf_suite.lighting.cache import lock as cache_lock
+from brdf_suite.lighting.cache import maps as cache_module
+from brdf_suite.lighting.cache.lock import exclusive_entry, lock_path
+from brdf_suite.lighting.cache.maps import MapCache, cache_key, default_root
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.lighting.prefilter import LobeMaps
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.prefilter import LobeMaps
 
 
 @pytest.fixture
@@ -145,9 +145,9 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
 PROGRAM = """
 import sys, numpy as np
 from pathlib import Path
-from brdf_suite.lighting import cache
+from brdf_suite.lighting.cache import maps as cache
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.face_array import FaceArray
+from brdf_suite.lighting.filter.face_array import FaceArray
 real = cache.prefilter
 def counted(*rest):
     Path(sys.argv[1], f"made-{sys.argv[2]}").touch()

@@ -12,7 +12,7 @@ FILL = """
 import json, os, sys
 from pathlib import Path
 import numpy as np
-from brdf_suite.lighting.cache import MapCache
+from brdf_suite.lighting.cache.maps import MapCache
 from brdf_suite.lighting.environment import Environment
 disk = Path(sys.argv[1])
 cache = MapCache(disk)
@@ -80,7 +80,7 @@ def test_a_disk_that_takes_no_more_costs_only_time(state: str, tmp_path: Path) -
 
 def kill_writers(*more: str) -> tuple[int, dict[str, object]]:
     """Kill writers that stand still in the middle of a write: nothing depends on the moment."""
-    script = Path(__file__).parents[1] / "benchmarks" / "kill_cache_writers.py"
+    script = Path(__file__).parents[2] / "tools" / "attack" / "kill_cache_writers.py"
     done = subprocess.run(
         [sys.executable, script, "--stepped", "--json", "--size", "192", *more],
         capture_output=True,

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import Cancelled
-from brdf_suite.lighting import compiled
+from brdf_suite.lighting.filter.kernels import compilation as compiled
+from brdf_suite.lighting.filter.lobe_filter import LobeFilter
+from brdf_suite.lighting.filter.zonal import lobe_coefficients
 from brdf_suite.lighting.latlong import fejer_weights, ring_angles
-from brdf_suite.lighting.lobe_filter import LobeFilter
-from brdf_suite.lighting.zonal import lobe_coefficients
 
 
 @pytest.fixture
@@ -40,8 +40,8 @@ def test_kernels_give_what_plain_numpy_gives(rings: int, columns: int) -> None:
 @pytest.mark.parametrize("degree", [1342, 2048])
 def test_high_degrees_obey_the_addition_theorem(degree: int) -> None:
     """Σ_m |Y_lm|² = (2l+1)/4π for every direction, poles included, though single terms span 10^±300."""
-    from brdf_suite.lighting import compiled_legendre
-    from brdf_suite.lighting.harmonics import legendre_starts
+    from brdf_suite.lighting.filter.harmonics import legendre_starts
+    from brdf_suite.lighting.filter.kernels import legendre as compiled_legendre
 
     coefficients = np.zeros(((degree + 1) * (degree + 2) // 2, 6))
     for m in range(degree + 1):
@@ -139,7 +139,7 @@ def test_a_compiler_that_fails_is_reported_once_and_not_asked_again(
 
 def test_numba_is_not_imported_before_it_is_needed() -> None:
     code = (
-        "import sys, brdf_suite.lighting.prefilter, brdf_suite.lighting.cache, brdf_suite.cli.main;"
+        "import sys, brdf_suite.lighting.filter.prefilter, brdf_suite.lighting.cache.maps, brdf_suite.cli.main;"
         "raise SystemExit('numba' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

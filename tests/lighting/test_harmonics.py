@@ -6,9 +6,9 @@ from scipy.special import sph_harm_y
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.lighting.cubemap import texel_directions
-from brdf_suite.lighting.harmonics import analyse, synthesise
+from brdf_suite.lighting.filter.harmonics import analyse, synthesise
+from brdf_suite.lighting.filter.ring_to_cube import cube_from_rings, rings_for
 from brdf_suite.lighting.latlong import angles, fejer_weights, ring_angles
-from brdf_suite.lighting.ring_to_cube import cube_from_rings, rings_for
 
 
 def random_coefficients(bandlimit: int) -> np.ndarray:

@@ -7,15 +7,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.lighting.map_file import (
+from brdf_suite.lighting.cache.map_file import (
     DamagedMapFileError,
     decode_maps,
     encode_maps,
     read_facts,
     read_map_file,
 )
-from brdf_suite.lighting.prefilter import LobeMaps
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.prefilter import LobeMaps
 
 KEY = "ab" * 32
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.lighting.mirror_harmonics import BROAD_DEGREES, mirror_harmonics
-from brdf_suite.lighting.shading_table import typical_power
+from brdf_suite.lighting.filter.mirror_harmonics import BROAD_DEGREES, mirror_harmonics
+from brdf_suite.lighting.filter.shading_table import typical_power
 
 BROAD = (BROAD_DEGREES + 1) ** 2
 

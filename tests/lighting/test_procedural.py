@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.files.images import read_environment_image
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.procedural import ProceduralEnvironment, booth, overcast, sunny
 from brdf_suite.lighting.procedural.booth import BOOTH
 from brdf_suite.lighting.procedural.lamps import LampSurface

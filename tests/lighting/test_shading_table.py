@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.lighting.shading_table import COAT_IOR, EXPONENTS, LeastSquares, lobe_row
+from brdf_suite.lighting.filter.shading_table import COAT_IOR, EXPONENTS, LeastSquares, lobe_row
 from brdf_suite.resources import resource
 
 ROOTS = np.linspace(0.0, 1.0, 33)

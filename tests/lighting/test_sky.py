@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.documents.studio import Sky
 from brdf_suite.lighting.procedural import sky
 from brdf_suite.lighting.procedural.hosek_wilkie import (
@@ -92,7 +92,7 @@ def test_the_sun_is_that_of_mitsuba(turbidity: float) -> None:
 def test_the_tables_are_the_authors(checkout: Path) -> None:
     pytest.importorskip("mitsuba")
     spec = importlib.util.spec_from_file_location(
-        "generate_sky_tables", checkout / "packaging" / "generate_sky_tables.py"
+        "generate_sky_tables", checkout / "packaging" / "generators" / "sky_tables.py"
     )
     assert spec is not None
     assert spec.loader is not None

@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Studio, StudioLamp
 from brdf_suite.errors import Cancelled
-from brdf_suite.files.images import read_environment_image
+from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.procedural import booth, studio
 from brdf_suite.lighting.procedural.example import EXAMPLE
 from brdf_suite.lighting.procedural.lamps import LampSurface

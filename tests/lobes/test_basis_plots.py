@@ -7,15 +7,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.basis_part import BASIS, Basis
-from brdf_lobe_visualizer.basis_run import BasisRun
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.basis.part import BASIS, Basis
+from brdf_lobe_visualizer.basis.run import BasisRun
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
 from brdf_suite.fitting.basis_search.document import save_state
 from brdf_suite.fitting.basis_search.stored import load_search
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.pipeline.material import Material, load_document
-from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.resources import resource, resource_root
 

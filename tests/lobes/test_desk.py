@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, Options
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.lobe_fit import LobeFit

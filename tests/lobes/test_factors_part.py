@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.factors_part import Factors
-from brdf_lobe_visualizer.factors_view import grid_of, title_of
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.factors.part import Factors
+from brdf_lobe_visualizer.factors.view import grid_of, title_of
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
-from brdf_suite.pipeline.factor_pictures import angles_at, factor_pictures, factored_in
+from brdf_suite.inspection.factor_pictures import angles_at, factor_pictures, factored_in
 from brdf_suite.pipeline.material import Material
-from brdf_suite.reflectance.factor_map import MapFactor
-from brdf_suite.reflectance.factored import Factored
+from brdf_suite.reflectance.factored.map import MapFactor
+from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.registry import MODELS
 

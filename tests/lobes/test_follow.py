@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.link_follow import KEY
-from brdf_qt.link import LiveLink
+from brdf_lobe_visualizer.subjects.link_follow import KEY
+from brdf_qt.link.link import LiveLink
 
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json
@@ -131,7 +131,7 @@ def test_what_cannot_be_fitted_is_shown_without_one(program, qtbot) -> None:
         def eval(self, wi, wo):
             return np.full(np.broadcast_shapes(np.shape(wi), np.shape(wo)), np.nan)
 
-    from brdf_lobe_visualizer.subjects import PlottedMaterial
+    from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
     key = program.sources.add(PlottedMaterial("", "No numbers", Material("No numbers", Broken())))
     qtbot.waitUntil(lambda: f"fit {key}" in program.window.messages.shown(), timeout=30_000)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import pytest
-from brdf_lobe_visualizer.legend import ERROR, REFERENCE, SOLO, TITLE
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial
+from brdf_lobe_visualizer.legend.legend import ERROR, REFERENCE, SOLO, TITLE
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QColorDialog
 
+from brdf_suite.inspection.figures.errors import errors_between
 from brdf_suite.pipeline.material import Material
-from brdf_suite.pipeline.reflectance_figures_errors import errors_between
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 CHECKED, UNCHECKED = Qt.CheckState.Checked, Qt.CheckState.Unchecked

@@ -6,7 +6,7 @@ import csv
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 

@@ -12,7 +12,7 @@ import pytest
 from brdf_lobe_visualizer import remembered
 from brdf_lobe_visualizer.__main__ import parser
 from brdf_lobe_visualizer.script import apply_subjects, apply_view, incidence, shown
-from brdf_lobe_visualizer.subjects import PlottedMaterial
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from PySide6.QtGui import QImage
 
 from brdf_suite.pipeline.material import Material
@@ -113,7 +113,7 @@ def test_what_is_shown_is_read() -> None:
 
 
 def test_the_view_is_remembered_and_nonsense_is_not(program) -> None:
-    from brdf_qt.settings import settings
+    from brdf_qt.program.settings import settings
 
     desk = program.desk
     desk.set_incidence(30.0, 60.0)

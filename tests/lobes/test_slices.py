@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.slice_options import SliceOptions, SliceState
-from brdf_lobe_visualizer.slice_pens import colour_of
-from brdf_lobe_visualizer.slices import HALF_ANGLE, POLAR, UNROLLED
-from brdf_lobe_visualizer.subjects import DASHES, LINE_COLOURS, PlottedMaterial, SamplePoints
+from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
+from brdf_lobe_visualizer.cuts.panel import HALF_ANGLE, POLAR, UNROLLED
+from brdf_lobe_visualizer.cuts.pens import colour_of
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial, SamplePoints
 from pyqtgraph import TextItem
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QMouseEvent, QPalette
@@ -19,9 +19,9 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, mirror, spherical
+from brdf_suite.inspection.slices.cuts import light_at, view_at
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.material import Material
-from brdf_suite.pipeline.slices import light_at, view_at
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 
@@ -346,7 +346,7 @@ def test_options_are_remembered_and_what_cannot_be_is_not(slices) -> None:
     again = SliceState()
     assert (again.options.axis, again.options.phi_d_deg) == ("theta_h", 180.0)
     assert again.options.incidences_deg == (5.0, 20.0, 89.0)
-    from brdf_qt.settings import settings
+    from brdf_qt.program.settings import settings
 
     for broken in ('{"axis": "up"}', "no json", '{"incidences_deg": [1]}', '{"ev": NaN}'):
         settings().setValue("lobes/slices", broken)

@@ -8,8 +8,8 @@ from threading import Event
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer import sources_control
-from brdf_lobe_visualizer.sources import MOST_AT_ONCE, MeasuredBins, names, open_source
+from brdf_lobe_visualizer.subjects import sources_control
+from brdf_lobe_visualizer.subjects.sources import MOST_AT_ONCE, MeasuredBins, names, open_source
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QPushButton, QWidget

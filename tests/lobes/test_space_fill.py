@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.space_fill import BODY_RADIUS, full_of, tops_of
-from brdf_lobe_visualizer.space_options import SpaceOptions
+from brdf_lobe_visualizer.view3d.fill import BODY_RADIUS, full_of, tops_of
+from brdf_lobe_visualizer.view3d.options import SpaceOptions
 
 from brdf_suite.geometry.directions import illumination, mirror
-from brdf_suite.pipeline.lobe_surface_grid import lobe_grid
-from brdf_suite.pipeline.lobe_surface_scale import RADIUS_KINDS, RadiusScale
+from brdf_suite.inspection.lobe_surface.grid import lobe_grid
+from brdf_suite.inspection.lobe_surface.scale import RADIUS_KINDS, RadiusScale
 
 
 @pytest.mark.parametrize("kind", RADIUS_KINDS)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.assembly import LobeVisualizer
-from brdf_lobe_visualizer.numbers import Numbers
+from brdf_lobe_visualizer.numbers.panel import Numbers
 from brdf_lobe_visualizer.parts import PARTS
 from brdf_lobe_visualizer.plot_row import PlotRow
-from brdf_lobe_visualizer.subjects import PlottedMaterial
-from brdf_qt.command_palette import commands
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
+from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 

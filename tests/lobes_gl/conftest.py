@@ -32,7 +32,7 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def lasting(screen, qapp, tmp_path_factory):
     """One window for a whole module, with the view in three dimensions and nothing else."""
     from brdf_lobe_visualizer.assembly import LobeVisualizer
-    from brdf_lobe_visualizer.space import Space
+    from brdf_lobe_visualizer.view3d.panel import Space
 
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))

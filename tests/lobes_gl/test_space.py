@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import trimesh
-from brdf_lobe_visualizer.camera import Camera, remembered, told
-from brdf_lobe_visualizer.subjects import PlottedMaterial, SamplePoints
-from brdf_qt import theme
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
+from brdf_lobe_visualizer.view3d.camera import Camera, remembered, told
+from brdf_qt.program import theme
 from PIL import Image
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
@@ -355,7 +355,7 @@ def test_the_sweep_moves_the_light(space, program) -> None:
 
 
 def test_what_is_under_the_cursor_is_read(space, program) -> None:
-    from brdf_lobe_visualizer.space_probe import words_of
+    from brdf_lobe_visualizer.view3d.probe import words_of
 
     shown(space, PlottedMaterial("a", "A", Material("A", lobe(5.0)), RED))
     at = space.view.project((0.0, 0.0, 0.2), space.view.rooms()[0])

@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def generate(checkout: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, str(checkout / "packaging" / "generate_resources.py"), *arguments]
+    command = [sys.executable, str(checkout / "packaging" / "generators" / "resources.py"), *arguments]
     return subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
 
 

@@ -9,12 +9,12 @@ from types import ModuleType
 
 import pytest
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 
 
 @pytest.fixture(scope="module")
 def tool(checkout: Path) -> ModuleType:
-    return load_module(checkout / "packaging" / "insert_figures.py")
+    return load_module(checkout / "packaging" / "documents" / "insert_figures.py")
 
 
 def row(value: float | None, unit: str) -> dict[str, object]:

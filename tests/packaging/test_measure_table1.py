@@ -11,7 +11,11 @@ PAINTS = ("Ford F8", "Polaris Silver", "Opel Titan", "BMW 339", "2K Acrylack", "
 
 
 def test_the_page_is_up_to_date(checkout: Path, tmp_path: Path) -> None:
-    command = [sys.executable, str(checkout / "packaging" / "measure_table1.py"), str(tmp_path / "table1.md")]
+    command = [
+        sys.executable,
+        str(checkout / "packaging" / "documents" / "measure_table1.py"),
+        str(tmp_path / "table1.md"),
+    ]
     subprocess.run(command, check=True, timeout=240, capture_output=True)
     written = (tmp_path / "table1.md").read_text(encoding="utf-8")
     assert written == (checkout / "docs" / "method" / "table1.md").read_text(encoding="utf-8")

@@ -45,7 +45,7 @@ def test_fresh_seeds_go_with_any_run(script: ModuleType) -> None:
 def test_changes_run_what_they_reach_each_on_its_platform(
     script: ModuleType, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(script, "changed_files", lambda _root, _commit: ["apps/brdf_qt/tasks.py"])
+    monkeypatch.setattr(script, "changed_files", lambda _root, _commit: ["apps/brdf_qt/work/tasks.py"])
     screen, rest = script.runs_of(["--changed"])
     assert "tests/viewer/test_window.py" in screen
     assert "tests/qt/test_tasks.py" in rest

@@ -11,14 +11,14 @@ import pytest
 
 PROGRAM = """
 import sys
-from brdf_qt.application import create_application
+from brdf_qt.program.application import create_application
 app = create_application("Designer", language="de")
 from brdf_designer.assembly import Designer
 window = Designer().window
 print([action.text() for action in window.menuBar().actions()])
 print(window.findChild(type(window.undo_action), "action_Undo").text(), window.undo_action.objectName())
 from datetime import datetime
-from brdf_qt.translation import moment
+from brdf_qt.program.translation import moment
 print(moment(datetime(2026, 12, 1, 16, 32)))
 """
 

@@ -19,7 +19,7 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.fit_errors import held_out_errors
 from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import Material, load_material, load_shipped_paint
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.lambertian import Lambertian

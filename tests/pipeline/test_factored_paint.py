@@ -16,11 +16,11 @@ from brdf_suite.documents.store import load_any_paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.palettes.conversions import as_readings, face_lab
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.pipeline.factoring import FactoringOptions, factor_reflectance, save_factored
+from brdf_suite.model_fits.factors import FactoringOptions, factor_reflectance, save_factored
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
-from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.factored import Factored
+from brdf_suite.reflectance.designed.build import build_reflectance
+from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

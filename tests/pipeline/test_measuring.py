@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.geometries import geometry_set
-from brdf_suite.appearance.tolerance import Tolerances
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.measuring import compare, hemisphere_pairs, measurement_json
-from brdf_suite.reflectance.aperture import WIDE
-from brdf_suite.reflectance.spectrophotometer import measure
+from brdf_suite.reflectance.instruments.aperture import WIDE
+from brdf_suite.reflectance.instruments.spectrophotometer import measure
 
 
 @dataclass(frozen=True)

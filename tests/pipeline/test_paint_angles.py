@@ -13,7 +13,7 @@ from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, load_shipped_paint
 from brdf_suite.pipeline.paint_angles import PaintAngles, at_ramp
 from brdf_suite.pipeline.picture import OffscreenScene
-from brdf_suite.realtime.look_up_table import RAMP_COSINES
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 
 WHITE = CubeFaces(np.ones((6, 32, 32, 3), np.float16))

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.pipeline.still import render_to_file
+from brdf_suite.output.still import render_to_file
 
 pytestmark = pytest.mark.usefixtures("shared_cache")
 

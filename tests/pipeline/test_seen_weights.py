@@ -9,22 +9,22 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.errors import FittingError
 from brdf_suite.files.measured.samples import as_samples
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.filter.prefilter import prefilter
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
-from brdf_suite.lighting.prefilter import prefilter
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_surface, prepare_environment
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights, seen_weights
-from brdf_suite.realtime.look_up_table import RAMP_COSINES, look_up_table
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, look_up_table
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 from brdf_suite.reflectance.albedo import white_furnace
 

@@ -7,15 +7,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_designer.preview_scene import LIGHT_WIDTH
+from brdf_designer.preview.scene import LIGHT_WIDTH
 
 from brdf_suite.documents.view import View
-from brdf_suite.lighting import cache
-from brdf_suite.lighting.cache import MapCache
-from brdf_suite.lighting.face_array import FaceArray
-from brdf_suite.lighting.map_file import DamagedMapFileError
-from brdf_suite.lighting.packed_maps import pack_maps, read_packed_maps
-from brdf_suite.lighting.prefilter import LobeMaps, prefilter
+from brdf_suite.lighting.cache import maps as cache
+from brdf_suite.lighting.cache.map_file import DamagedMapFileError
+from brdf_suite.lighting.cache.maps import MapCache
+from brdf_suite.lighting.cache.packed_maps import pack_maps, read_packed_maps
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.prefilter import LobeMaps, prefilter
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene

@@ -8,11 +8,11 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from brdf_qt.dialogs import Answer, Overwrite, QtDialogs
-from brdf_qt.document_files import MOST_RECENT, DocumentFiles, DocumentFormat
-from brdf_qt.document_store import DocumentStore
-from brdf_qt.message_bar import Message
-from brdf_qt.recovery import Recovered, Recovery
+from brdf_qt.documents.files import MOST_RECENT, DocumentFiles, DocumentFormat
+from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
+from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 

@@ -7,8 +7,8 @@ from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
-from brdf_qt.exact_fit import ExactFit
-from brdf_qt.fit_error import FINAL_TIP, LIMITED_TIP, fit_tips, large_error_tip
+from brdf_qt.work.exact_fit import ExactFit
+from brdf_qt.work.fit_error import FINAL_TIP, LIMITED_TIP, fit_tips, large_error_tip
 from PySide6.QtCore import QThread
 
 from brdf_suite.errors import FittingError

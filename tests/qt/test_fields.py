@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_qt.colour_slider import ColourSlider
-from brdf_qt.number_field import NumberField, parse_number
-from brdf_qt.text_fields import TextLine, TextNotes
+from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.number import NumberField, parse_number
+from brdf_qt.fields.text import TextLine, TextNotes
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from brdf_qt.section import Inspector, Section
+from brdf_qt.window.section import Inspector, Section
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QAbstractSlider, QLineEdit, QWidget
 

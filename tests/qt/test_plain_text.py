@@ -7,9 +7,9 @@ from html.parser import HTMLParser
 from pathlib import Path
 
 import pytest
-from brdf_qt import dialogs
-from brdf_qt.labels import ElidedLabel, PlainLabel, plain_tip
-from brdf_qt.message_bar import Message, MessageBar
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.window import dialogs
+from brdf_qt.window.message_bar import Message, MessageBar
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6 import QtGui
@@ -18,7 +18,11 @@ from PySide6.QtGui import QTextDocument
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 APPS = Path(__file__).resolve().parent.parent.parent / "apps"
-RICH_ON_PURPOSE = {"brdf_qt/labels.py", "brdf_qt/help_windows.py", "brdf_lobe_visualizer/crosshair.py"}
+RICH_ON_PURPOSE = {
+    "brdf_qt/fields/labels.py",
+    "brdf_qt/window/help_windows.py",
+    "brdf_lobe_visualizer/cuts/crosshair.py",
+}
 
 
 def calls(path: Path) -> list[ast.Call]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from brdf_qt.labels import ElidedLabel
-from brdf_qt.progress_strip import ProgressStrip
-from brdf_qt.theme import palette
+from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.theme import palette
+from brdf_qt.window.progress_strip import ProgressStrip
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QProgressBar, QPushButton
 

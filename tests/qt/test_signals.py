@@ -7,7 +7,7 @@ import sys
 
 _PROGRAM = """
 import os, signal, sys
-from brdf_qt.application import create_application, run
+from brdf_qt.program.application import create_application, run
 from PySide6.QtWidgets import QWidget
 app = create_application("Signals", ["signals"], theme_name="dark")
 os.kill(os.getpid(), signal.SIGTERM)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 
 import pytest
-from brdf_qt.tasks import TaskRunner
+from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.errors import FileError
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import datetime
 
 import pytest
-from brdf_qt.translation import moment
+from brdf_qt.program.translation import moment
 
 
 @pytest.mark.parametrize(

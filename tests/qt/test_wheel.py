@@ -6,9 +6,9 @@ import ast
 from pathlib import Path
 
 import pytest
-from brdf_qt.colour_slider import ColourSlider
-from brdf_qt.number_field import NumberField
-from brdf_qt.quiet_fields import QuietComboBox, QuietSlider, QuietSpinBox
+from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietComboBox, QuietSlider, QuietSpinBox
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit, QScrollArea, QVBoxLayout, QWidget
 
@@ -23,7 +23,7 @@ LOUD = {
     "QDateEdit",
     "QTimeEdit",
 }
-BASES = {"brdf_qt/quiet_fields.py", "brdf_qt/number_field.py", "brdf_qt/colour_slider.py"}
+BASES = {"brdf_qt/fields/quiet.py", "brdf_qt/fields/number.py", "brdf_qt/fields/colour_slider.py"}
 
 
 def made_list() -> QuietComboBox:

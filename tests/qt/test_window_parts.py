@@ -7,17 +7,17 @@ import sys
 from dataclasses import replace
 
 import pytest
-from brdf_qt import theme
-from brdf_qt.application import error_relay
-from brdf_qt.command_palette import commands
-from brdf_qt.command_search import search
-from brdf_qt.dialogs import Answer, QtDialogs
-from brdf_qt.fit_error import is_large, large_error_tip, marked
-from brdf_qt.icons import icon
-from brdf_qt.main_window import SuiteWindow
-from brdf_qt.message_bar import Message, message_of
-from brdf_qt.section import Section
-from brdf_qt.status_line import StatusLine
+from brdf_qt.program import theme
+from brdf_qt.program.application import error_relay
+from brdf_qt.program.icons import icon
+from brdf_qt.window.command_palette import commands
+from brdf_qt.window.command_search import search
+from brdf_qt.window.dialogs import Answer, QtDialogs
+from brdf_qt.window.main_window import SuiteWindow
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.section import Section
+from brdf_qt.window.status_line import StatusLine
+from brdf_qt.work.fit_error import is_large, large_error_tip, marked
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtTest import QTest
@@ -255,7 +255,8 @@ def lightest(image) -> int:
 
 def test_the_shared_room_imports_no_program_and_nothing_slow():
     code = (
-        "import sys, brdf_qt.main_window, brdf_qt.document_files, brdf_qt.recovery, brdf_qt.parameters;"
+        "import sys, brdf_qt.window.main_window, brdf_qt.documents.files, brdf_qt.documents.recovery;"
+        "import brdf_qt.fields.parameters;"
         "bad = {'pyqtgraph','scipy','trimesh','moderngl','OpenImageIO','colour','superqt',"
         "'brdf_designer','brdf_viewer'} & set(sys.modules); print(sorted(bad))"
     )
@@ -321,6 +322,6 @@ def test_the_buttons_of_a_question_have_no_icons(window, monkeypatch):
 
     # As on a desktop whose dialogs have icons on their buttons.
     parts = {"setStandardButtons": with_icons, "exec": answered}
-    monkeypatch.setattr("brdf_qt.dialogs.QMessageBox", type("Iconed", (QMessageBox,), parts))
+    monkeypatch.setattr("brdf_qt.window.dialogs.QMessageBox", type("Iconed", (QMessageBox,), parts))
     assert QtDialogs(window).unsaved("Blue") is Answer.DISCARD
     assert seen == [True, True, True]

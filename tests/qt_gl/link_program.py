@@ -10,7 +10,7 @@ import json
 import os
 import sys
 
-from brdf_qt.link import LiveLink
+from brdf_qt.link.link import LiveLink
 from PySide6.QtCore import QCoreApplication, QSocketNotifier, QTimer
 
 

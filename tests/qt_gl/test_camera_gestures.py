@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from brdf_qt.camera_gestures import LIGHT_DEG_PER_PIXEL, ORBIT_DEG_PER_PIXEL, ZOOM_PER_NOTCH, CameraGestures
+from brdf_qt.gl.gestures import LIGHT_DEG_PER_PIXEL, ORBIT_DEG_PER_PIXEL, ZOOM_PER_NOTCH, CameraGestures
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest

@@ -9,8 +9,8 @@ import textwrap
 
 import moderngl
 import pytest
-from brdf_qt.application import surface_format
-from brdf_qt.gl_surface import SLOW_MS, GlSurface
+from brdf_qt.gl.surface import SLOW_MS, GlSurface
+from brdf_qt.program.application import surface_format
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtGui import QColor, QSurfaceFormat
 from PySide6.QtWidgets import QLabel, QMainWindow, QPushButton, QWidget
@@ -248,7 +248,7 @@ def test_without_opengl_there_is_a_message(tmp_path) -> None:
     """In a process of its own, on the platform that has no OpenGL."""
     script = """
         from PySide6.QtWidgets import QApplication
-        from brdf_qt.gl_surface import SLOW_MS, GlSurface
+        from brdf_qt.gl.surface import SLOW_MS, GlSurface
         app = QApplication([])
         surface = GlSurface(lambda context: None)
         surface.failed.connect(lambda text: (print(text), app.quit()))
@@ -271,7 +271,7 @@ def test_without_opengl_there_is_a_message(tmp_path) -> None:
 def test_twice_the_pixels_at_twice_the_scale() -> None:
     script = """
         from PySide6.QtWidgets import QApplication
-        from brdf_qt.gl_surface import SLOW_MS, GlSurface
+        from brdf_qt.gl.surface import SLOW_MS, GlSurface
         class Clear:
             def draw(self, framebuffer, size, view):
                 framebuffer.use(); framebuffer.clear(1.0)
@@ -298,7 +298,7 @@ def test_twice_the_pixels_at_twice_the_scale() -> None:
 
 
 AFTER_A_PICTURE = """
-from brdf_qt.application import surface_format
+from brdf_qt.program.application import surface_format
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication
 

@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from brdf_qt.link_address import LinkAddress, link_name, private_folder
-from brdf_qt.link_messages import MAX_BYTES, encode
+from brdf_qt.link.address import LinkAddress, link_name, private_folder
+from brdf_qt.link.messages import MAX_BYTES, encode
 
 PROGRAM = Path(__file__).with_name("link_program.py")
 
@@ -286,7 +286,7 @@ def test_the_socket_is_for_this_user_alone(start: Callable[..., Program]) -> Non
 
 
 def test_a_folder_that_others_can_enter_switches_the_link_off(tmp_path, monkeypatch, qtbot, caplog) -> None:
-    from brdf_qt.link import LiveLink
+    from brdf_qt.link.link import LiveLink
 
     monkeypatch.setenv("XDG_RUNTIME_DIR", str(tmp_path))
     private_folder().chmod(0o777)

@@ -7,11 +7,11 @@ import threading
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_designer.preview import PreviewControl
-from brdf_designer.preview_pace import FAST_MS, REST_MS, PreviewPace
-from brdf_designer.preview_scene import LIGHT_WIDTH
-from brdf_designer.thumbnails import Thumbnails
-from brdf_qt.dialogs import Answer
+from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
+from brdf_designer.preview.preview import PreviewControl
+from brdf_designer.preview.scene import LIGHT_WIDTH
+from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from brdf_suite.cli.bench import load_module
+from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
-from brdf_suite.realtime.context import create_context, release_context
-from brdf_suite.realtime.renderer import Renderer
-from brdf_suite.realtime.shader_source import SHADERS, compile_program, compose
+from brdf_suite.realtime.gl.context import create_context, release_context
+from brdf_suite.realtime.gl.shader_source import SHADERS, compile_program, compose
+from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 
 Array = NDArray[np.float64]
-BALL = load_module(Path(__file__).resolve().parent.parent / "benchmarks" / "ball.py")
+BALL = load_module(Path(__file__).resolve().parents[1] / "benchmarks" / "parts" / "ball.py")
 EXPONENTS = (8.0, 200.0, 20000.0)
 
 

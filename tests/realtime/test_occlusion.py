@@ -13,8 +13,8 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.low_harmonics import low_harmonics
-from brdf_suite.realtime.ground import environment_harmonics, ground_ratio
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.environment.ground import environment_harmonics, ground_ratio
+from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, GroundField, MeshPart
 
 Array = np.ndarray

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import WORKING_TO_SRGB
+from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, MeshPart

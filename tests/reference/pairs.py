@@ -7,8 +7,8 @@ import numpy as np
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.ggx import Ggx

@@ -10,14 +10,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.cli.agreement import FORM_NAMES
 from brdf_suite.cli.main import main
+from brdf_suite.cli.tools.agreement import FORM_NAMES
 from brdf_suite.errors import FileError, MissingExtraError
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
-from brdf_suite.pipeline import agreement
-from brdf_suite.pipeline.agreement import DEFAULT_FORM, LOBES, Order, compare, errors_of, flip_of, summary
-from brdf_suite.pipeline.agreement_page import check_page, groups, write_page
+from brdf_suite.tracing.agreement import comparison as agreement
+from brdf_suite.tracing.agreement.comparison import (
+    DEFAULT_FORM,
+    LOBES,
+    Order,
+    compare,
+    errors_of,
+    flip_of,
+    summary,
+)
+from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
 SIZE = (32, 28)
 

@@ -11,8 +11,8 @@ from brdf_suite.lighting.cubemap import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.material import Material
-from brdf_suite.pipeline.reference_scene import build_reference
 from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.tracing.reference.scene import build_reference
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (40, 30)
@@ -105,7 +105,7 @@ def test_a_blurred_backdrop_is_the_light_through_a_lobe(sphere) -> None:
 
 
 def test_a_look_up_of_a_cube_gives_its_texels() -> None:
-    from brdf_suite.reference.backdrop import sample_cube
+    from brdf_suite.reference.scene.backdrop import sample_cube
 
     faces = np.random.default_rng(1).random((6, 5, 5, 3)).astype(np.float32)
     np.testing.assert_allclose(sample_cube(faces, 3.0 * texel_directions(5)), faces, atol=1e-5)

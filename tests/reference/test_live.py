@@ -11,7 +11,7 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.material import load_shipped_paint, material_of
 
@@ -29,14 +29,14 @@ def light(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def live(variant):
-    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.tracing.reference.live import LiveReference
 
     return LiveReference()
 
 
 def fresh(paint, view, size):
     """What a scene that is built anew gives."""
-    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.tracing.reference.live import LiveReference
 
     other = LiveReference()
     other.show(paint, view, size)
@@ -109,7 +109,7 @@ def test_a_file_that_was_written_anew_is_read_anew(live, tmp_path: Path) -> None
 
 
 def test_without_a_scene_there_is_nothing_to_see(variant) -> None:
-    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.tracing.reference.live import LiveReference
 
     empty = LiveReference()
     for ask in (empty.step, empty.codes, lambda: empty.scene):

@@ -11,8 +11,8 @@ import pytest
 
 from brdf_suite.cli.main import main
 from brdf_suite.documents.view import View
-from brdf_suite.files.exr import read_exr
-from brdf_suite.pipeline.picture_file import PictureSettings
+from brdf_suite.files.images.exr.image import read_exr
+from brdf_suite.output.picture_file import PictureSettings
 
 WORDS = ["render", "copper", "--renderer", "reference", "--mesh", "sphere", "--size", "24x20", "--spp", "4"]
 
@@ -20,8 +20,8 @@ WORDS = ["render", "copper", "--renderer", "reference", "--mesh", "sphere", "--s
 @pytest.fixture(scope="module")
 def traced(variant):
     """A scene and its estimate, to be written in many ways."""
-    from brdf_suite.pipeline.reference_scene import prepare_reference
     from brdf_suite.reference.passes import trace
+    from brdf_suite.tracing.reference.scene import prepare_reference
 
     scene = prepare_reference("copper", View(surface="sphere", environment="booth"), (24, 20))
     return scene, trace(scene.traced, samples=8)
@@ -35,7 +35,7 @@ def pixels(path: Path) -> np.ndarray:
 
 
 def test_bits_colours_and_transparency_are_those_asked_for(traced, tmp_path: Path) -> None:
-    from brdf_suite.pipeline.reference_file import write_reference
+    from brdf_suite.tracing.reference.file import write_reference
 
     scene, estimate = traced
     write_reference(tmp_path / "a.png", scene, estimate, PictureSettings())

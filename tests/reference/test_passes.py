@@ -11,9 +11,9 @@ import pytest
 from brdf_suite.cli.output import STAGE_END
 from brdf_suite.documents.view import View
 from brdf_suite.errors import Cancelled, FileError, ReferenceUnavailableError
-from brdf_suite.files.exr import read_exr
-from brdf_suite.pipeline import reference as module
-from brdf_suite.pipeline.reference import render_reference
+from brdf_suite.files.images.exr.image import read_exr
+from brdf_suite.tracing.reference import picture as module
+from brdf_suite.tracing.reference.picture import render_reference
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)

@@ -12,11 +12,11 @@ import pytest
 from brdf_suite.documents.paint import Flakes, OrangePeel
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, Sparkle, TwoTone
-from brdf_suite.files.images import write_exr, write_png
+from brdf_suite.files.images.environments import write_exr, write_png
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.flakes.countable import visible_flake_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.tilt import tilt_place
@@ -52,7 +52,7 @@ def placed(at, across, down):
 
 
 def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
-    from brdf_suite.reference import flakes
+    from brdf_suite.reference.flakes import countable as flakes
 
     # The core sees a pixel as one spot, a sample as a smaller one within it.
     monkeypatch.setattr(flakes, "footprint_of_sample", lambda reach: reach)
@@ -71,7 +71,7 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
 
 
 def test_the_flake_texture_is_that_of_the_core(variant) -> None:
-    from brdf_suite.reference.flake_texture import texture_ratio
+    from brdf_suite.reference.flakes.texture import texture_ratio
     from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
     from brdf_suite.reflectance.flakes.texture import flake_texture_ratio
 
@@ -90,7 +90,7 @@ def test_the_flake_texture_is_that_of_the_core(variant) -> None:
 
 def test_flakes_send_their_mean_over_the_surface(variant) -> None:
     """A z-test of the flakes that samples see, over many places, at two tilts."""
-    from brdf_suite.reference import flakes
+    from brdf_suite.reference.flakes import countable as flakes
 
     rng = np.random.default_rng(2)
     at, across, down = pixels(rng, 400_000, 0.05, 5.0)
@@ -106,7 +106,7 @@ def test_flakes_send_their_mean_over_the_surface(variant) -> None:
 
 
 def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
-    from brdf_suite.reference.flakes import FlakeLayer
+    from brdf_suite.reference.flakes.countable import FlakeLayer
 
     rng = np.random.default_rng(3)
     wi, wo = (
@@ -122,7 +122,7 @@ def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
 
 
 def test_visible_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
-    from brdf_suite.realtime.flake_share import visible_flake_lobe
+    from brdf_suite.realtime.material.flake_share import visible_flake_lobe
 
     theta = math.radians(45.0)
     base = np.full((1, 3), 0.5)
@@ -135,10 +135,10 @@ def test_in_a_white_furnace_a_paint_with_flakes_has_the_albedo_of_the_smooth_one
     """A place and a direction for each sample: a z-test of the whole, samplers, flakes and all."""
     import mitsuba as mi
 
-    from brdf_suite.reference import terms
-    from brdf_suite.reference.flakes import FlakeLayer
-    from brdf_suite.reference.placed import LayeredPaintBsdf
-    from brdf_suite.reference.translate import divide
+    from brdf_suite.reference.bsdfs import terms
+    from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
+    from brdf_suite.reference.bsdfs.translate import divide
+    from brdf_suite.reference.flakes.countable import FlakeLayer
     from brdf_suite.reflectance.albedo import directional_albedo
 
     model = build_paint(load_shipped_paint("coarse_silver"))
@@ -176,9 +176,9 @@ def leaning_paint(variant):
     """Copper with a steep relief, at 100,000 samples of one place that leans by some 20°."""
     import mitsuba as mi
 
-    from brdf_suite.reference.placed import LayeredPaintBsdf
-    from brdf_suite.reference.relief import Slopes
-    from brdf_suite.reference.translate import divide
+    from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
+    from brdf_suite.reference.bsdfs.translate import divide
+    from brdf_suite.reference.scene.relief import Slopes
 
     parts = divide(build_paint(load_shipped_paint("copper")))
     slopes = np.full((4, 4, 2), (0.3, -0.2), np.float32)
@@ -193,7 +193,7 @@ def leaning_paint(variant):
 def test_a_leaning_surface_is_drawn_as_its_density_says(leaning_paint, chi_square, theta_deg: float) -> None:
     import mitsuba as mi
 
-    from brdf_suite.reference import terms
+    from brdf_suite.reference.bsdfs import terms
 
     paint, place = leaning_paint
     count = 100_000
@@ -240,7 +240,7 @@ def test_what_leans_reflects_all_that_it_would(leaning_paint) -> None:
     """In a white furnace, what comes from below the surface's horizon is made up for: the albedo is the flat one's."""
     import mitsuba as mi
 
-    from brdf_suite.reference import terms
+    from brdf_suite.reference.bsdfs import terms
     from brdf_suite.reflectance.albedo import directional_albedo
 
     paint, place = leaning_paint
@@ -270,8 +270,8 @@ SIZE = (64, 48)
 @pytest.fixture(scope="module")
 def pictures(variant, tmp_path_factory):
     """Return radiance of both renderers inside the object, for a view of a sphere in a lamp and soft light."""
-    from brdf_suite.pipeline.reference_live import LiveReference
-    from brdf_suite.pipeline.still import loaded_scene
+    from brdf_suite.output.still import loaded_scene
+    from brdf_suite.tracing.reference.live import LiveReference
 
     live = LiveReference()
     folder = tmp_path_factory.mktemp("placed")
@@ -308,7 +308,7 @@ def test_single_flakes_are_where_the_real_time_picture_has_them(pictures) -> Non
 
 
 def test_flakes_add_no_light_to_a_picture(variant) -> None:
-    from brdf_suite.pipeline.reference_flakes import sparkle_energy
+    from tools.evaluation.reference_flakes import sparkle_energy
 
     found = sparkle_energy("blue", samples=8, size=(64, 48))
     assert 0.0 < found.error < 0.03
@@ -343,7 +343,7 @@ def test_relief_and_two_tone_are_those_of_the_real_time_picture(pictures) -> Non
 
 def test_orange_peel_of_the_paint_or_of_the_view_moves_reflections(variant, tmp_path) -> None:
     """Black paint before stripes of light: they waver by the slope, whichever of the two asks for it."""
-    from brdf_suite.pipeline.reference_live import LiveReference
+    from brdf_suite.tracing.reference.live import LiveReference
 
     pixels = np.full((32, 64, 3), 0.1, np.float32)
     pixels[:, np.arange(64) % 4 < 2] = 2.0

@@ -15,12 +15,12 @@ from brdf_suite.cli.output import STAGE_END
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, ReferenceUnavailableError
-from brdf_suite.files.exr import read_exr
-from brdf_suite.pipeline import raytraced_file
-from brdf_suite.pipeline.raytraced_file import render_raytraced
-from brdf_suite.pipeline.traced_turntable import Budget, write_traced_turntable
-from brdf_suite.pipeline.turntable import Turn
+from brdf_suite.files.images.exr.image import read_exr
+from brdf_suite.output.turntable import Turn
 from brdf_suite.reference.raytraced.quality import Quality
+from brdf_suite.tracing.raytraced import file as raytraced_file
+from brdf_suite.tracing.raytraced.file import render_raytraced
+from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (24, 20)
@@ -58,7 +58,7 @@ def test_sums_in_a_file_are_the_same_again(tmp_path: Path) -> None:
 
 
 def test_a_cancelled_render_is_gone_on_from_and_gives_the_same_picture(tmp_path: Path, monkeypatch) -> None:
-    from brdf_suite.pipeline import raytraced
+    from brdf_suite.tracing.raytraced import picture as raytraced
 
     monkeypatch.setattr(raytraced, "PASS_SECONDS", 0.0)  # a sample a pass
     whole, parts = tmp_path / "whole.exr", tmp_path / "parts.exr"
@@ -103,8 +103,8 @@ def test_a_budget_of_time_ends_it_after_a_pass(tmp_path: Path) -> None:
 
 
 def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkeypatch) -> None:
-    from brdf_suite.pipeline import raytraced
     from brdf_suite.reference.raytraced import frames
+    from brdf_suite.tracing.raytraced import picture as raytraced
 
     with pytest.raises(FileError, match=r"\.png or \.exr"):
         render_raytraced("copper", VIEW, SIZE, tmp_path / "a.jpg")

@@ -13,9 +13,9 @@ from brdf_suite.documents.view_settings import Lamp, Sparkle
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.material import load_material
-from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
 from brdf_suite.reference.variant import Variant
 from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.raytraced.picture import Quality, RaytracedSession
 
 PLAIN = View(surface="sphere", background="grey", sparkle=Sparkle(mode="off"))
 FLAKES = Flakes(density_per_mm2=4.0, size_um=400.0, roughness=0.2, colour_spread=0.3)

@@ -15,7 +15,7 @@ from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reference.variant import Variant
 from brdf_suite.reflectance.albedo import directional_albedo
-from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 
 _spec = importlib.util.spec_from_file_location("pairs", Path(__file__).with_name("pairs.py"))
 assert _spec is not None
@@ -50,7 +50,7 @@ def rows(values: Any, count: int) -> np.ndarray:
 @pytest.fixture(scope="module")
 def terms_of(variant: Variant) -> Any:
     """Return a term by its model's name; tables are of a paint with a peak."""
-    from brdf_suite.reference.translate import translate
+    from brdf_suite.reference.bsdfs.translate import translate
 
     kept: dict[str, Any] = {}
 
@@ -63,7 +63,7 @@ def terms_of(variant: Variant) -> Any:
 
 
 def lobe_weights() -> Any:
-    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
+    from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 
     w = fit_material(load_material("copper")).weights
     return LobeWeightsTerm(w.exponents, w.kd, w.kdd, w.kg, "dielectric", w.theta_fit_rad, w.ior)
@@ -117,8 +117,8 @@ def test_the_two_parts_of_a_table_are_the_whole_and_the_broad_one_has_no_peak(
 
 
 def test_a_matt_table_is_not_cut(variant: Variant) -> None:
+    from brdf_suite.reference.bsdfs.translate import translate
     from brdf_suite.reference.raytraced.split import split
-    from brdf_suite.reference.translate import translate
     from brdf_suite.reflectance.models.lambertian import Lambertian
     from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -162,13 +162,13 @@ def test_the_cosine_lobe_is_that_of_the_paper() -> None:
     """n = 2π/4m² - 1, θ = arccos r^(1/(n+1)), and a weight that stays below 4/π of the middle's: the lobe is wider."""
     import mitsuba as mi
 
-    from brdf_suite.reference.directions import Half
+    from brdf_suite.reference.bsdfs.directions import Half
+    from brdf_suite.reference.bsdfs.terms import FacetLobe
     from brdf_suite.reference.raytraced.lobes import (
         cosine_lobe_mirrored,
         cosine_lobe_pdf,
         equivalent_exponent,
     )
-    from brdf_suite.reference.terms import FacetLobe
 
     m = 0.013
     n = equivalent_exponent(m)
@@ -188,8 +188,8 @@ def test_the_cosine_lobe_is_that_of_the_paper() -> None:
 def test_a_mirrored_lobe_has_the_albedo_of_the_sampled_one(variant: Variant) -> None:
     import mitsuba as mi
 
+    from brdf_suite.reference.bsdfs.translate import translate
     from brdf_suite.reference.raytraced.split import split
-    from brdf_suite.reference.translate import translate
 
     model = CoatLobe(1.5, 0.01)
     mirrored = split(translate(model).term, mirror=True)
@@ -202,8 +202,8 @@ def test_a_mirrored_lobe_has_the_albedo_of_the_sampled_one(variant: Variant) -> 
 
 
 def test_what_reflects_more_than_falls_on_it_is_found(terms_of) -> None:
+    from brdf_suite.reference.bsdfs.terms import LambertianTerm
     from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
-    from brdf_suite.reference.terms import LambertianTerm
 
     assert largest_albedo(LambertianTerm((0.3, 1.2, 0.5))) == pytest.approx(1.2, rel=0.01)
     assert largest_albedo(LambertianTerm((1.0, 1.0, 1.0))) <= 1.0 + TOLERANCE

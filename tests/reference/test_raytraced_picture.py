@@ -14,18 +14,18 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.lighting.lights import directional_lights
 from brdf_suite.pipeline.material import Material, load_material
-from brdf_suite.pipeline.raytraced import Quality, RaytracedSession
-from brdf_suite.pipeline.reference_scene import build_reference
 from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.reference.raytraced.light_set import Strata
 from brdf_suite.reference.variant import Variant
-from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.surface.mesh import Mesh, PartGeometry
+from brdf_suite.tracing.raytraced.picture import Quality, RaytracedSession
+from brdf_suite.tracing.reference.scene import build_reference
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (40, 32)

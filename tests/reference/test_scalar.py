@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import ReferenceUnavailableError
-from brdf_suite.files.exr import read_exr
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
+from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reference import variant as variants
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.registry import MODELS
 
 SIZE = (24, 20)

@@ -8,16 +8,16 @@ import pytest
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, PartMaterial, SurfaceLook
 from brdf_suite.errors import UnreachableError
-from brdf_suite.files.images import write_exr
+from brdf_suite.files.images.environments import write_exr
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles, sample
 from brdf_suite.pipeline.material import Material, load_material, under_illuminant
 from brdf_suite.pipeline.paint_angles import material_weights
-from brdf_suite.pipeline.reference_scene import ReferenceScene, build_reference
-from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
 pytestmark = pytest.mark.usefixtures("variant")
 SIZE = (48, 40)
@@ -48,7 +48,7 @@ def test_mitsubas_look_up_of_a_map_is_ours(variant) -> None:
     """Random pixels, so that half a row or column of displacement would show, and the poles."""
     import mitsuba as mi
 
-    from brdf_suite.reference.scene import mitsuba_map
+    from brdf_suite.reference.scene.scene import mitsuba_map
 
     rng = np.random.default_rng(3)
     pixels = rng.random((9, 18, 3)).astype(np.float32)
@@ -162,7 +162,7 @@ def test_the_same_lobes_give_the_real_time_picture(sphere, tmp_path) -> None:
 
 def test_lamps_light_as_they_say(sphere) -> None:
     """A white matt surface that faces a lamp of strength 1, at 1 m from a point lamp, gets radiance 1."""
-    from brdf_suite.appearance.colour_temperature import lamp_colour
+    from brdf_suite.appearance.light.colour_temperature import lamp_colour
 
     camera = Camera(0, 0)
     points = sphere.parts[0].positions.astype(float)

@@ -34,7 +34,7 @@ TOLERANCE = 5e-5
 @pytest.fixture(scope="module")
 def twins(variant: Variant) -> Callable[[str], tuple[Any, Any]]:
     """Return a model of the core and its twin, by name."""
-    from brdf_suite.reference.translate import translate
+    from brdf_suite.reference.bsdfs.translate import translate
 
     kept: dict[str, tuple[Any, Any]] = {}
 
@@ -75,7 +75,7 @@ def test_values_are_those_of_the_core_to_single_precision(twins, name: str) -> N
 def test_directions_are_drawn_as_the_density_says(twins, chi_square, name: str, theta_deg: float) -> None:
     import mitsuba as mi
 
-    from brdf_suite.reference import terms
+    from brdf_suite.reference.bsdfs import terms
 
     _, term = twins(name)
     count = 100_000
@@ -99,7 +99,7 @@ def test_in_a_white_furnace_the_albedo_comes_back(twins, name: str) -> None:
     """What the samplers' weights add up to is what the core's quadrature gives: a z-test."""
     import mitsuba as mi
 
-    from brdf_suite.reference import terms
+    from brdf_suite.reference.bsdfs import terms
 
     model, term = twins(name)
     count = 200_000
@@ -120,7 +120,7 @@ def test_in_a_white_furnace_the_albedo_comes_back(twins, name: str) -> None:
 
 
 def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> None:
-    from brdf_suite.reference.translate import TABULATED, translate
+    from brdf_suite.reference.bsdfs.translate import TABULATED, translate
 
     model = made.without_a_formula()
     translated = translate(model)
@@ -133,7 +133,7 @@ def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> No
 
 
 def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
-    from brdf_suite.reference.lobe_weights import LobeWeightsTerm
+    from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
     from brdf_suite.reflectance.lobe_sum import lobe_sums
 
     weights = fit_material(load_material("copper")).weights
@@ -156,7 +156,7 @@ def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
 def test_a_material_of_a_file_is_that_of_the_core(variant: Variant, shared_data: Path) -> None:
     """Not reciprocal, as measured ones are: light and view must not be exchanged."""
     from brdf_suite.files.measured import read_measured
-    from brdf_suite.reference.translate import translate
+    from brdf_suite.reference.bsdfs.translate import translate
 
     model = read_measured(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
     translated = translate(model)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.cook_torrance import CookTorranceFile
 from brdf_suite.geometry.directions import illumination, mirror, spherical

@@ -14,7 +14,7 @@ for room in ("documents", "geometry", "appearance", "reflectance"):
     for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
         importlib.import_module(module.name)
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 build_paint(solid_paint("white", (95.0, 0.0, 0.0)))
 print("\\n".join(sys.modules))
 """
@@ -34,7 +34,7 @@ def loaded() -> set[str]:
     ["PySide6", "shiboken6", "qtpy", "moderngl", "scipy", "highspy", "trimesh", "OpenImageIO", "colour"],
 )
 def test_nothing_heavy_comes_along(loaded: set[str], unwanted: str) -> None:
-    assert "brdf_suite.reflectance.build" in loaded
+    assert "brdf_suite.reflectance.designed.build" in loaded
     assert unwanted not in {name.partition(".")[0] for name in loaded}
 
 

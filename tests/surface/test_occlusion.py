@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from meshes.forms.sphere import sphere
 
 from brdf_suite.errors import Cancelled
 from brdf_suite.geometry.low_harmonics import low_harmonics
-from brdf_suite.surface.forms.sphere import sphere
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart

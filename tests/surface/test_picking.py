@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from meshes.forms.sphere import sphere
 
-from brdf_suite.surface.forms.sphere import sphere
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.picking import pick
 

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from meshes.forms import sphere
 
-from brdf_suite.surface.forms import sphere
 from brdf_suite.surface.normals import corner_angles, corner_normals, face_normals, is_inside_out, weld
 from brdf_suite.surface.repair import RawPart, repair
 from brdf_suite.surface.unwrap import box_uvs, stretch, uvs_in_millimetres

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from meshes.forms.sphere import sphere
 
 from brdf_suite.documents.view_settings import SurfaceLook
-from brdf_suite.surface.forms.sphere import sphere
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.shaping import shape_mesh
 

@@ -12,10 +12,10 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_color_swatch.assembly import ColorSwatch
-from brdf_color_swatch.export_dialog import Choice
-from brdf_color_swatch.pictures import Pictures
-from brdf_color_swatch.view_state import Look, PaneState, Scope
-from brdf_qt.dialogs import Answer, Overwrite
+from brdf_color_swatch.export.dialog import Choice
+from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
+from brdf_color_swatch.pictures.pictures import Pictures
+from brdf_qt.window.dialogs import Answer, Overwrite
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer, QEvent, QMimeData, QPointF, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest

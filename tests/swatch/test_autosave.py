@@ -6,11 +6,11 @@ from dataclasses import replace
 from threading import Event
 
 import pytest
-from brdf_color_swatch import autosave
 from brdf_color_swatch.assembly import palette_format
-from brdf_color_swatch.autosave import PaletteRecovery
-from brdf_qt.document_store import DocumentStore
-from brdf_qt.tasks import TaskRunner
+from brdf_color_swatch.library import autosave
+from brdf_color_swatch.library.autosave import PaletteRecovery
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry, Palette

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from brdf_color_swatch.view_state import Scope
+from brdf_color_swatch.grid.view_state import Scope
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest

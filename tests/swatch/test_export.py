@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.export_dialog import QtExportDialogs, choices_of, named_by
-from brdf_color_swatch.file_names import suggested_file
+from brdf_color_swatch.export.dialog import QtExportDialogs, choices_of, named_by
+from brdf_color_swatch.export.file_names import suggested_file
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from brdf_suite.files.palettes import FORMATS, find_format, sniff

@@ -7,10 +7,10 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.reading import read_palette_file
-from brdf_color_swatch.view_state import Scope
-from brdf_qt.dialogs import Answer
-from brdf_qt.recovery import Recovered
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.reading import read_palette_file
+from brdf_qt.documents.recovery import Recovered
+from brdf_qt.window.dialogs import Answer
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_qt.link import LiveLink
-from brdf_qt.message_bar import Message
+from brdf_qt.link.link import LiveLink
+from brdf_qt.window.message_bar import Message
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import save_palette

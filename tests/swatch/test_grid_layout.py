@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_color_swatch.grid_layout import GAP, GridLayout, Part
+from brdf_color_swatch.grid.layout import GAP, GridLayout, Part
 from hypothesis import given
 from hypothesis import strategies as st
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from brdf_color_swatch.history import History, Store
-from brdf_color_swatch.view_state import Scope
-from brdf_qt.document_store import DocumentStore
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.history import History, Store
+from brdf_qt.documents.store import DocumentStore
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

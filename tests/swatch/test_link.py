@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from brdf_qt.link import LiveLink
-from brdf_qt.link_messages import OFFER, document_checks
+from brdf_qt.link.link import LiveLink
+from brdf_qt.link.messages import OFFER, document_checks
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import solid_paint

@@ -6,8 +6,8 @@ import time
 
 import pytest
 from brdf_designer.assembly import paint_format
-from brdf_designer.paint_offer import PaintOffer
-from brdf_designer.tabs import Documents
+from brdf_designer.documents.paint_offer import PaintOffer
+from brdf_designer.documents.tabs import Documents
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import paint_to_json

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from brdf_color_swatch.reading import read_palette_file
-from brdf_color_swatch.view_state import Scope
-from brdf_qt.dialogs import Overwrite
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.reading import read_palette_file
+from brdf_qt.window.dialogs import Overwrite
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents import palette_edits as edits

@@ -7,12 +7,12 @@ from functools import cache
 
 import numpy as np
 import pytest
-from brdf_color_swatch.pictures import Pictures
+from brdf_color_swatch.pictures.pictures import Pictures
 
 from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.palette import Entry
-from brdf_suite.pipeline.swatch_look import SwatchLook, swatch_key
-from brdf_suite.pipeline.swatch_store import SwatchStore
+from brdf_suite.palettes.swatches.look import SwatchLook, swatch_key
+from brdf_suite.palettes.swatches.store import SwatchStore
 
 RED = Entry(solid_paint("Red", (50.0, 60.0, 40.0)), id="r")
 BLUE = Entry(solid_paint("Blue", (30.0, 5.0, -40.0)), id="b")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_color_swatch import narrowing
-from brdf_color_swatch.view_state import Scope
+from brdf_color_swatch.grid import narrowing
+from brdf_color_swatch.grid.view_state import Scope
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from time import sleep
 
 import pytest
-from brdf_color_swatch import sheet_part
-from brdf_color_swatch.sheet_part import SheetRequest, run_sheets
+from brdf_color_swatch.export import sheet_part
+from brdf_color_swatch.export.sheet_part import SheetRequest, run_sheets
 from PySide6.QtGui import QImage
 from PySide6.QtPrintSupport import QPrinter
 

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, taken
+from brdf_color_swatch.features.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, taken
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QColor
 

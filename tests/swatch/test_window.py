@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
-from brdf_color_swatch.link_part import LinkPart
-from brdf_color_swatch.map_part import MapPart
-from brdf_color_swatch.view_state import Scope
+from brdf_color_swatch.features.link_part import LinkPart
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.map.part import MapPart
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit

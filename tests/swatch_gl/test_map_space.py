@@ -15,8 +15,8 @@ CODES = np.array([[48, 48, 48], [222, 60, 120], [0, 140, 120], [250, 226, 120]],
 @pytest.fixture
 def view(qtbot):
     # Deferred: with it comes OpenGL, and the screen must be there before.
-    from brdf_color_swatch.map_points import MapPoints
-    from brdf_color_swatch.map_space import SpaceMap
+    from brdf_color_swatch.map.points import MapPoints
+    from brdf_color_swatch.map.space import SpaceMap
 
     made = SpaceMap()
     qtbot.addWidget(made)

@@ -16,8 +16,8 @@ from shiboken6 import isValid
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline import environments
 from brdf_suite.pipeline.lobe_fit import PaintFitter
-from brdf_suite.realtime import environment_textures
-from brdf_suite.realtime.renderer import Renderer
+from brdf_suite.realtime.environment import textures as environment_textures
+from brdf_suite.realtime.pictures.renderer import Renderer
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
 _spec = importlib.util.spec_from_file_location("xvfb", _FILE)
@@ -79,7 +79,7 @@ def coarse_lights(patch: pytest.MonkeyPatch) -> None:
 
 def write_light(path: Path, up: float, front: float, back: float) -> Path:
     """Write a small environment: a bright sky, and another grey in front (+z) than behind."""
-    from brdf_suite.files.images import write_exr
+    from brdf_suite.files.images.environments import write_exr
 
     rows, columns = 32, 64
     pixels = np.empty((rows, columns, 3), np.float32)

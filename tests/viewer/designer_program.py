@@ -10,7 +10,7 @@ import os
 import sys
 from dataclasses import replace
 
-from brdf_qt.link import LiveLink
+from brdf_qt.link.link import LiveLink
 from PySide6.QtCore import QCoreApplication, QSocketNotifier
 
 from brdf_suite.documents.paint import Gloss, solid_paint

@@ -7,8 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from brdf_qt.dialogs import Answer
-from brdf_qt.link import LiveLink
+from brdf_qt.link.link import LiveLink
+from brdf_qt.window.dialogs import Answer
 from PIL import Image
 
 from brdf_suite.documents.light_store import save_light

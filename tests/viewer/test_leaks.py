@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_qt.application import surface_format
-from brdf_viewer.drawing import StageDrawer
-from brdf_viewer.stage import Stage
+from brdf_qt.program.application import surface_format
+from brdf_viewer.scene.drawing import StageDrawer
+from brdf_viewer.scene.stage import Stage
 from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QApplication
 
@@ -20,7 +20,7 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 from brdf_suite.pipeline.scene import load_environment
-from brdf_suite.realtime.context import adopt_context
+from brdf_suite.realtime.gl.context import adopt_context
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 SIZE = (48, 32)

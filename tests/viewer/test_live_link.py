@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_qt.link import LiveLink
-from brdf_viewer.paint_source import DESIGNER
+from brdf_qt.link.link import LiveLink
+from brdf_viewer.paint.source import DESIGNER
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.paint import Gloss, solid_paint

@@ -8,16 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_viewer import frozen_paints
-from brdf_viewer.camera_presets import PRESETS, look_from, signed_deg
-from brdf_viewer.file_kinds import kind_of
-from brdf_viewer.frozen_paints import freeze, touch
-from brdf_viewer.paint_patches import PaintPatches, Patch
-from brdf_viewer.paint_source import DESIGNER, PaintSource
-from brdf_viewer.recent_files import MOST, RecentFiles
-from brdf_viewer.slider_field import SliderField
-from brdf_viewer.source_chooser import Source, SourceChooser, title_of
-from brdf_viewer.stage import Stage
+from brdf_viewer.camera.presets import PRESETS, look_from, signed_deg
+from brdf_viewer.compare import frozen_paints
+from brdf_viewer.compare.frozen_paints import freeze, touch
+from brdf_viewer.documents.file_kinds import kind_of
+from brdf_viewer.documents.recent_files import MOST, RecentFiles
+from brdf_viewer.fields.slider import SliderField
+from brdf_viewer.fields.source_chooser import Source, SourceChooser, title_of
+from brdf_viewer.paint.patches import PaintPatches, Patch
+from brdf_viewer.paint.source import DESIGNER, PaintSource
+from brdf_viewer.scene.stage import Stage
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -27,8 +27,8 @@ from brdf_suite.documents.paint import solid_paint
 from brdf_suite.documents.store import load_any_paint, paint_to_json, save_paint
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import FileError
+from brdf_suite.output.turning import turned
 from brdf_suite.pipeline.material import load_document
-from brdf_suite.pipeline.turning import turned
 
 RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
 

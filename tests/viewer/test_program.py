@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_qt import theme
-from brdf_qt.settings import settings
-from brdf_viewer.remembered import recall, remember
+from brdf_qt.program import theme
+from brdf_qt.program.settings import settings
+from brdf_viewer.documents.remembered import recall, remember
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication, QScrollArea
 
@@ -150,7 +150,7 @@ def test_closing_remembers_the_view(start, lights) -> None:
 
 
 def test_every_command_has_a_name_and_a_key_only_once(viewer) -> None:
-    from brdf_qt.command_palette import commands
+    from brdf_qt.window.command_palette import commands
 
     keys = [a.shortcut().toString() for _, a in commands(viewer.window) if not a.shortcut().isEmpty()]
     assert len(keys) == len(set(keys))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_qt import theme
-from brdf_qt.command_palette import commands
-from brdf_qt.help_windows import ShortcutsWindow
+from brdf_qt.program import theme
+from brdf_qt.window.command_palette import commands
+from brdf_qt.window.help_windows import ShortcutsWindow
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QKeySequence
 from PySide6.QtTest import QTest

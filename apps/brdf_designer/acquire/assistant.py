@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from brdf_designer.acquire.fit_control import FitControl
-from brdf_designer.acquire.mask_control import MaskControl
-from brdf_designer.acquire.road_control import RoadControl
-from brdf_designer.acquire.series_control import SeriesControl
-from brdf_designer.acquire.session_control import SessionControl
+from brdf_designer.acquire.exposures.control import SeriesControl
+from brdf_designer.acquire.fit.control import FitControl
+from brdf_designer.acquire.mask.control import MaskControl
+from brdf_designer.acquire.reconstruction_control import RoadControl
+from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.window import AcquireWindow
 from brdf_designer.acquire.workbench import Workbench, no_session
-from brdf_designer.desk import Desk
-from brdf_designer.window import DesignerWindow
+from brdf_designer.session.desk import Desk
+from brdf_designer.window.window import DesignerWindow
 
 CHAIN = ("response", "geometry", "table", "fit")
 

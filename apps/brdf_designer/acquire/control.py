@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from brdf_qt.translation import tr
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 
-from brdf_designer.desk import Desk
-from brdf_designer.window import DesignerWindow
+from brdf_designer.session.desk import Desk
+from brdf_designer.window.window import DesignerWindow
 
 if TYPE_CHECKING:
     from brdf_designer.acquire.assistant import Assistant

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.labels import PlainLabel, plain_tip
-from brdf_qt.section import Inspector, Section
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.window.section import Inspector, Section
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 

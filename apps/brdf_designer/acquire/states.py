@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_designer.acquire.picture_tone import Tones
+from brdf_designer.acquire.pictures.tone import Tones
 
 
 @dataclass(frozen=True)

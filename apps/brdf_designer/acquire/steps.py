@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from brdf_qt.translation import mark
+from brdf_qt.program.translation import mark
 
 StepState = Literal["todo", "running", "done", "warning"]
 SIGNS: dict[StepState, str] = {

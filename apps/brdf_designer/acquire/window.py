@@ -5,12 +5,12 @@ Closing it only hides it: what runs goes on, what was found stays, and nothing i
 
 from __future__ import annotations
 
-from brdf_qt.icons import icon
-from brdf_qt.labels import ElidedLabel, plain_tip
-from brdf_qt.message_bar import MessageBar
-from brdf_qt.progress_strip import ProgressStrip
-from brdf_qt.settings import settings
-from brdf_qt.translation import tr
+from brdf_qt.fields.labels import ElidedLabel, plain_tip
+from brdf_qt.program.icons import icon
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import MessageBar
+from brdf_qt.window.progress_strip import ProgressStrip
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QHideEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import (
@@ -24,16 +24,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_designer.acquire.coverage_page import CoveragePage
-from brdf_designer.acquire.exposures_page import ExposuresPage
-from brdf_designer.acquire.fit_page import FitPage
-from brdf_designer.acquire.geometry_page import GeometryPage
-from brdf_designer.acquire.mask_page import MaskPage
+from brdf_designer.acquire.exposures.page import ExposuresPage
+from brdf_designer.acquire.fit.page import FitPage
+from brdf_designer.acquire.geometry.page import GeometryPage
+from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.page import AcquirePage
-from brdf_designer.acquire.reconstruction_page import ReconstructionPage
-from brdf_designer.acquire.response_page import ResponsePage
-from brdf_designer.acquire.session_page import SessionPage
+from brdf_designer.acquire.response.page import ResponsePage
+from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.steps import KEYS, SIGNS, STATE_WORDS, STEPS, StepState
+from brdf_designer.acquire.table.coverage_page import CoveragePage
+from brdf_designer.acquire.table.reconstruction_page import ReconstructionPage
 
 _GEOMETRY = "acquire/geometry"
 _SIZE = QSize(1280, 820)

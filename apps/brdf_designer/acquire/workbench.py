@@ -11,17 +11,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from brdf_qt.message_bar import Message, message_of
-from brdf_qt.progress_strip import ProgressStrip
-from brdf_qt.tasks import TaskRunner, Work
-from brdf_qt.translation import tr
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.progress_strip import ProgressStrip
+from brdf_qt.work.tasks import TaskRunner, Work
 from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.window import AcquireWindow
-from brdf_suite.pipeline.acquiring_options import AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.session import Session
+    from brdf_suite.acquisition.session.session import Session
 
 WORK_FILE = "reconstruction.work"
 """What is done of a reconstruction is kept under this name in the session's folder."""
@@ -39,7 +39,7 @@ _AFTER = {
 class RoadRequest:
     """What a thread needs to take the road up: the folder, the choices, and what was found before.
 
-    ``response`` is a :class:`brdf_designer.acquire.work_response.ResponseFound`, ``geometry`` a calibration with its
+    ``response`` is a :class:`brdf_designer.acquire.response.work.ResponseFound`, ``geometry`` a calibration with its
     geometry; None where a step was not taken.
     """
 

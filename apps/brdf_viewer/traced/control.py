@@ -10,20 +10,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from brdf_qt.message_bar import Message
-from brdf_qt.settings import settings
-from brdf_qt.tasks import TaskRunner
-from brdf_qt.translation import tr
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message
+from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.store import view_to_json
-from brdf_viewer.sections.renderer import DEFAULT_SAMPLES
-from brdf_viewer.stage import Stage
+from brdf_viewer.scene.stage import Stage
 from brdf_viewer.traced.frame_rate import FrameRate
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
 from brdf_viewer.traced.process import TracedPicture, TraceProcess
 from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
+from brdf_viewer.traced.section import DEFAULT_SAMPLES
 from brdf_viewer.traced.wanted import Wanted, wanted_of
 from brdf_viewer.traced.words import SHORT_TITLES, picture_words, rate_words
 from brdf_viewer.window import ViewerWindow

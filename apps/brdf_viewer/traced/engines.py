@@ -21,9 +21,9 @@ from brdf_viewer.traced.scene_files import read_environment_file, read_surface_f
 
 if TYPE_CHECKING:
     from brdf_suite.lighting.environment import Environment
-    from brdf_suite.pipeline.raytraced import RaytracedImage, RaytracedSession
-    from brdf_suite.pipeline.reference_live import LiveReference
     from brdf_suite.surface.mesh import Mesh
+    from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
+    from brdf_suite.tracing.reference.live import LiveReference
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +94,7 @@ class Engines:
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> ReferenceJob:
         # Here, because Mitsuba comes with it.
-        from brdf_suite.pipeline.reference_live import LiveReference
+        from brdf_suite.tracing.reference.live import LiveReference
 
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
@@ -114,7 +114,7 @@ class Engines:
     def _open_raytraced(
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> RaytracedJob:
-        from brdf_suite.pipeline.raytraced import RaytracedSession
+        from brdf_suite.tracing.raytraced.picture import RaytracedSession
 
         if self._raytraced is None:
             report(progress, 0.2, "starting the ray tracer")
@@ -218,8 +218,8 @@ class RaytracedJob:
 
     def save(self, path: Path, view: View) -> None:
         """Write radiance, and what it adds up from: lights and samples are a preset's, so no variance is known."""
-        from brdf_suite.pipeline.raytraced import RaytracedImage
         from brdf_suite.reference.raytraced.sums_file import write_sums
+        from brdf_suite.tracing.raytraced.picture import RaytracedImage
 
         if self._newest is None:
             raise SuiteError("There is no picture yet.")

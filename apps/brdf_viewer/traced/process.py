@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from brdf_qt.translation import tr
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject, QProcess, Signal
 
 from brdf_suite.processes import child_command

@@ -9,9 +9,9 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.realtime.camera import resolve
-from brdf_suite.realtime.comparison import sides
+from brdf_suite.realtime.pictures.comparison import sides
 from brdf_suite.surface.mesh import Mesh
-from brdf_viewer.stage import Stage
+from brdf_viewer.scene.stage import Stage
 from brdf_viewer.traced.request import Quality, Renderer
 
 _SHOWN = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.translation import mark, tr
+from brdf_qt.program.translation import mark, tr
 
 from brdf_viewer.traced.process import TracedPicture
 

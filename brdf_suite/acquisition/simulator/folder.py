@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from brdf_suite.acquisition.session import SESSION_FILE, Session
-from brdf_suite.acquisition.session_store import write_session
+from brdf_suite.acquisition.session.session import SESSION_FILE, Session
+from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator.description import TRUTH_FILE
 from brdf_suite.acquisition.simulator.rig import Simulator
 from brdf_suite.acquisition.simulator.sensor import Codes

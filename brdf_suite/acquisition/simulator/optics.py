@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session import Intrinsics
+from brdf_suite.acquisition.session.session import Intrinsics
 
 Floats = NDArray[np.float64]
 

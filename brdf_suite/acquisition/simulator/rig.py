@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session import Intrinsics, Session, SessionCamera
-from brdf_suite.acquisition.session_values import Matrix
+from brdf_suite.acquisition.session.session import Intrinsics, Session, SessionCamera
+from brdf_suite.acquisition.session.values import Matrix
 from brdf_suite.acquisition.simulator.calibration_pictures import (
     BOARD_COLUMNS,
     BOARD_PICTURES,

@@ -32,7 +32,7 @@ from brdf_suite.files.exports.model_fit import (
     schlick,
 )
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 
 _NARROWEST, _WIDEST = 0.06, 1.0
 _GRID, _FINER = 13, 7

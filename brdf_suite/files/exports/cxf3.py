@@ -17,8 +17,8 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
+from brdf_suite.appearance.colour.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.errors import FileError, ValueRangeError

@@ -12,7 +12,7 @@ from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 

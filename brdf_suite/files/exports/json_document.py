@@ -21,11 +21,11 @@ from dataclasses import asdict
 from datetime import UTC, datetime
 from importlib.metadata import version
 
-from brdf_suite.appearance.colorimetry import lab_to_xyz
-from brdf_suite.appearance.flop import flop_index
+from brdf_suite.appearance.colour.colorimetry import lab_to_xyz
+from brdf_suite.appearance.colour.spaces import lab_to_lch
+from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.spaces import lab_to_lch
-from brdf_suite.appearance.travel import travel
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.reading import FieldReader, read_json

@@ -36,7 +36,7 @@ from brdf_suite.files.exports.model_fit import (
 )
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 
 _METALS = np.linspace(0.0, 1.0, 11)
 _ROUGHNESSES = np.linspace(0.2, 1.0, 17)

@@ -12,17 +12,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import (
+from brdf_suite.appearance.colour.colorimetry import (
     REC709_TO_WORKING,
     WORKING_TO_SRGB,
     lab_to_working,
     working_to_lab,
 )
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.format import ExportItem, flake_loss, model_loss
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
-from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
 _STEP_DEG = 10.0
 _BETWEEN, _OTHER_LIGHTS = 0.05, 0.005

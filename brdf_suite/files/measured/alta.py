@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import number_in, numbered_lines

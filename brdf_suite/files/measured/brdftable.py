@@ -34,7 +34,7 @@ from brdf_suite.files.measured.brdftable_product import (
 )
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
-from brdf_suite.reflectance.factored import Factored
+from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.coverage import Coverage

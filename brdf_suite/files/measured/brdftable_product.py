@@ -9,8 +9,8 @@ import numpy as np
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.files.measured.array_container import Array
-from brdf_suite.reflectance.factor_map import MapFactor
-from brdf_suite.reflectance.factored import MOST_MORE, Factored
+from brdf_suite.reflectance.factored.map import MapFactor
+from brdf_suite.reflectance.factored.model import MOST_MORE, Factored
 
 NEEDED = {"p", "q", "alpha"}
 OPTIONAL = {f"{part}{number}" for part in ("more", "peak") for number in range(MOST_MORE)}

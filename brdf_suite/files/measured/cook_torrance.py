@@ -51,7 +51,7 @@ def read_cook_torrance(path: PathLike, _options: ReadOptions | None = None) -> C
 
     No option matters: parameters are in the working space already.
     """
-    from brdf_suite.reflectance.build import build_reflectance  # pulls in every model
+    from brdf_suite.reflectance.designed.build import build_reflectance  # pulls in every model
 
     try:
         paint = load_any_paint(path)

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import open_plain

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, WORKING_TO_XYZ
-from brdf_suite.appearance.spectra import spectrum_to_working
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_XYZ
+from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured.bounded_reading import MOST_BANDS, MOST_SAMPLES
 from brdf_suite.files.measured.format import PathLike

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING, srgb_decode
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions

@@ -9,14 +9,14 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike
 
-from brdf_suite.appearance.colorimetry import (
+from brdf_suite.appearance.colour.colorimetry import (
     WORKING_TO_XYZ,
     lab_to_working,
     working_to_display,
     xyz_to_lab,
 )
-from brdf_suite.appearance.flat_colours import WHITES, decode_rgb, flat_labs, is_of_other_space
-from brdf_suite.appearance.spaces import adapt_xyz, working_to_xyz
+from brdf_suite.appearance.colour.flat_colours import WHITES, decode_rgb, flat_labs, is_of_other_space
+from brdf_suite.appearance.colour.spaces import adapt_xyz, working_to_xyz
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
@@ -58,8 +58,8 @@ def as_readings(paint: Paint | CookTorrancePaint | FactoredPaint) -> Paint:
 def _measured(paint: CookTorrancePaint | FactoredPaint) -> Paint:
     # The instruments load the whole of reflectance, which palettes of flat colours never need.
     from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement
-    from brdf_suite.reflectance.build import build_reflectance
-    from brdf_suite.reflectance.spectrophotometer import measure
+    from brdf_suite.reflectance.designed.build import build_reflectance
+    from brdf_suite.reflectance.instruments.spectrophotometer import measure
 
     found = measure(build_reflectance(paint))
     gloss = PARAMETERS["gloss.gu_20"]

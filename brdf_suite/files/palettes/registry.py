@@ -16,26 +16,13 @@ from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import LARGEST_PALETTE
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.files.palettes import (
-    acb,
-    aco,
-    act,
-    ase,
-    css,
-    csv_table,
-    cxf3,
-    gpl,
-    jasc_pal,
-    json_tokens,
-    kpl,
-    own,
-    riff_pal,
-    sbz,
-    scribus,
-    soc,
-)
+from brdf_suite.files.palettes import own
+from brdf_suite.files.palettes.archive import kpl, sbz
+from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
 from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
+from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
+from brdf_suite.files.palettes.xml import cxf3, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
     own.FORMAT,

@@ -27,14 +27,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
 from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableError
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.reflectance.build import build_reflectance
-from brdf_suite.reflectance.layers import split_layers
+from brdf_suite.reflectance.designed.build import build_reflectance
+from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
 
 FloatArray = NDArray[np.float64]

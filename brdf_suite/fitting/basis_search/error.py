@@ -19,8 +19,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,

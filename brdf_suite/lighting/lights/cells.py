@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 
 Float64 = NDArray[np.float64]

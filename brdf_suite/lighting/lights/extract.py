@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.lights.cells import Cells, sum_cells

@@ -4,7 +4,7 @@ Sky: L. Hošek and A. Wilkie, "An Analytic Model for Full Spectral Sky-Dome Radi
 Sun: the same, "Adding a Solar-Radiance Function to the Hošek-Wilkie Skylight Model", IEEE CG&A 33(3), 2013; its
 darkening towards the limb is that of the same data. Both are spectral, in W/(m²·sr·nm) at 11 wavelengths from 320 to
 720 nm; here they become luminance and colour through the CIE 1931 observer, so that a sky is in kcd/m² without any
-factor of taste. The tables are the authors' (``packaging/generate_sky_tables.py``).
+factor of taste. The tables are the authors' (``packaging/generators/sky_tables.py``).
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import WORKING_TO_XYZ
-from brdf_suite.appearance.spectra import colour_matching, table_wavelengths
+from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ
+from brdf_suite.appearance.colour.spectra import colour_matching, table_wavelengths
 from brdf_suite.resources import resource
 
 Float64 = NDArray[np.float64]

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.documents.studio import StudioLamp
 
 Float64 = NDArray[np.float64]

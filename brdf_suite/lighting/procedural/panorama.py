@@ -1,7 +1,7 @@
 """Rendering of radiance as a function of direction to a latitude-longitude map, with its illuminances.
 
 Inside this folder luminances are in kcd/m² and colours linear in the working space, scaled so that their
-luminance (:data:`~brdf_suite.appearance.colorimetry.LUMINANCE`) is that figure. The picture is then scaled so
+luminance (:data:`~brdf_suite.appearance.colour.colorimetry.LUMINANCE`) is that figure. The picture is then scaled so
 that 1 is the luminance of a perfectly white card that lies flat in the middle of the scene: as an incident-light
 meter would expose it, so that every environment suits exposure 0. The scale is kept as ``white_luminance``.
 """
@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import LUMINANCE, WORKING_TO_XYZ
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_XYZ
 from brdf_suite.progress import Progress, report
 
 Float64 = NDArray[np.float64]

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.lighting.procedural.panorama import edge, mix
 
 Float64 = NDArray[np.float64]

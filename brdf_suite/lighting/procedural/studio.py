@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.documents.studio import Studio
 from brdf_suite.lighting.procedural.lamps import LampSurface
 from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, draw, finish

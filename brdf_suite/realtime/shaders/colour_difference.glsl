@@ -2,8 +2,8 @@
 // Needs:    nothing
 //
 // CIE 1976 L*a*b* of tristimulus values over those of the white, and CIEDE2000 between two of them (ISO/CIE
-// 11664-6, hue conventions of Sharma, Wu and Dalal 2005). The same in numpy: appearance/colorimetry.py and
-// appearance/difference.py.
+// 11664-6, hue conventions of Sharma, Wu and Dalal 2005). The same in numpy: appearance/colour/colorimetry.py and
+// appearance/difference/formulas.py.
 vec3 lab_of_relative(vec3 relative)
 {
     const float EDGE = 6.0 / 29.0;

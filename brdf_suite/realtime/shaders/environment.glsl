@@ -5,7 +5,7 @@
 // World directions are right-handed, y up. The light is turned about y by an angle, counter-clockwise seen from
 // above; a direction of the world is looked up in the map after the inverse turn. light_turn = (cos, sin).
 // light_colour is the environment's colour under another lamp: a matrix on what its maps make the surface reflect,
-// once, and on the background; appearance/light_matrix.py. Maps hold radiance / scale in half floats, in the order and orientation of OpenGL's cube maps.
+// once, and on the background; appearance/light/matrix.py. Maps hold radiance / scale in half floats, in the order and orientation of OpenGL's cube maps.
 uniform samplerCube diffuse_map;
 uniform float diffuse_scale;
 uniform samplerCube background_map;

@@ -1,5 +1,5 @@
 // Provides: vec3 ball_radiance(SurfacePoint p): what lamps make the surface reflect, read from a reflectance ball
-// Needs:    surface_point.glsl, BALL_SHARE; a picture that reflectance_ball.py drew
+// Needs:    surface_point.glsl, BALL_SHARE; a picture that factors/ball.py drew
 //
 // The picture of a ball of the material in the lamps' light is a map over the normal: right for lamps far away, for a
 // view from far away, and for what looks alike however it is turned about its normal. One look-up then represents all

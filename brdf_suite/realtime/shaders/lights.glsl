@@ -1,6 +1,6 @@
 // Provides: uniform block Lights (one buffer), struct Arriving, Arriving light_at(int index, vec3 position),
 //           MOST_LIGHTS, LIGHT_OF_ENVIRONMENT
-// Needs:    nothing. Written by light_block.py
+// Needs:    nothing. Written by lights/block.py
 //
 // The environment's lights come first: their light is in the prefiltered maps already, and only what single flakes
 // make of it is added. Lamps follow; theirs is not, and all of it is added.

@@ -9,7 +9,7 @@
 // or, with direction, exponent and amplitude of the look-ups from a table (docs/method/shading.md),
 //         + sum KDD_i A_i(c) P_e(R + b_i(c) N),  e = e_i(c)    and so on.
 // Weights, amplitudes, exponents and Fresnel's gains depend on c alone: the ramp of a material has them over the root
-// of c, a row for each look-up (material_ramp.py). What differs between the modes are its numbers.
+// of c, a row for each look-up (material/ramp.py). What differs between the modes are its numbers.
 //
 // The numbers of look-ups are constants of the program: a software renderer takes half as long again for a loop that is
 // not written out, and carries out both sides of a condition. Where a material has fewer, the rest weighs nothing.

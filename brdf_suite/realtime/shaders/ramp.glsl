@@ -3,7 +3,7 @@
 // Needs:    surface_point.glsl; MAX_BROAD, MAX_SHARP, RAMP_ROWS, RAMP_NODES (written by shader_source.py)
 //
 // What of a material depends on c = N.V alone: weights, gains and exponents over the root of c, a row for each look-up
-// (material_ramp.py).
+// (material/ramp.py).
 #include "material.glsl"
 
 uniform sampler2D ramp;

@@ -1,4 +1,4 @@
-"""Noise-free environment behind each pixel, as ``reference.backdrop``, on the renderer's arrays."""
+"""Noise-free environment behind each pixel, as ``reference.scene.backdrop``, on the renderer's arrays."""
 
 from __future__ import annotations
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Real, Vector
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.directions import Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene import PinholeCamera
+from brdf_suite.reference.scene.scene import PinholeCamera
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.reference import terms
+from brdf_suite.reference.bsdfs import terms
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.numbers import copy_to_device, in_cube
 

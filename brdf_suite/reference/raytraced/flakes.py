@@ -4,7 +4,7 @@ The counterpart of :func:`brdf_suite.reflectance.flakes.texture.flake_texture_ra
 as in the real-time picture's flake texture, and the same in every frame. Each light is multiplied by how bright the
 flakes of the pixel are in it over their mean, for the share of the broad part that flakes which can be counted send;
 its mean over the surface is 1, so flakes neither add light nor take it. The share is that of
-``realtime/flake_share.py``,
+``realtime/material/flake_share.py``,
 
     f = c R T(θi) T(θo) bell(δ) / (8π m² n² cosθi' cosθo'),
 
@@ -25,8 +25,8 @@ from brdf_suite.appearance.visible_flakes import (
     flake_coverage,
 )
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.numbers import scramble
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH

@@ -16,8 +16,8 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
-from brdf_suite.appearance.colour_temperature import lamp_colour
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import direction

@@ -18,10 +18,10 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.bsdfs.terms import FacetLobe
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.terms import FacetLobe
 
 _EVEN = 1e4
 LARGEST_SLOPE = 0.12

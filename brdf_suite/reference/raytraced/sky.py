@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
 
 

@@ -11,11 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.coated import UnderCoat
-from brdf_suite.reference.directions import Colour, Real, Square, Vector
-from brdf_suite.reference.lobe_weights import LobeWeightsTerm
-from brdf_suite.reference.measured import MeasuredTerm
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.coated import UnderCoat
+from brdf_suite.reference.bsdfs.directions import Colour, Real, Square, Vector
+from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
+from brdf_suite.reference.bsdfs.measured import MeasuredTerm
+from brdf_suite.reference.bsdfs.table import HalfAngleTable
+from brdf_suite.reference.bsdfs.terms import CoatLobeTerm, FacetLobe, SumTerm
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_MIRROR_SLOPE,
@@ -26,8 +28,6 @@ from brdf_suite.reference.raytraced.lobes import (
 )
 from brdf_suite.reference.raytraced.numbers import in_cube
 from brdf_suite.reference.raytraced.table_split import TableSplit, split_by_values
-from brdf_suite.reference.table import HalfAngleTable
-from brdf_suite.reference.terms import CoatLobeTerm, FacetLobe, SumTerm
 
 _MIRROR_NODES, _MIRROR_SAMPLES = 64, 1024
 

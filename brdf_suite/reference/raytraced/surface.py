@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.reference.directions import Real, Vector
+from brdf_suite.reference.bsdfs.directions import Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
 
 EPSILON = 1.5e-4

@@ -20,10 +20,11 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import LUMINANCE
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
+from brdf_suite.reference.bsdfs.terms import Facets
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_SLOPE,
@@ -33,7 +34,6 @@ from brdf_suite.reference.raytraced.lobes import (
     equivalent_exponent,
 )
 from brdf_suite.reference.raytraced.numbers import copy_to_device
-from brdf_suite.reference.terms import Facets
 
 TableSplit = Literal["clamp", "subtract"]
 TABLE_SPLITS: tuple[TableSplit, ...] = ("clamp", "subtract")

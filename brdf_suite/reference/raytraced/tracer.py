@@ -23,8 +23,8 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.reference import directions as d
-from brdf_suite.reference.directions import Colour, Real, Vector
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced import flakes as fl
 from brdf_suite.reference.raytraced.camera import Pinhole

@@ -6,8 +6,8 @@ solid angle outside being n² cosθ'/cosθ times that below,
 
     f = c R T(wi) T(wo) bell / (8π m² n² cosθ'i cosθ'o),
 
-θ' below the coat, in 1/sr. It is what ``realtime.flake_share`` has at the mirror direction of the light that a fit
-holds for, and it is reciprocal. They have the base's hue, and never send more than most of it.
+θ' below the coat, in 1/sr. It is what ``realtime.material.flake_share`` has at the mirror direction of the light
+that a fit holds for, and it is reciprocal. They have the base's hue, and never send more than most of it.
 """
 
 from __future__ import annotations

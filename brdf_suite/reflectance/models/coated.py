@@ -31,9 +31,9 @@ import numpy.typing as npt
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.reflectance import coat_lobe
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
-from brdf_suite.reflectance.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed import coat_lobe
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance
 from brdf_suite.reflectance.protocol import Reflectance

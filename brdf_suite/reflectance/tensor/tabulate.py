@@ -22,8 +22,8 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.appearance.colorimetry import LUMINANCE, REC709_TO_WORKING
-from brdf_suite.appearance.spectra import spectrum_to_working
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE, REC709_TO_WORKING
+from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.protocol import Reflectance

@@ -25,8 +25,8 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.colorimetry import REC709_TO_WORKING
-from brdf_suite.appearance.spectra import spectrum_to_working
+from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import Floats, spherical

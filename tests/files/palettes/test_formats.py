@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.difference import delta_e_2000
-from brdf_suite.appearance.flat_colours import flat_labs
+from brdf_suite.appearance.colour.flat_colours import flat_labs
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
@@ -27,7 +27,7 @@ from brdf_suite.files.palettes import (
     read_palette,
     write_palette,
 )
-from brdf_suite.files.palettes.css_colour import parse_colour
+from brdf_suite.files.palettes.text.css_colour import parse_colour
 
 WRITTEN = [known for known in FORMATS if known.write is not None]
 NAMES = [known.name for known in FORMATS]

@@ -26,7 +26,7 @@ def fuzzing(checkout: Path) -> ModuleType:
     pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
     if not Path("/proc/self/statm").exists():
         pytest.skip("the memory in use is read from /proc")
-    path = checkout / "tests" / "benchmarks" / "fuzz_palettes.py"
+    path = checkout / "tools" / "attack" / "fuzz_palettes.py"
     spec = importlib.util.spec_from_file_location("fuzz_palettes", path)
     assert spec is not None
     assert spec.loader is not None
@@ -133,7 +133,7 @@ def test_zip_files_unpack_within_bounds_and_write_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("brdf_suite.files.palettes.zipped.LARGEST", 1 << 20)
+    monkeypatch.setattr("brdf_suite.files.palettes.archive.zipped.LARGEST", 1 << 20)
     large = zipped({"colorset.xml": b" " * (2 << 20)})
     assert len(large) < 10_000
     assert "unpacks to more" in refused(large, "kpl").reason

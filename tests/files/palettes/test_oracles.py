@@ -11,14 +11,14 @@ import pytest
 import xmlschema
 from PIL import GimpPaletteFile, ImageColor
 
-from brdf_suite.appearance.colorimetry import lab_to_working, working_to_display
-from brdf_suite.appearance.flat_colours import flat_labs
+from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display
+from brdf_suite.appearance.colour.flat_colours import flat_labs
 from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.files.palettes import find_format, write_palette
 from brdf_suite.files.palettes.conversions import lab_d50
-from brdf_suite.files.palettes.css_colour import format_css
+from brdf_suite.files.palettes.text.css_colour import format_css
 
 PAINT = Paint(
     "Silver",

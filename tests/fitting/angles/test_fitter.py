@@ -19,9 +19,9 @@ from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_document, load_shipped_paint
-from brdf_suite.reflectance.build import build_paint, build_reflectance
-from brdf_suite.reflectance.layers import split_layers
-from brdf_suite.reflectance.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
+from brdf_suite.reflectance.designed.layers import split_layers
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
 
 @cache

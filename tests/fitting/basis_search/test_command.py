@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.cli import basis
+from brdf_suite.cli.tools import basis
 
 ORDER = ("--lobes", "2", "--starts", "2", "--workers", "2")
 #: The command, which stops when the first count is kept and its workers are at the second: a signal meets it there.

@@ -20,8 +20,8 @@ from brdf_suite.fitting.basis_search.database import (
 )
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.coat_lobe import CoatLobe
-from brdf_suite.reflectance.layers import Layers
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.designed.layers import Layers
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
 

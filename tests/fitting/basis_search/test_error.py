@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import working_to_lab
-from brdf_suite.appearance.difference import delta_e_2000
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeBasis, LobeFitter
 from brdf_suite.fitting.basis_search.database import BETWEEN_DEG, Database, reflectances
 from brdf_suite.fitting.basis_search.error import BasisError, equation_4
-from brdf_suite.reflectance.layers import Layers
+from brdf_suite.reflectance.designed.layers import Layers
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 

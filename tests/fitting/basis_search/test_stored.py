@@ -79,7 +79,7 @@ def test_damage_is_reported_with_its_place(tmp_path: Path, old: str, new: str, p
 
 @pytest.fixture(scope="module")
 def plots(checkout: Path) -> ModuleType:
-    spec = importlib.util.spec_from_file_location("plot_basis", checkout / "packaging" / "plot_basis.py")
+    spec = importlib.util.spec_from_file_location("plot_basis", checkout / "packaging" / "plots" / "basis.py")
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.colorimetry import working_to_lab
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectance
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.reflectance.build import build_paint
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.resources import resource, resource_names
 
 ENDING = ".brdfpaint"

@@ -28,7 +28,7 @@ def script(path: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 
 
 def test_the_energy_row_and_three_incidences_pay(checkout: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    choices = script(checkout / "tests" / "benchmarks" / "undivided_choices.py", monkeypatch)
+    choices = script(checkout / "tests" / "benchmarks" / "comparisons" / "undivided_choices.py", monkeypatch)
     judges = [
         choices.Judge.of(value)
         for value in (CookTorrance(TABLE_1["table1_ford_f8"]), MODELS["ggx_clearcoat"].default)
@@ -48,7 +48,7 @@ def test_slices_and_tables_are_drawn(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    plots = script(checkout / "packaging" / "plot_measured_fits.py", monkeypatch)
+    plots = script(checkout / "packaging" / "plots" / "measured_fits.py", monkeypatch)
     fits = {
         "one": fit_material(load_material("table1_white"), errors=True),
         "two": fit_material(load_material(shared_data / "brdf" / "cayman.brdf"), errors=True),

@@ -14,7 +14,7 @@ from brdf_suite.documents.cook_torrance import Clearcoat, CookTorranceLobe, Cook
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.reflectance.albedo import directional_albedo
-from brdf_suite.reflectance.build import build_reflectance
+from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from_reflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

@@ -1,0 +1,1 @@
+"""Export of palettes and contact sheets."""

@@ -1,0 +1,229 @@
+"""Contact sheets: what the pane shows, each with its figures, as a file or on paper.
+
+They are drawn by the suite's command in a process of its own, as Designer's reports are: drawing holds the interpreter.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.tasks import Work
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QImage, QPainter
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
+from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.processes import child_command
+from brdf_suite.progress import Progress
+
+Done = Callable[[Any], None]
+
+_KEY = "sheet"
+_CELL = (240, 180)
+_PRINTED_COLUMNS, _PRINTED_ROWS = 4, 5
+_LOOK_S = 0.2
+
+
+@dataclass(frozen=True, eq=False)
+class SheetRequest:
+    """Pages to be drawn: the palette of each, its file, and the light and form of all."""
+
+    pages: tuple[tuple[Palette, Path], ...]
+    environment: str
+    surface: str
+    columns: int | None = None
+
+
+def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
+    """Draw the pages one after the other and return their files.
+
+    Raises
+    ------
+    SuiteError
+        What the command said, or that it ended without a word.
+    Cancelled
+        The progress callback asked for it; old files stay.
+    """
+    for number, (palette, path) in enumerate(request.pages):
+        share = number / len(request.pages)
+        with tempfile.TemporaryDirectory(prefix="brdf-sheet-") as folder:
+            source = Path(folder) / f"palette{PALETTE_ENDING}"
+            save_palette(palette, source)
+            words = child_command("brdf_suite.cli.main", "sheet", str(source), "-o", str(path), "--json")
+            words += ["--size", "x".join(map(str, _CELL)), "--environment", request.environment]
+            words += ["--mesh", request.surface]
+            if request.columns is not None:
+                words += ["--columns", str(request.columns)]
+            with (Path(folder) / "said").open("w+b") as said:
+                process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=said)
+                while process.poll() is None:
+                    try:
+                        progress(share, path.name)
+                        process.wait(_LOOK_S)
+                    except subprocess.TimeoutExpired:
+                        continue
+                    except Cancelled:
+                        process.terminate()
+                        process.wait()
+                        raise
+                # 1: a paint could not be drawn, and its reason stands in its place.
+                if process.returncode not in (0, 1) or not path.exists():
+                    said.seek(0)
+                    words_said = said.read().decode("utf-8", "replace").strip().splitlines()
+                    raise SuiteError(words_said[-1] if words_said else tr("The sheet could not be drawn."))
+    return tuple(path for _, path in request.pages)
+
+
+def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
+    """Draw pages whose files nobody wants, and return their content; errors as :func:`run_sheets`.
+
+    Whichever way it ends, nothing of them stays on the disk.
+    """
+    with tempfile.TemporaryDirectory(prefix="brdf-print-") as folder:
+        pages = tuple((palette, Path(folder) / path.name) for palette, path in request.pages)
+        return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
+
+
+class SheetPart:
+    """Commands that make contact sheets of what the pane in front shows."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self._sheet = window.add_command(
+            "file", mark("Contact S&heet…"), None, self.export, "sheet",
+            tip=mark("Write what is shown as a sheet with figures: PDF or PNG"),
+        )  # fmt: skip
+        self._print = window.add_command(
+            "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
+        )
+        desk.shown_changed.connect(lambda _pane: self._enable())
+        desk.front_changed.connect(self._enable)
+        self._enable()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether no sheet is being drawn; a picture of the window does not wait for one."""
+        return True
+
+    def export(self) -> None:
+        """Ask for a file, and draw what is shown into it."""
+        shown = self.shown_palette()
+        if shown is None:
+            return
+        path = self._desk.library.dialogs.save_path(
+            suggested_file(self._desk.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
+        )
+        if path is not None:
+            self.draw(shown, path.absolute())
+
+    def draw(self, palette: Palette, path: Path) -> None:
+        """Draw a palette into a file."""
+        self._submit(run_sheets, ((palette, path),), None, lambda paths: self._written(paths[0]))
+
+    def shown_palette(self) -> Palette | None:
+        """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
+        desk = self._desk
+        palette, shown = desk.palette, desk.shown[desk.front]
+        if palette is None or not shown.places:
+            return None
+        chosen = set(desk.selected)
+        entries = [shown.rows.entries[place] for place in shown.places]
+        if len(chosen) > 1:
+            entries = [entry for entry in entries if entry.id in chosen]
+        if not desk.state.keeps_order:
+            entries = [replace(entry, group=()) for entry in entries]
+        return Palette(palette.name, tuple(entries), notes=palette.notes)
+
+    def print_sheet(self) -> None:
+        """Ask for a printer, draw page by page, and print."""
+        # With the print system: a tenth of a second to import.
+        from PySide6.QtPrintSupport import QPrintDialog, QPrinter
+
+        shown = self.shown_palette()
+        if shown is None:
+            return
+        printer = QPrinter(QPrinter.PrinterMode.HighResolution)
+        printer.setDocName(shown.name)
+        dialog = QPrintDialog(printer, self._window)
+        dialog.setWindowTitle(tr("Print Contact Sheet"))
+        if dialog.exec() == QPrintDialog.DialogCode.Accepted:
+            self.print_on(shown, printer)
+        dialog.deleteLater()
+
+    def print_on(self, palette: Palette, printer: object) -> None:
+        """Draw a palette in pages and print them on a QPrinter."""
+        each = _PRINTED_COLUMNS * _PRINTED_ROWS
+        pages = []
+        for number, start in enumerate(range(0, len(palette), each), 1):
+            part = palette.entries[start : start + each]
+            pages.append((replace(palette, entries=part, groups=()), Path(f"page{number}.png")))
+        self._submit(draw_pages, tuple(pages), _PRINTED_COLUMNS, lambda drawn: self._printed(drawn, printer))
+
+    def _printed(self, pages: tuple[bytes, ...], printer: object) -> None:
+        from PySide6.QtPrintSupport import QPrinter
+
+        assert isinstance(printer, QPrinter)
+        painter = QPainter()
+        if not painter.begin(printer):
+            self._failed(SuiteError(tr("The printer does not answer.")))
+            return
+        for number, page in enumerate(pages):
+            if number:
+                printer.newPage()
+            picture = QImage.fromData(page)
+            room = QRectF(painter.viewport())
+            scale = min(room.width() / picture.width(), room.height() / picture.height())
+            wide, high = picture.width() * scale, picture.height() * scale
+            painter.drawImage(QRectF((room.width() - wide) / 2, 0, wide, high), picture)
+        painter.end()
+        self._done(tr("Printed: {count} pages").format(count=len(pages)), "")
+
+    def _submit(
+        self, work: Work, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: Done
+    ) -> None:
+        look = self._desk.look
+        surface = look.form if look.form in ("sphere", "panel") else "panel"
+        self._show(0.0, "")
+        self._desk.library.tasks.submit(
+            _KEY,
+            work,
+            SheetRequest(pages, look.booth, surface, columns),
+            done,
+            self._failed,
+            self._show,
+        )
+
+    def _show(self, share: float, what: str) -> None:
+        text = (
+            tr("Drawing the contact sheet: {name}").format(name=what)
+            if what
+            else tr("Drawing the contact sheet")
+        )
+        self._window.progress.set_job(_KEY, share, text, lambda: self._desk.library.tasks.cancel(_KEY))
+
+    def _written(self, path: Path) -> None:
+        self._done(tr("Written: {name}").format(name=path.name), str(path))
+
+    def _done(self, what: str, where: str) -> None:
+        self._window.progress.end_job(_KEY)
+        self._window.show_message(Message(_KEY, what, where=where))
+
+    def _failed(self, error: Exception) -> None:
+        self._window.progress.end_job(_KEY)
+        self._window.show_message(message_of(error, _KEY, todo=tr("The palette is as it was.")))
+
+    def _enable(self) -> None:
+        there = bool(self._desk.shown[self._desk.front].places)
+        self._sheet.setEnabled(there)
+        self._print.setEnabled(there)

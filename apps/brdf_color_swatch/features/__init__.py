@@ -1,0 +1,1 @@
+"""Commands and panels over the swatches: edit, compare, group, search, link."""

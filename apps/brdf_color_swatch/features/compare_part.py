@@ -1,0 +1,183 @@
+"""Two selected paints side by side: their colours touching at each angle, and what they differ by."""
+
+from __future__ import annotations
+
+import numpy as np
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.grid.columns import codes_of
+from brdf_color_swatch.grid.rows import ANGLES_DEG
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.appearance.colour.spaces import lab_to_lch
+from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.documents.palette import Entry
+from brdf_suite.palettes.columns import Columns
+
+_HEADS = (mark("Angle"), mark("ΔE00"), mark("ΔL*"), mark("Δa*"), mark("Δb*"), mark("ΔC*"), mark("Δh"))
+_TIPS = (
+    mark("Aspecular angle"),
+    mark("Colour difference CIEDE2000"),
+    mark("Lightness of the second less that of the first"),
+    mark("Red–green of the second less that of the first"),
+    mark("Yellow–blue of the second less that of the first"),
+    mark("Chroma of the second less that of the first"),
+    mark("Hue angle of the second less that of the first, degrees"),
+)
+
+
+class _Pair(QWidget):
+    """The first colour over the second at each angle, edge to edge: so is a difference seen best."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._codes = np.zeros((2, 0, 3), np.uint8)
+        self.setMinimumHeight(96)
+
+    def show_codes(self, codes: np.ndarray, told: str) -> None:
+        self._codes = codes
+        self.setToolTip(plain_tip(told))
+        self.setAccessibleName(tr("Both paints at each angle"))
+        self.setAccessibleDescription(told)
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, 112)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        count = self._codes.shape[1]
+        for line in range(2 if count else 0):
+            for number in range(count):
+                left, right = self.width() * number // count, self.width() * (number + 1) // count
+                top = self.height() * line // 2
+                colour = QColor(*(int(part) for part in self._codes[line, number]))
+                painter.fillRect(
+                    QRect(left, top, right - left, self.height() * (line + 1) // 2 - top), colour
+                )
+
+
+class ComparePanel(QWidget):
+    """Shows two entries; the first one is the standard."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.names = PlainLabel()
+        self.names.setWordWrap(True)
+        self.pair = _Pair()
+        self.table = QTableWidget(0, len(_HEADS))
+        self.table.setHorizontalHeaderLabels([tr(head) for head in _HEADS])
+        for column, tip in enumerate(_TIPS):
+            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
+        self.table.verticalHeader().hide()
+        self.table.setShowGrid(False)
+        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        self.table.setSelectionMode(QTableWidget.SelectionMode.NoSelection)
+        self.table.setAccessibleName(tr("Differences at each angle"))
+        self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.table.horizontalHeader().setMinimumSectionSize(28)
+        self.figures = PlainLabel()
+        self.figures.setWordWrap(True)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        for widget in (self.names, self.pair, self.table, self.figures):
+            box.addWidget(widget)
+        self.show_entries([])
+
+    def show_entries(self, entries: list[Entry]) -> None:
+        """Show two entries; with any other number, what to do."""
+        two = len(entries) == 2
+        for widget in (self.pair, self.table, self.figures):
+            widget.setVisible(two)
+        if not two:
+            self.names.setText(tr("Select two swatches to compare them; in two panes, one in each."))
+            return
+        columns = Columns.of(entries)
+        lab = columns.main
+        first, second = (entry.name or entry.code or tr("(no name)") for entry in entries)
+        self.names.setText(tr("Above: {first}\nBelow: {second}").format(first=first[:80], second=second[:80]))
+        differences = delta_e_2000(lab[0], lab[1])
+        lch = lab_to_lch(lab)
+        self.table.setRowCount(len(ANGLES_DEG))
+        told = []
+        for row, angle in enumerate(ANGLES_DEG):
+            turn = (lch[1, row, 2] - lch[0, row, 2] + 180.0) % 360.0 - 180.0
+            values = [
+                f"{angle:g}°",
+                f"{differences[row]:.2f}",
+                *(f"{value:+.1f}" for value in lab[1, row] - lab[0, row]),
+                f"{lch[1, row, 1] - lch[0, row, 1]:+.1f}",
+                f"{turn:+.0f}°" if min(lch[:, row, 1]) >= 1.0 else "–",
+            ]
+            told.append(f"{values[0]} ΔE00 {values[1]}")
+            for column, value in enumerate(values):
+                item = QTableWidgetItem(value.replace("-", "−").replace("nan", "–").replace("+–", "–"))
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                self.table.setItem(row, column, item)
+        self.pair.show_codes(codes_of(lab), "; ".join(told))
+        height = self.table.horizontalHeader().sizeHint().height() + 2
+        self.table.setFixedHeight(height + sum(self.table.rowHeight(row) for row in range(len(ANGLES_DEG))))
+        figures = []
+        if np.isfinite(differences).any():
+            mean, worst = f"{np.nanmean(differences):.2f}", f"{np.nanmax(differences):.2f}"
+            figures.append(tr("Mean ΔE00 {mean}, worst {worst}").format(mean=mean, worst=worst))
+        flops = [_told(flop) for flop in columns.flop]
+        figures.append(tr("Flop {first} and {second}").format(first=flops[0], second=flops[1]))
+        if np.isfinite(columns.gloss).any():
+            figures.append(
+                tr("Gloss 20°: {first} and {second} GU").format(
+                    first=_told(columns.gloss[0]), second=_told(columns.gloss[1])
+                )
+            )
+        self.figures.setText("\n".join(figures))
+
+
+class ComparePart:
+    """Keeps the panel in step with what is selected: two in one pane, or one in each."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self.panel = ComparePanel()
+        self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
+        self._command = window.add_command(
+            "paint", mark("&Compare the Two Selected"), "Ctrl+Shift+C", self.compare, "compare", icon="scales"
+        )
+        desk.selection_changed.connect(lambda _pane: self._show())
+        desk.shown_changed.connect(lambda _pane: self._show())
+        desk.front_changed.connect(self._show)
+        self.section.toggled.connect(lambda _open: self._show())
+        self._show()
+
+    def pair(self) -> list[Entry]:
+        """Return the two entries that are compared; fewer where there are not two."""
+        chosen = self._desk.selected_entries
+        if len(chosen) == 2 or not self._window.has_two_panes:
+            return chosen if len(chosen) == 2 else []
+        left, right = self._desk.selected_in(0), self._desk.selected_in(1)
+        if len(left) == len(right) == 1:
+            return [left[0], right[0]]
+        other = (right, left)[self._desk.front]
+        return other if len(other) == 2 and not chosen else []
+
+    def compare(self) -> None:
+        """Open the comparison."""
+        self._window.inspector_dock.show()
+        self.section.set_open(True)
+        self._show()
+        self._window.inspector.ensureWidgetVisible(self.section)
+
+    def _show(self) -> None:
+        pair = self.pair()
+        self._command.setEnabled(len(pair) == 2)
+        if self.section.is_open:
+            self.panel.show_entries(pair)
+
+
+def _told(value: float) -> str:
+    return f"{value:.1f}" if np.isfinite(value) else "–"

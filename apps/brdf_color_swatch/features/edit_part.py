@@ -1,0 +1,250 @@
+"""The Edit menu: undo, clipboard, selection, names, tags and notes. Every gesture is one named step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QMimeData, QPoint
+from PySide6.QtGui import QGuiApplication, QKeySequence
+from PySide6.QtWidgets import QMenu
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, dated, what_words
+from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, taken
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents import palette_edits as edits
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.errors import SuiteError
+
+
+class EditPart:
+    """Edits of swatches."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self._cut: Carried | None = None
+        keys = QKeySequence.StandardKey
+        add, edit = window.add_command, window.menu("edit")
+        undo = add(
+            "edit",
+            mark("&Undo"),
+            keys.Undo,
+            desk.library.history.undo,
+            "undo",
+            icon="arrow-counter-clockwise",
+        )
+        redo = add(
+            "edit", mark("&Redo"), "Ctrl+Shift+Z", desk.library.history.redo, "redo", icon="arrow-clockwise"
+        )
+        redo.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
+        edit.addSeparator()
+        self._of_selected = [
+            add("edit", mark("Cu&t"), keys.Cut, self.cut, "cut", icon="scissors"),
+            add("edit", mark("&Copy"), keys.Copy, self.copy, "copy", icon="copy"),
+        ]
+        self._paste = add("edit", mark("&Paste"), keys.Paste, self.paste, "paste", icon="clipboard")
+        self._of_selected += [
+            add("edit", mark("D&uplicate"), "Ctrl+D", self.duplicate, "duplicate"),
+            add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),
+        ]
+        edit.addSeparator()
+        add("edit", mark("Select &All"), keys.SelectAll, self.select_all, "select_all")
+        add("edit", mark("Select N&one"), "Ctrl+Shift+A", self.select_none, "select_none")
+        add("edit", mark("&Invert Selection"), "Ctrl+I", self.invert, "invert")
+        edit.addSeparator()
+        self._of_selected += [
+            add("edit", mark("Re&name"), "F2", self.rename, "rename", icon="pencil-simple"),
+            add("edit", mark("Ta&gs"), "Ctrl+T", lambda: self._focus("tags"), "tags", icon="tag"),
+            add("edit", mark("Not&es"), "Ctrl+E", lambda: self._focus("notes"), "notes"),
+        ]
+        for action in (undo, redo):
+            window.toolbar.addAction(action)
+        window.toolbar.addSeparator()
+        window.swatch.edited.connect(self.write)
+        for pane in window.panes:
+            number = pane.number
+            pane.renamed.connect(self._renamed)
+            pane.menu_asked.connect(self._menu)
+            pane.model.mime_of = lambda ids, number=number: self._mime(number, ids)
+        desk.selection_changed.connect(lambda _pane: self._enable())
+        desk.shown_changed.connect(lambda _pane: self._enable())
+        desk.front_changed.connect(self._enable)
+        self._enable()
+
+    # Clipboard.
+
+    def copy(self) -> None:
+        """Put what is selected on the clipboard: whole, and as text and colour for other programs."""
+        entries = self._desk.selected_entries
+        if entries:
+            self._cut = None
+            QGuiApplication.clipboard().setMimeData(self._carry(entries, self._desk.state.scope.palette))
+
+    def cut(self) -> None:
+        """Put what is selected on the clipboard, and take it out of the palette."""
+        entries = self._desk.selected_entries
+        if entries:
+            self.copy()
+            self._remove(tr("Cut {what}").format(what=what_words(entries)))
+
+    def paste(self) -> None:
+        """Put in what the clipboard holds, before the current swatch."""
+        try:
+            carried = taken(QGuiApplication.clipboard().mimeData())
+        except SuiteError as error:
+            self._desk.library.fails(error, "edit", tr("The palette is as it was."))
+            return
+        for path in carried.files:
+            self._window.open_asked.emit(path)
+        if not carried.entries:
+            if not carried.files:
+                self._desk.library.fails(
+                    SuiteError(tr("The clipboard holds no swatch, paint or colour.")), "edit",
+                    tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* numbers."),
+                )  # fmt: skip
+            return
+        if self._desk.palette is None:
+            self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
+        self._desk.library.settled.emit("edit")
+        group = self._desk.state.scope.group
+        add_entries(
+            self._desk, tr("Paste {what}").format(what=what_words(carried.entries)), carried.entries, group
+        )
+
+    def duplicate(self) -> None:
+        """Copy what is selected behind the last of it."""
+        entries, palette = self._desk.selected_entries, self._desk.palette
+        if entries and palette is not None:
+            last = max(palette.by_id[entry.id] for entry in entries)
+            before = palette.entries[last + 1].id if last + 1 < len(palette) else None
+            name = tr("Duplicate {what}").format(what=what_words(entries))
+            copies = [replace(entry, id="") for entry in entries]
+            known = set(palette.by_id)
+            if self._desk.edit(name, lambda old: edits.add_entries(old, copies, None, before)):
+                after = self._desk.palette
+                assert after is not None
+                self._desk.reveal(tuple(key for key in after.by_id if key not in known))
+
+    def delete(self) -> None:
+        """Take what is selected out of the palette."""
+        entries = self._desk.selected_entries
+        if entries:
+            self._remove(tr("Delete {what}").format(what=what_words(entries)))
+
+    def _remove(self, name: str) -> None:
+        ids = self._desk.selected
+        pane = self._window.panes[self._desk.front]
+        rows = [row for key in ids if (row := pane.model.row_of(key)) is not None]
+        self._desk.edit(name, lambda palette: edits.remove_entries(palette, ids))
+        # What comes in their place is selected, so that the keys go on from there.
+        count = pane.model.rowCount()
+        if rows and count:
+            pane.reveal((pane.model.id_at(min(min(rows), count - 1)),))
+
+    def _carry(self, entries: Sequence[Entry], source: str) -> QMimeData:
+        rows = self._desk.library.rows(source)
+        by_id = {key: place for place, key in enumerate(rows.ids)}
+        lab = [rows.lab[by_id[entry.id], 1] for entry in entries]
+        return carry(entries, hexes_of(np.nan_to_num(lab, nan=50.0).tolist()), source, OWNER)
+
+    def _mime(self, number: int, ids: list[str]) -> QMimeData | None:
+        key = self._desk.states[number].scope.palette
+        palette = self._desk.library.palette(key)
+        return None if palette is None else self._carry([palette.entry(one) for one in ids], key)
+
+    # Selection.
+
+    def select_all(self) -> None:
+        """Select all that is shown."""
+        self._window.panes[self._desk.front].grid.selectAll()
+
+    def select_none(self) -> None:
+        """Select nothing."""
+        self._window.panes[self._desk.front].grid.clearSelection()
+
+    def invert(self) -> None:
+        """Select what is not selected."""
+        pane = self._window.panes[self._desk.front]
+        chosen = set(self._desk.selected)
+        pane.grid.select_rows(
+            [row for row in range(pane.model.rowCount()) if pane.model.id_at(row) not in chosen]
+        )
+
+    # Names, tags and notes.
+
+    def rename(self) -> None:
+        """Write the current swatch's name anew, in its place."""
+        self._window.panes[self._desk.front].rename_current()
+
+    def _focus(self, key: str) -> None:
+        self._window.inspector_dock.show()
+        self._window.section("swatch").set_open(True)
+        self._window.swatch.focus(key)
+
+    def _renamed(self, id_: str, key: str, text: str) -> None:
+        if key == "name":
+            if text:
+                self._desk.edit(
+                    tr("Rename to “{name}”").format(name=text[:40]),
+                    lambda palette: dated(edits.rename_entry(palette, id_, text), [id_]),
+                )
+        else:
+            self._change(tr("Change the code"), [id_], lambda entry: replace(entry, code=text))
+
+    def write(self, key: str, text: str) -> None:
+        """Write a field of the inspector into all that is selected."""
+        ids = list(self._desk.selected)
+        if not ids:
+            return
+        if key == "name":
+            self._change(
+                tr("Rename {what}").format(what=count_words(len(ids))),
+                ids,
+                lambda entry: replace(entry, content=replace(entry.content, name=text)),
+            )
+        elif key == "code":
+            self._change(tr("Change the code"), ids, lambda entry: replace(entry, code=text))
+        elif key == "notes":
+            self._change(tr("Change the notes"), ids, lambda entry: replace(entry, notes=text))
+        else:
+            self._tag(ids, text)
+
+    def _tag(self, ids: list[str], text: str) -> None:
+        words = [word.strip() for word in text.replace(";", ",").split(",") if word.strip()]
+        drop = [word[1:].strip() for word in words if word.startswith("-")]
+        add = [word.removeprefix("+").strip() for word in words if not word.startswith("-")]
+        relative = len(ids) > 1 and all(word[0] in "+-" for word in words) and bool(words)
+        name = tr("Change the tags of {what}").format(what=count_words(len(ids)))
+        if relative:
+            self._desk.edit(name, lambda palette: dated(edits.tag_entries(palette, ids, add, drop), ids))
+        else:
+            tags = tuple(dict.fromkeys(word for word in add if word))
+            self._change(name, ids, lambda entry: replace(entry, tags=tags))
+
+    def _change(self, name: str, ids: list[str], change: Callable[[Entry], Entry]) -> None:
+        self._desk.edit(name, lambda palette: dated(edits.change_entries(palette, ids, change), ids))
+
+    # Menus.
+
+    def _menu(self, point: QPoint) -> None:
+        menu = QMenu(self._window)
+        menu.setObjectName("swatch_menu")
+        for key in (
+            "rename", "tags", "notes", "", "cut", "copy", "paste", "duplicate", "delete", "", "new_group", "",
+            "nearest", "compare", "", "to_designer", "to_viewer", "to_lobes",
+        ):  # fmt: skip
+            action = self._window.command(key) if key else None
+            if action is not None:
+                menu.addAction(action)
+            elif not key:
+                menu.addSeparator()
+        menu.popup(point)
+
+    def _enable(self) -> None:
+        some = bool(self._desk.selected)
+        for action in self._of_selected:
+            action.setEnabled(some)

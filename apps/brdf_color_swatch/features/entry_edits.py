@@ -1,0 +1,56 @@
+"""What edits have in common: words for what they are made to, dates, and adding entries."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Sequence
+from dataclasses import replace
+
+from brdf_qt.program.translation import tr
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.panels.swatch import today
+from brdf_suite.documents import palette_edits as edits
+from brdf_suite.documents.palette import Entry, GroupPath, Palette
+
+OWNER = uuid.uuid4().hex
+"""This run of the program: a cut or a drag from another one is a copy."""
+
+
+def add_entries(
+    desk: Desk, name: str, entries: Sequence[Entry], group: GroupPath | None = None, before: str | None = None
+) -> bool:
+    """Add entries to the palette in front as one step, select and show them; True where that was done."""
+    palette = desk.palette
+    if palette is None or not entries:
+        return False
+    known = set(palette.by_id)
+    if group is None:
+        group = desk.state.scope.group
+    tag = desk.state.scope.tag
+    if tag:
+        # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
+        entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
+    dated = [entry if entry.date else replace(entry, date=today()) for entry in entries]
+    if not desk.edit(name, lambda old: edits.add_entries(old, dated, group, before)):
+        return False
+    after = desk.palette
+    assert after is not None
+    desk.reveal(tuple(key for key in after.by_id if key not in known))
+    return True
+
+
+def dated(palette: Palette, ids: Sequence[str]) -> Palette:
+    """Note when these entries were changed."""
+    moment = today()
+    return edits.change_entries(palette, ids, lambda entry: replace(entry, date=moment))
+
+
+def count_words(count: int) -> str:
+    """Return how many swatches, in words."""
+    return tr("one swatch") if count == 1 else tr("{count} swatches").format(count=count)
+
+
+def what_words(entries: Sequence[Entry]) -> str:
+    """Return which swatch, or how many, in words."""
+    return f"“{entries[0].name[:40]}”" if len(entries) == 1 and entries[0].name else count_words(len(entries))

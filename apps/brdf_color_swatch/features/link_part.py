@@ -1,0 +1,175 @@
+"""The live link: send a paint to the other programs, started where they are not there; take the paint being edited."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+from brdf_qt.link.link import LiveLink
+from brdf_qt.link.messages import OFFER
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.message_bar import Message
+from PySide6.QtCore import QProcess
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.features.entry_edits import add_entries
+from brdf_color_swatch.features.near_part import near_of
+from brdf_color_swatch.grid.view_state import Near, Scope
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Entry, Palette, new_id
+from brdf_suite.documents.store import paint_from_json, paint_to_json
+from brdf_suite.processes import child_command
+
+_PROGRAMS = {
+    "designer": ("brdf_designer", "Designer", mark("Send to &Designer"), "Ctrl+Return"),
+    "viewer": ("brdf_viewer", "Viewer", mark("Send to &Viewer"), "Ctrl+Shift+V"),
+    "lobes": ("brdf_lobe_visualizer", "Lobe Visualizer", mark("Send to &Lobe Visualizer"), "Ctrl+Shift+L"),
+}
+
+
+class LinkPart:
+    """Commands of the live link."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self._edited: Paint | None = None
+        self.link = LiveLink("swatch", parent=window)
+        self.start_program = QProcess.startDetached
+        """Starts a program: its path and arguments; replaced where none is to be started."""
+        add = window.add_command
+        window.menu("paint").addSeparator()
+        self._sends = []
+        icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
+        for role, (_package, _name, text, keys) in _PROGRAMS.items():
+            action = add(
+                "paint", text, keys, lambda role=role: self.send(role), f"to_{role}", icon=icons[role]
+            )
+            self._sends.append(action)
+        window.menu("paint").addSeparator()
+        self._take = add(
+            "paint", mark("&Take the Paint Being Edited"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
+            tip=mark("Put the paint that is edited in Designer into this palette"),
+        )  # fmt: skip
+        self._near = add(
+            "paint", mark("Find the Nearest to the Paint Being &Edited"), None, self.find, "nearest_edited"
+        )
+        window.toolbar.addAction(self._take)
+        for pane in window.panes:
+            pane.opened.connect(lambda _id: self.send("designer"))
+            pane.action_asked.connect(lambda key: self.take() if key == "take" else None)
+        self.link.received.connect(self._received)
+        self.link.peers_changed.connect(lambda _count: self._show_peers())
+        desk.selection_changed.connect(lambda _pane: self._enable())
+        desk.front_changed.connect(self._enable)
+        self._enable()
+        self._show_peers()
+
+    def begin_part(self) -> None:
+        """Look for the other programs."""
+        self.link.start()
+
+    def close_part(self) -> None:
+        """Leave the link."""
+        self.link.close()
+
+    def send(self, role: str) -> None:
+        """Send the selected paint to a program; it is started where it is not there."""
+        entries = self._desk.selected_entries
+        if not entries:
+            return
+        paint = to_paint(entries[0].content)
+        package, name, *_ = _PROGRAMS[role]
+        if not isinstance(paint, Paint):
+            text = tr("“{paint}” is of Cook-Torrance lobes, and the live link carries designed paints.")
+            self._window.show_message(
+                Message(
+                    "send",
+                    text.format(paint=paint.name),
+                    todo=tr("Open its file in {program}.").format(program=name),
+                    severity="warning",
+                )
+            )
+            return
+        if role == "designer":
+            # As a document of its own: what is edited there must not be replaced.
+            self.link.publish(OFFER, {"to": role, "time": time.time(), "paint": paint_to_json(paint)})
+        else:
+            self.link.publish("paint", paint_to_json(paint))
+        running = role in self.link.peers or (role == "lobes" and "lobe_visualizer" in self.link.peers)
+        if not running:
+            program, *arguments = child_command(package)
+            started = self.start_program(program, arguments)
+            if not (started[0] if isinstance(started, tuple) else started):
+                self._window.show_message(
+                    Message(
+                        "send",
+                        tr("{program} could not be started.").format(program=name),
+                        todo=tr("Start it by hand; the paint goes to it then."),
+                        severity="warning",
+                    )
+                )
+                return
+            self._window.show_message(
+                Message(
+                    "send",
+                    tr("{program} is being started with “{paint}”.").format(program=name, paint=paint.name),
+                )
+            )
+        else:
+            self._window.dismiss_message("send")
+
+    def take(self) -> None:
+        """Put the paint being edited into the palette in front."""
+        if self._edited is None:
+            self._tell_none()
+            return
+        if self._desk.palette is None:
+            self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
+        entry = Entry(self._edited, id=new_id())
+        add_entries(self._desk, tr("Take “{paint}”").format(paint=entry.name[:40]), [entry])
+
+    def find(self) -> None:
+        """Order the pane by the difference to the paint being edited."""
+        if self._edited is None:
+            self._tell_none()
+            return
+        from dataclasses import replace
+
+        near: Near = near_of(Entry(self._edited, id="edited"))
+        self._desk.set_state(replace(self._desk.state, near=near, duplicates=None, sort="nearest"))
+
+    def _tell_none(self) -> None:
+        self._window.show_message(
+            Message(
+                "take",
+                tr("No paint is being edited."),
+                todo=tr("Open Designer: the paint that it shows can be taken at once."),
+            )
+        )
+
+    def _received(self, topic: str, value: dict[str, Any]) -> None:
+        if topic == "paint":
+            self._edited = paint_from_json(value, "the live link")
+            self._window.dismiss_message("take")
+            self._show_peers()
+
+    def _show_peers(self) -> None:
+        names = {
+            "designer": "Designer",
+            "viewer": "Viewer",
+            "lobes": "Lobe Visualizer",
+            "swatch": "Color Swatch",
+        }
+        peers = self.link.peers
+        told = ", ".join(names.get(role, role) for role in peers)
+        text = tr("Linked: {programs}").format(programs=told) if told else tr("Not linked")
+        if self._edited is not None:
+            text = tr("{link} · edited: {paint}").format(link=text, paint=self._edited.name[:40])
+        self._window.link_cell.set(text)
+
+    def _enable(self) -> None:
+        one = bool(self._desk.selected)
+        for action in self._sends:
+            action.setEnabled(one)

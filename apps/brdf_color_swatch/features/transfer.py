@@ -1,0 +1,180 @@
+"""Swatches on the clipboard and in drags: whole between our own windows, as text and colours for other programs."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QMimeData
+from PySide6.QtGui import QColor
+
+from brdf_suite.appearance.colour.flat_colours import lab_to_hex
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry, Palette, new_id
+from brdf_suite.documents.palette_store import palette_from_json, palette_to_json
+from brdf_suite.documents.store import PAINT_ENDING, any_paint_from_json, load_any_paint, paint_to_json
+from brdf_suite.errors import SuiteError
+
+MIME = "application/x-brdf-swatches"
+PAINT_MIME = "application/x-brdf-paint"
+_TEXT, _COLOUR, _URIS = "text/plain", "application/x-color", "text/uri-list"
+TAKEN = (MIME, PAINT_MIME, _TEXT, _COLOUR, _URIS)
+_MOST_LINES = 100_000
+_HEX = re.compile(r"(?<![0-9A-Za-z])(?:#|0x)([0-9a-fA-F]{6}|[0-9a-fA-F]{3})(?![0-9A-Za-z])")
+_RGB = re.compile(r"rgba?\(\s*(\d+)\s*[, ]\s*(\d+)\s*[, ]\s*(\d+)[^)]*\)")
+_LAB = re.compile(
+    # A word of its own: neither the last letter of "RAL 090 80 20", which is no L*a*b*, nor oklab's.
+    r"(?<!\w)(?:(?:cie)?lab\(|L\*?\s*[=:]?\s*)(-?\d+(?:\.\d+)?)%?[\s,;]+(?:a\*?\s*[=:]?\s*)?(-?\d+(?:\.\d+)?)[\s,;]+"
+    r"(?:b\*?\s*[=:]?\s*)?(-?\d+(?:\.\d+)?)(?:\s*\))?",
+    re.IGNORECASE,
+)
+
+
+@dataclass(frozen=True)
+class Carried:
+    """What a drag or the clipboard holds. ``source`` and ``ids`` say where from, for a move within this program."""
+
+    entries: tuple[Entry, ...] = ()
+    files: tuple[Path, ...] = ()
+    source: str = ""
+    owner: str = ""
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """The entries' ids in the palette that they come from."""
+        return tuple(entry.id for entry in self.entries)
+
+
+def carry(entries: Sequence[Entry], hexes: Sequence[str], source: str, owner: str) -> QMimeData:
+    """Return what is put on the clipboard or dragged; ``hexes`` are ``#rrggbb`` of the 45° colours."""
+    data = QMimeData()
+    whole = {"owner": owner, "source": source, "palette": palette_to_json(Palette("carried", tuple(entries)))}
+    data.setData(MIME, json.dumps(whole, ensure_ascii=False).encode("utf-8"))
+    lines = [
+        "\t".join((colour, entry.name.replace("\t", " "), entry.code)).rstrip()
+        for entry, colour in zip(entries, hexes, strict=True)
+    ]
+    data.setText("\n".join(lines))
+    if len(entries) == 1:
+        data.setColorData(QColor(hexes[0]))
+        content = entries[0].content
+        if not isinstance(content, FlatColour):
+            data.setData(PAINT_MIME, json.dumps(paint_to_json(content), ensure_ascii=False).encode("utf-8"))
+    return data
+
+
+def can_take(data: QMimeData) -> bool:
+    """Whether there may be swatches in it."""
+    return any(data.hasFormat(kind) for kind in TAKEN)
+
+
+def taken(data: QMimeData) -> Carried:
+    """Return what a drag or the clipboard holds; nothing where it holds no colour.
+
+    Raises
+    ------
+    SuiteError
+        It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
+    """
+    if data.hasFormat(MIME):
+        return _whole(data.data(MIME).data())
+    if data.hasFormat(PAINT_MIME):
+        return Carried((_of_paint(_json(data.data(PAINT_MIME).data())),))
+    if data.hasUrls():
+        files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
+        paints = [path for path in files if path.suffix.lower() == PAINT_ENDING]
+        entries = tuple(Entry(load_any_paint(path), id=new_id()) for path in paints)
+        return Carried(entries, tuple(path for path in files if path not in paints))
+    text = data.text() if data.hasText() else ""
+    if text.strip():
+        found = entries_of_text(text)
+        if found:
+            return Carried(tuple(found))
+    if data.hasColor():
+        colour = QColor(data.colorData())  # type: ignore[call-overload]  # the binding gives a QVariant
+        values = (colour.redF(), colour.greenF(), colour.blueF())
+        name = colour.name()
+        return Carried((Entry(FlatColour(name, "RGB", values, space="sRGB"), id=new_id()),))
+    return Carried()
+
+
+def entries_of_text(text: str) -> list[Entry]:
+    """Return the colours that a text names, a line each: ``#rrggbb``, ``rgb(…)``, ``L a b``; or a paint's file.
+
+    What else is on the line is the name.
+
+    >>> [(entry.name, entry.content.model) for entry in entries_of_text("#ff8800 Sunset")]
+    [('Sunset', 'RGB')]
+    """
+    stripped = text.strip()
+    if stripped.startswith("{"):
+        value = _json(stripped.encode("utf-8"))
+        if isinstance(value, dict) and value.get("format") == "brdfpalette":
+            palette = palette_from_json(value, "the clipboard")
+            return [_renewed(entry) for entry in palette.entries]
+        return [_of_paint(value)]
+    found = []
+    for line in stripped.splitlines()[:_MOST_LINES]:
+        entry = _of_line(line[:2000])
+        if entry is not None:
+            found.append(entry)
+    return found
+
+
+def _of_line(line: str) -> Entry | None:
+    match = _HEX.search(line)
+    if match:
+        digits = match.group(1)
+        digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
+        values = tuple(int(digits[at : at + 2], 16) / 255.0 for at in (0, 2, 4))
+        return _flat(line, match, "RGB", values, space="sRGB")
+    match = _RGB.search(line)
+    if match:
+        values = tuple(min(255, int(part)) / 255.0 for part in match.groups())
+        return _flat(line, match, "RGB", values, space="sRGB")
+    match = _LAB.search(line)
+    if match:
+        lightness, a, b = (float(part) for part in match.groups())
+        if 0.0 <= lightness <= 200.0 and max(abs(a), abs(b)) <= 250.0:
+            return _flat(line, match, "Lab", (lightness, a, b), illuminant="D65", observer_deg=10)
+    return None
+
+
+def _flat(line: str, match: re.Match[str], model: str, values: tuple[float, ...], **more: object) -> Entry:
+    rest = line[: match.start()] + " " + line[match.end() :]
+    name = " ".join(re.sub(r"[\t;,:|]+", " ", rest).split()).strip(" -–")[:200]
+    name = "".join(character for character in name if character.isprintable())
+    return Entry(FlatColour(name or match.group(0), model, values, **more), id=new_id())  # type: ignore[arg-type]  # checked there
+
+
+def _whole(content: bytes) -> Carried:
+    value = _json(content)
+    if not isinstance(value, dict) or not {"owner", "source", "palette"} <= set(value):
+        raise SuiteError("The clipboard says that it holds swatches, and it does not.")
+    palette = palette_from_json(value["palette"], "the clipboard")
+    return Carried(palette.entries, (), str(value["source"]), str(value["owner"]))
+
+
+def _of_paint(value: object) -> Entry:
+    return Entry(any_paint_from_json(value, "the clipboard"), id=new_id())
+
+
+def _renewed(entry: Entry) -> Entry:
+    from dataclasses import replace
+
+    return replace(entry, id=new_id())
+
+
+def _json(content: bytes) -> object:
+    try:
+        return json.loads(content.decode("utf-8"))
+    except (ValueError, RecursionError) as error:
+        raise SuiteError(f"The clipboard holds a text that is no paint ({error}).") from error
+
+
+def hexes_of(lab: Sequence[Sequence[float]]) -> list[str]:
+    """Return ``#rrggbb`` of L*a*b* (n, 3)."""
+    return [lab_to_hex(one) for one in lab]

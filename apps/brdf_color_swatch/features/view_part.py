@@ -1,0 +1,100 @@
+"""The View menu: forms, list, size, panes; keys of the suite."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.program.translation import mark
+from PySide6.QtCore import Qt
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.grid.view_state import SIZES
+from brdf_color_swatch.window import SwatchWindow
+
+_FORMS = (
+    ("sphere", mark("As &Spheres")),
+    ("panel", mark("As Curved &Panels")),
+    ("flop_strip", mark("As &Flop Strips")),
+    ("chips", mark("As Flat &Chips")),
+)
+_STEP = 1.25
+
+
+class ViewPart:
+    """Commands on what is shown."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self.show_second: Callable[[bool], None] = lambda _shown: None
+        """Set by who owns the panes."""
+        view, add = window.menu("view"), window.add_command
+        view.addSeparator()
+        for number, (key, text) in enumerate(_FORMS, 1):
+            add(
+                "view",
+                text,
+                f"{number}",
+                lambda key=key: desk.set_look(form=key, as_list=False),
+                f"form_{key}_command",
+            )
+        self._list = add("view", mark("As a &List"), "Ctrl+L", self._toggle_list, "list")
+        self._list.setCheckable(True)
+        view.addSeparator()
+        add(
+            "view",
+            mark("&Larger Swatches"),
+            "Ctrl++",
+            lambda: self._scale(_STEP),
+            "larger",
+            icon="magnifying-glass-plus",
+        )
+        add(
+            "view",
+            mark("S&maller Swatches"),
+            "Ctrl+-",
+            lambda: self._scale(1 / _STEP),
+            "smaller",
+            icon="magnifying-glass-minus",
+        )
+        add("view", mark("Search &Text"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
+        add(
+            "view",
+            mark("Let &All Pass"),
+            "Ctrl+Backspace",
+            lambda: desk.set_state(desk.state.cleared()),
+            "clear",
+        )
+        view.addSeparator()
+        self._second = add(
+            "view", mark("&Two Panes"), "F3", self._toggle_second, "two_panes", icon="book-open"
+        )
+        self._second.setCheckable(True)
+        add("view", mark("Go to the &Other Pane"), "F6", self._other_pane, "other_pane")
+        window.toolbar.addAction(self._second)
+        desk.look_changed.connect(lambda _old, look: self._list.setChecked(look.as_list))
+        for pane in window.panes:
+            pane.close_asked.connect(lambda: self._second.setChecked(False))
+        # What a first start shows where nothing was chosen yet: keys work at once.
+        window.panes[0].view.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def _toggle_list(self) -> None:
+        self._desk.set_look(as_list=not self._desk.look.as_list)
+
+    def _scale(self, by: float) -> None:
+        size = round(self._desk.look.size * by)
+        self._desk.set_look(size=min(SIZES[1], max(SIZES[0], size)))
+
+    def _search(self) -> None:
+        self._window.bar.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self._window.bar.search.selectAll()
+
+    def _toggle_second(self) -> None:
+        shown = not self._window.has_two_panes
+        self._second.setChecked(shown)
+        self.show_second(shown)
+
+    def _other_pane(self) -> None:
+        if self._window.has_two_panes:
+            pane = self._window.panes[1 - self._desk.front]
+            self._desk.set_front(pane.number)
+            pane.view.setFocus(Qt.FocusReason.OtherFocusReason)

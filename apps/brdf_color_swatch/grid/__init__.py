@@ -1,0 +1,1 @@
+"""The swatches of a pane as a grid or a list."""

@@ -1,0 +1,177 @@
+"""The swatches that a pane shows, as a table: a row each, the columns of the list. Grid and list share it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QObject, Qt, Signal
+
+from brdf_color_swatch.grid.layout import Part
+from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
+
+ID_ROLE = Qt.ItemDataRole.UserRole + 1
+SORT_KEYS: tuple[str, ...] = (
+    "name",
+    "code",
+    *(f"{axis}_{angle:g}" for angle in ANGLES_DEG for axis in ("L", "a", "b")),
+    "gloss",
+    "flop",
+    "tags",
+    "date",
+)
+_TITLES = {
+    "name": mark("Name"),
+    "code": mark("Code"),
+    "gloss": mark("Gloss 20° (GU)"),
+    "flop": mark("Flop"),
+    "tags": mark("Tags"),
+    "date": mark("Date"),
+}
+_TIPS = {
+    "name": mark("Name of the paint; F2 renames it"),
+    "code": mark("The maker's or your own code"),
+    "gloss": mark("Gloss at 20° in gloss units (GU), coat and base together"),
+    "flop": mark("Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour"),
+    "tags": mark("Words to search by"),
+    "date": mark("When it was last changed, year-month-day"),
+}
+NAME, CODE = 0, 1
+TAGS, DATE = SORT_KEYS.index("tags"), SORT_KEYS.index("date")
+FLAGS = (
+    Qt.ItemFlag.ItemIsSelectable
+    | Qt.ItemFlag.ItemIsEnabled
+    | Qt.ItemFlag.ItemIsDragEnabled
+    | Qt.ItemFlag.ItemIsDropEnabled
+)
+
+
+@dataclass(frozen=True)
+class Shown:
+    """What a pane shows: places in ``rows`` in their order, and the headings over them."""
+
+    rows: Rows
+    places: tuple[int, ...] = ()
+    parts: tuple[Part, ...] = ()
+    figure: dict[int, float] = field(default_factory=dict)
+    """ΔE00 to what was asked for, by place in ``rows``; empty where nothing was."""
+
+
+class SwatchModel(QAbstractTableModel):
+    """Rows of :class:`Shown`.
+
+    Signals: ``renamed(id, column, text)`` where the user has written a name or a code; ``sort_asked(key, descending)``
+    where a column's head was clicked.
+    """
+
+    renamed = Signal(str, str, str)
+    sort_asked = Signal(str, bool)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.shown = Shown(Rows.empty())
+        self._by_id: dict[str, int] | None = None
+        self.mime_types: tuple[str, ...] = ()
+        self.mime_of: Any = None
+
+    def show(self, shown: Shown) -> None:
+        """Show other swatches."""
+        self.beginResetModel()
+        self.shown = shown
+        self._by_id = None
+        self.endResetModel()
+
+    def id_at(self, row: int) -> str:
+        """Return the id of the swatch in a row."""
+        return self.shown.rows.ids[self.shown.places[row]]
+
+    def row_of(self, key: str) -> int | None:
+        """Return the row of a swatch; ``None`` where it is not shown."""
+        if self._by_id is None:
+            ids = self.shown.rows.ids
+            self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
+        return self._by_id.get(key)
+
+    def entry_at(self, row: int) -> Any:
+        """Return the entry in a row."""
+        return self.shown.rows.entries[self.shown.places[row]]
+
+    def ids_of(self, indexes: Sequence[QModelIndex]) -> list[str]:
+        """Return the ids of some indexes, each once, in the order of the rows."""
+        return [self.id_at(row) for row in sorted({index.row() for index in indexes})]
+
+    # What Qt asks.
+
+    def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+        return 0 if parent.isValid() else len(self.shown.places)
+
+    def columnCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+        return 0 if parent.isValid() else len(SORT_KEYS)
+
+    def flags(self, index: QModelIndex) -> Qt.ItemFlag:
+        if not index.isValid():
+            return Qt.ItemFlag.ItemIsDropEnabled
+        return FLAGS | Qt.ItemFlag.ItemIsEditable if index.column() in (NAME, CODE) else FLAGS
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = 0) -> Any:
+        if orientation is not Qt.Orientation.Horizontal:
+            return section + 1 if role == Qt.ItemDataRole.DisplayRole else None
+        key = SORT_KEYS[section]
+        if role == Qt.ItemDataRole.DisplayRole:
+            if key in _TITLES:
+                return tr(_TITLES[key])
+            axis, _, angle = key.partition("_")
+            return f"{axis}* {angle}°"
+        if role == Qt.ItemDataRole.ToolTipRole:
+            if key in _TIPS:
+                return tr(_TIPS[key])
+            axis, _, angle = key.partition("_")
+            tip = tr("CIE {axis}* (D65, 10°) at the aspecular angle {angle}°")
+            return plain_tip(tip.format(axis=axis, angle=angle))
+        return None
+
+    def data(self, index: QModelIndex, role: int = 0) -> Any:
+        if not index.isValid() or index.row() >= len(self.shown.places):
+            return None
+        place = self.shown.places[index.row()]
+        rows, key = self.shown.rows, SORT_KEYS[index.column()]
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
+            return rows.text(place, key)
+        if role == Qt.ItemDataRole.TextAlignmentRole and key not in ("name", "code", "tags", "date"):
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.ToolTipRole:
+            return plain_tip(rows.told(place, self.shown.figure.get(place)))
+        if role == Qt.ItemDataRole.AccessibleTextRole:
+            return rows.spoken(place)
+        if role == ID_ROLE:
+            return rows.ids[place]
+        return None
+
+    def setData(self, index: QModelIndex, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+        key = SORT_KEYS[index.column()]
+        text = str(value).strip()
+        if role != Qt.ItemDataRole.EditRole or text == self.data(index):
+            return False
+        self.renamed.emit(self.id_at(index.row()), key, text)
+        return True
+
+    def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
+        if column >= 0:
+            self.sort_asked.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
+
+    # Drag and drop; what is dropped is taken by the pane.
+
+    def supportedDragActions(self) -> Qt.DropAction:
+        return Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
+
+    def supportedDropActions(self) -> Qt.DropAction:
+        return Qt.DropAction.MoveAction | Qt.DropAction.CopyAction
+
+    def mimeTypes(self) -> list[str]:
+        return list(self.mime_types)
+
+    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:
+        return self.mime_of(self.ids_of(indexes)) if self.mime_of is not None else None

@@ -1,0 +1,124 @@
+"""From all the rows of a palette to those that a pane shows, in its order and under its headings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_color_swatch.grid.layout import Part
+from brdf_color_swatch.grid.model import Shown
+from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows, group_title
+from brdf_color_swatch.grid.view_state import PaneState
+from brdf_suite.palettes.duplicates import duplicates
+from brdf_suite.palettes.order import ORDERS, natural, ordered
+from brdf_suite.palettes.search import Filter, matching, nearest
+from brdf_suite.progress import Progress
+
+MOST_NEAREST = 500
+_MANY = 400
+"""From so many on, a path through the colours and duplicates are worked out in the background."""
+_ORDERS = {"hue": "hue path"}
+
+
+def is_slow(rows: Rows, state: PaneState) -> bool:
+    """Whether :func:`narrowed` would hold up a window: what it needs is not worked out yet, and is much."""
+    if len(rows) < _MANY:
+        return False
+    slow_order = state.sort == "hue" and _order_key(state) not in rows.kept
+    return slow_order or (state.duplicates is not None and ("alike", state.duplicates) not in rows.kept)
+
+
+def narrowed(rows: Rows, state: PaneState, progress: Progress | None = None) -> Shown:
+    """Return what a pane of that state shows of ``rows``."""
+    inside = matching(rows.columns, filter_of(state), rows.texts if state.text.strip() else None)
+    if state.near is not None:
+        return _nearest(rows, state, inside)
+    if state.duplicates is not None:
+        return _duplicates(rows, state, inside, progress)
+    if state.sort in ("own", "nearest"):
+        places, parts = by_group(rows, np.flatnonzero(inside).tolist())
+        return Shown(rows, tuple(places), parts)
+    order = _order(rows, state)
+    places = order[inside[order]].tolist()
+    return Shown(rows, tuple(places), (Part("", 0, len(places)),))
+
+
+def filter_of(state: PaneState) -> Filter:
+    """Return the filter of a pane's state."""
+    ranges = {key: (low, high) for key, low, high in state.ranges}
+    scope = state.scope
+    return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)  # type: ignore[arg-type]  # the keys are its fields
+
+
+def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, ...]]:
+    """Return places and headings, group by group in the order in which the groups come; those of none first."""
+    members: dict[tuple[str, ...], list[int]] = {(): []}
+    for place in places:
+        members.setdefault(rows.entries[place].group, []).append(place)
+    order: list[int] = []
+    parts: list[Part] = []
+    for path, inside in members.items():
+        if inside:
+            title = group_title(path) if path else (tr("In no group") if len(members) > 1 else "")
+            parts.append(Part(title, len(order), len(inside)))
+            order.extend(inside)
+    return order, tuple(parts)
+
+
+def _nearest(rows: Rows, state: PaneState, inside: np.ndarray) -> Shown:
+    found = nearest(rows.columns, np.asarray(state.near.lab), MOST_NEAREST, among=inside)
+    places = found.indices.tolist()
+    figures = dict(zip(places, found.delta_e.tolist(), strict=True))
+    return Shown(rows, tuple(places), (Part("", 0, len(places)),), figures)
+
+
+def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Progress | None) -> Shown:
+    assert state.duplicates is not None
+    key = ("alike", state.duplicates)
+    if key not in rows.kept:
+        rows.kept[key] = duplicates(rows.columns, state.duplicates, progress)
+    places: list[int] = []
+    parts: list[Part] = []
+    for group in rows.kept[key]:
+        members = [place for place in group.indices if inside[place]]
+        if len(members) < 2:
+            continue
+        if math.isnan(group.widest):  # not worked out of a group that large
+            title = tr("{count} alike").format(count=len(members))
+        else:
+            title = tr("{count} alike, up to ΔE00 {widest} apart").format(
+                count=len(members), widest=f"{group.widest:.2f}"
+            )
+        if group.chained:
+            title = tr("{title}, by steps").format(title=title)
+        parts.append(Part(title, len(places), len(members)))
+        places.extend(members)
+    return Shown(rows, tuple(places), tuple(parts))
+
+
+def _order_key(state: PaneState) -> tuple[str, str, bool]:
+    return ("order", state.sort, state.descending)
+
+
+def _order(rows: Rows, state: PaneState) -> np.ndarray:
+    key = _order_key(state)
+    if key not in rows.kept:
+        rows.kept[key] = _worked_out(rows, state.sort, descending=state.descending)
+    found: np.ndarray = rows.kept[key]
+    return found
+
+
+def _worked_out(rows: Rows, sort: str, *, descending: bool) -> np.ndarray:
+    by = _ORDERS.get(sort, sort)
+    if by in ORDERS:
+        return ordered(rows.columns, by, descending=descending)  # type: ignore[arg-type]  # it is one of them
+    if sort == "tags":
+        keys = [natural(", ".join(entry.tags)) for entry in rows.entries]
+        places = sorted((p for p, key in enumerate(keys) if key), key=lambda p: keys[p], reverse=descending)
+        return np.array([*places, *(p for p, key in enumerate(keys) if not key)], int)
+    axis, _, angle = sort.partition("_")
+    values = rows.lab[:, ANGLES_DEG.index(float(angle)), "Lab".index(axis)]
+    return np.argsort(-values if descending else values, kind="stable")

@@ -1,0 +1,347 @@
+"""One pane: the swatches of a palette, group or tag, as a grid or a list, with a word where there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QDropEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHBoxLayout,
+    QHeaderView,
+    QProgressBar,
+    QPushButton,
+    QStackedWidget,
+    QTableView,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_color_swatch.features.transfer import TAKEN
+from brdf_color_swatch.grid.chip_delegate import ChipDelegate
+from brdf_color_swatch.grid.grid import SwatchGrid
+from brdf_color_swatch.grid.model import SORT_KEYS, Shown, SwatchModel
+from brdf_color_swatch.grid.tile import Tile
+
+_WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop": 56}
+
+
+class Pane(QFrame):
+    """Grid and list over one model and one selection.
+
+    Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
+    ``renamed(id, key, text)``, ``sort_asked(key, descending)``, ``dropped(event, row)``,
+    ``menu_asked(point)`` in screen coordinates,
+    ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
+    """
+
+    worked_in = Signal()
+    selected = Signal(object)
+    opened = Signal(str)
+    renamed = Signal(str, str, str)
+    sort_asked = Signal(str, bool)
+    dropped = Signal(object, int)
+    menu_asked = Signal(QPoint)
+    close_asked = Signal()
+    action_asked = Signal(str)
+    seen_changed = Signal()
+    size_asked = Signal(int)
+
+    def __init__(
+        self, number: int, picture_of: Callable[[int, int], object], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.number = number
+        self._picture_of = picture_of
+        self._quiet = False
+        self.setObjectName(f"pane_{number}")
+        self.setAccessibleName(tr("Swatches") if number == 0 else tr("Swatches, second pane"))
+        self.model = SwatchModel(self)
+        self.model.mime_types = TAKEN
+        self.grid = SwatchGrid(self.model, self.tile_of)
+        self.grid.setAccessibleName(tr("Grid of swatches"))
+        self.list = _list(self.model)
+        self.list.setSelectionModel(self.grid.selectionModel())
+        self._head()
+        self.stack = QStackedWidget()
+        for page in (self.grid, self.list, self._note_page()):
+            self.stack.addWidget(page)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self.head)
+        box.addWidget(self.stack, 1)
+        self._as_list = False
+        self._join()
+
+    # What it shows.
+
+    def tile_of(self, row: int) -> Tile:
+        """Return what the tile of a row shows."""
+        shown = self.model.shown
+        place = shown.places[row]
+        return shown.rows.tile(place, self._picture_of(self.number, row), shown.figure.get(place))
+
+    def show_shown(self, shown: Shown) -> None:
+        """Show these swatches; what was selected stays so where it is still there, and so does the place."""
+        current = self.grid.currentIndex()
+        key = self.model.id_at(current.row()) if current.isValid() else ""
+        kept = [self.model.id_at(row) for row in self.grid.selected_rows()]
+        top = self.grid.verticalScrollBar().value()
+        top_list = self.list.verticalScrollBar().value()
+        self._quiet = True
+        self.model.show(shown)
+        rows = [row for one in kept if (row := self.model.row_of(one)) is not None]
+        self.grid.select_rows(rows)
+        row = self.model.row_of(key) if key else None
+        if row is not None:
+            flag = QItemSelectionModel.SelectionFlag.NoUpdate
+            self.grid.selectionModel().setCurrentIndex(self.model.index(row, 0), flag)
+        self.grid.verticalScrollBar().setValue(top)
+        self.list.verticalScrollBar().setValue(top_list)
+        self._quiet = False
+        self._tell_selected()
+
+    def show_note(self, text: str, actions: tuple[tuple[str, str], ...] = (), *, busy: bool = False) -> None:
+        """Show a word instead of swatches, with buttons (text, key); empty text shows the swatches."""
+        if text:
+            self._note.setText(text)
+            self._bar.setVisible(busy)
+            while self._buttons.count():
+                taken = self._buttons.takeAt(0)
+                widget = taken.widget() if taken is not None else None
+                if widget is not None:
+                    widget.deleteLater()
+            for label, key in actions:
+                button = QPushButton(label)
+                button.setObjectName(f"note_{key}")
+                button.clicked.connect(lambda _=False, key=key: self.action_asked.emit(key))
+                self._buttons.addWidget(button)
+        self._noted = bool(text)
+        self._turn()
+
+    def show_as_list(self, as_list: bool) -> None:
+        """Show a list, or the grid."""
+        self._as_list = as_list
+        self._turn()
+
+    def _turn(self) -> None:
+        page = 2 if self._noted else 1 if self._as_list else 0
+        if self.stack.currentIndex() != page:
+            had_focus = self.isAncestorOf(self.focusWidget()) if self.focusWidget() else False
+            self.stack.setCurrentIndex(page)
+            if had_focus:
+                self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    @property
+    def note(self) -> str:
+        """What is written instead of swatches; empty where they are shown."""
+        return self._note.text() if self._noted else ""
+
+    @property
+    def view(self) -> QAbstractItemView:
+        """The view that is shown."""
+        return self.list if self._as_list else self.grid
+
+    def show_title(self, title: str, count: str, *, front: bool, two: bool) -> None:
+        """Show what the pane is of; ``front``: it is the one that is worked in, of ``two`` where there are two."""
+        self._title.setText(title)
+        font = self._title.font()
+        font.setBold(front)
+        self._title.setFont(font)
+        self._count.setText(count)
+        # The first pane stays.
+        self._close.setVisible(two and self.number > 0)
+        self._mark.setVisible(front and two)
+
+    def reveal(self, ids: tuple[str, ...]) -> None:
+        """Select these swatches and scroll to the first."""
+        rows = [row for one in ids if (row := self.model.row_of(one)) is not None]
+        if not rows:
+            return
+        self.grid.select_rows(rows)
+        index = self.model.index(min(rows), 0)
+        for view in (self.grid, self.list):
+            view.scrollTo(index, QAbstractItemView.ScrollHint.EnsureVisible)
+        self.view.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def rename_current(self) -> None:
+        """Write the name of the current swatch anew, in its place."""
+        index = self.grid.currentIndex()
+        if index.isValid():
+            index = self.model.index(index.row(), 0)
+            self.view.scrollTo(index)
+            self.view.setCurrentIndex(index)
+            self.view.edit(index)
+
+    def show_sort(self, key: str, *, descending: bool) -> None:
+        """Show in the list's head what it is ordered by."""
+        header = self.list.horizontalHeader()
+        header.blockSignals(True)
+        if key in SORT_KEYS:
+            order = Qt.SortOrder.DescendingOrder if descending else Qt.SortOrder.AscendingOrder
+            header.setSortIndicator(SORT_KEYS.index(key), order)
+        else:
+            header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
+        header.blockSignals(False)
+
+    # How it is built.
+
+    def _head(self) -> None:
+        self.head = QWidget()
+        row = QHBoxLayout(self.head)
+        row.setContentsMargins(8, 2, 8, 2)
+        row.setSpacing(8)
+        self.head.setMinimumHeight(30)
+        self._mark = PlainLabel("▸")
+        self._mark.setObjectName("front_mark")
+        self._mark.setToolTip(tr("The pane that is worked in"))
+        self._title = ElidedLabel()
+        self._count = PlainLabel()
+        self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
+        self._close = QToolButton()
+        self._close.setIcon(icon("x"))
+        self._close.setAutoRaise(True)
+        self._close.setToolTip(tr("Close this pane"))
+        self._close.setAccessibleName(tr("Close this pane"))
+        self._close.clicked.connect(self.close_asked)
+        row.addWidget(self._mark)
+        row.addWidget(self._title, 1)
+        row.addWidget(self._count)
+        row.addWidget(self._close)
+        for widget in (self.head, self._mark, self._title, self._count):
+            widget.installEventFilter(self)
+
+    def _note_page(self) -> QWidget:
+        page = QWidget()
+        page.setAcceptDrops(True)
+        page.installEventFilter(self)
+        self._noted = False
+        self._note = PlainLabel()
+        self._note.setWordWrap(True)
+        self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._note.setMinimumWidth(120)
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 0)
+        self._bar.setTextVisible(False)
+        self._bar.setMaximumWidth(240)
+        self._buttons = QHBoxLayout()
+        box = QVBoxLayout(page)
+        box.setContentsMargins(24, 24, 24, 24)
+        box.addStretch(2)
+        box.addWidget(self._note)
+        box.addWidget(self._bar, 0, Qt.AlignmentFlag.AlignHCenter)
+        middle = QHBoxLayout()
+        middle.addStretch(1)
+        middle.addLayout(self._buttons)
+        middle.addStretch(1)
+        box.addLayout(middle)
+        box.addStretch(3)
+        return page
+
+    def _join(self) -> None:
+        self.model.renamed.connect(self.renamed)
+        self.model.sort_asked.connect(self.sort_asked)
+        self.grid.dropped.connect(self.dropped)
+        self.grid.seen_changed.connect(self.seen_changed)
+        self.grid.size_asked.connect(self.size_asked)
+        self.grid.selectionModel().selectionChanged.connect(lambda *_: self._tell_selected())
+        self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
+        for view in (self.grid, self.list):
+            view.activated.connect(self._open)
+            view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+            view.customContextMenuRequested.connect(
+                lambda point, view=view: self.menu_asked.emit(view.viewport().mapToGlobal(point))
+            )
+            view.installEventFilter(self)
+            view.viewport().installEventFilter(self)
+        self.list.verticalScrollBar().valueChanged.connect(lambda _value: self.seen_changed.emit())
+        self.list.horizontalHeader().sortIndicatorChanged.connect(
+            lambda section, order: self.model.sort(section, order)
+        )
+
+    def _open(self, index: QModelIndex) -> None:
+        if index.isValid():
+            self.opened.emit(self.model.id_at(index.row()))
+
+    def _speak(self, index: QModelIndex) -> None:
+        """Let a screen reader tell the swatch that the keys have come to: its name and its colour."""
+        if not index.isValid():
+            return
+        shown = self.model.shown
+        text = shown.rows.spoken(shown.places[index.row()])
+        self.grid.setAccessibleDescription(text)
+        if self.grid.hasFocus() and QAccessible.isActive():
+            QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
+
+    def _tell_selected(self) -> None:
+        if not self._quiet:
+            self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):
+            self.worked_in.emit()
+        if event.type() == QEvent.Type.MouseButtonPress and watched in (
+            self.head,
+            self._mark,
+            self._title,
+            self._count,
+        ):
+            # The keys go where the click has gone.
+            self.view.setFocus(Qt.FocusReason.MouseFocusReason)
+        if (
+            watched is self.list.viewport()
+            and isinstance(event, QDropEvent)
+            and event.type() == QEvent.Type.Drop
+        ):
+            index = self.list.indexAt(event.position().toPoint())
+            self.dropped.emit(event, index.row() if index.isValid() else self.model.rowCount())
+            return True
+        if watched is self.stack.widget(2) and isinstance(event, QDropEvent):
+            # Enter and move events are drop events too.
+            event.acceptProposedAction()
+            if event.type() == QEvent.Type.Drop:
+                self.dropped.emit(event, 0)
+            return True
+        return super().eventFilter(watched, event)
+
+    def sizeHint(self) -> QSize:
+        return QSize(480, 480)
+
+
+def _list(model: SwatchModel) -> QTableView:
+    view = QTableView()
+    view.setModel(model)
+    view.setObjectName("list")
+    view.setAccessibleName(tr("List of swatches"))
+    view.setItemDelegateForColumn(0, ChipDelegate(view))
+    view.setFrameShape(QFrame.Shape.NoFrame)
+    view.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+    view.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    view.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
+    view.setDragDropMode(QAbstractItemView.DragDropMode.DragDrop)
+    view.setDefaultDropAction(Qt.DropAction.MoveAction)
+    view.setDragDropOverwriteMode(False)
+    view.setAlternatingRowColors(True)
+    view.setShowGrid(False)
+    view.setWordWrap(False)
+    view.setTabKeyNavigation(False)
+    view.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+    vertical = view.verticalHeader()
+    vertical.hide()
+    vertical.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+    vertical.setDefaultSectionSize(26)
+    header = view.horizontalHeader()
+    header.setSectionsClickable(True)
+    header.setSortIndicatorShown(True)
+    header.setSortIndicatorClearable(True)
+    header.setHighlightSections(False)
+    for column, key in enumerate(SORT_KEYS):
+        view.setColumnWidth(column, _WIDTHS.get(key, 62))
+    return view

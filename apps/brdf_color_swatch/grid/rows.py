@@ -1,0 +1,173 @@
+"""What a list of swatches is made of: the entries of a palette with their figures as arrays, worked out once each."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_color_swatch.grid.tile import Tile
+from brdf_suite.appearance.colour.flat_colours import display_notes
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry
+from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns
+from brdf_suite.palettes.search import Texts
+
+ANGLES_DEG = MAIN_ANGLES_DEG
+"""The angles that quality control of flake finishes reads, from the face to the flop."""
+
+GROUP_SIGN = " › "
+
+
+def group_title(path: Sequence[str]) -> str:
+    """Return a group's path as people read it."""
+    return GROUP_SIGN.join(name or tr("(no name)") for name in path)
+
+
+@dataclass(frozen=True, eq=False)
+class Rows:
+    """Entries and their figures: ``columns``, and ``codes`` (n, 3, 3), the sRGB of L*a*b* at 15, 45 and 110°.
+
+    ``kept`` holds orders and the like that were worked out once.
+    """
+
+    columns: Columns
+    codes: np.ndarray
+    kept: dict[Hashable, Any] = field(default_factory=dict)
+
+    @staticmethod
+    def empty() -> Rows:
+        """Return no rows at all."""
+        return Rows(Columns.of(()), np.zeros((0, 3, 3), np.uint8))
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """The entries."""
+        return self.columns.entries
+
+    @property
+    def lab(self) -> np.ndarray:
+        """L*a*b* (n, 3, 3) at :data:`ANGLES_DEG`; NaN where it is not known."""
+        return self.columns.main
+
+    @property
+    def gloss(self) -> np.ndarray:
+        """Gloss at 20° (n,), GU; NaN where there is none."""
+        return self.columns.gloss
+
+    @property
+    def flop(self) -> np.ndarray:
+        """Flop index (n,)."""
+        return self.columns.flop
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        """What is to be known of how the flat colours are shown, sentences."""
+        return display_notes([e.content for e in self.entries if isinstance(e.content, FlatColour)])
+
+    @cached_property
+    def has_codes(self) -> bool:
+        """Whether any entry has a code."""
+        return any(entry.code for entry in self.entries)
+
+    @cached_property
+    def texts(self) -> Texts:
+        """The words to search by, folded once."""
+        return Texts(self.entries)
+
+    @cached_property
+    def ids(self) -> tuple[str, ...]:
+        """The entries' ids."""
+        return tuple(entry.id for entry in self.entries)
+
+    def __len__(self) -> int:
+        """Return the number of entries."""
+        return len(self.entries)
+
+    def name(self, place: int) -> str:
+        """Return a name that is never empty."""
+        return self.entries[place].name or self.entries[place].code or tr("(no name)")
+
+    def tile(self, place: int, picture: object, delta_e: float | None) -> Tile:
+        """Return what the grid shows of a row; ``picture`` a QPixmap or None."""
+        entry = self.entries[place]
+        below = f"ΔE00 {delta_e:.2f}" if delta_e is not None else entry.code
+        return Tile(
+            self.name(place),
+            below,
+            self.codes[place],
+            ANGLES_DEG,
+            entry.is_flat,
+            picture,  # type: ignore[arg-type]  # rows know no pixmaps
+            spot=entry.usage == "spot",
+        )
+
+    def text(self, place: int, key: str) -> str:
+        """Return what a column of the list shows."""
+        entry = self.entries[place]
+        if key == "name":
+            return entry.name
+        if key == "code":
+            return entry.code
+        if key == "tags":
+            return ", ".join(entry.tags)
+        if key == "date":
+            return entry.date[:10]
+        if key == "gloss":
+            return _number(self.gloss[place], 0)
+        if key == "flop":
+            return _number(self.flop[place], 1)
+        axis, _, angle = key.partition("_")
+        value = self.lab[place, ANGLES_DEG.index(float(angle)), "Lab".index(axis) if axis != "L" else 0]
+        return _number(value, 1)
+
+    def told(self, place: int, delta_e: float | None = None) -> str:
+        """Return the tool tip of a row: figures with their units."""
+        entry = self.entries[place]
+        lines = [self.name(place)[:200]]
+        if entry.code:
+            lines.append(tr("Code {code}").format(code=entry.code))
+        lines += [
+            f"{angle:g}°: L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}"
+            for angle, lab in zip(ANGLES_DEG, self.lab[place], strict=True)
+            if np.isfinite(lab[0]) and not entry.is_flat
+        ]
+        if entry.is_flat:
+            lab = self.lab[place, 1]
+            lines.append(tr("Flat colour, {model}").format(model=entry.content.model))
+            lines.append(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")
+        else:
+            flop, gloss = _number(self.flop[place], 1), _number(self.gloss[place], 0)
+            if flop:
+                lines.append(tr("Flop {flop}").format(flop=flop))
+            if gloss:
+                lines.append(tr("Gloss 20°: {gloss} GU").format(gloss=gloss))
+        if delta_e is not None:
+            lines.append(tr("ΔE00 to what is searched for: {value}").format(value=f"{delta_e:.2f}"))
+        if entry.tags:
+            lines.append(tr("Tags: {tags}").format(tags=", ".join(entry.tags)))
+        if entry.group:
+            lines.append(tr("Group: {group}").format(group=group_title(entry.group)[:200]))
+        return "\n".join(lines).replace("* -", "* −")
+
+    def spoken(self, place: int) -> str:
+        """Return what a screen reader says of a row."""
+        lab = self.lab[place, 1]
+        name = self.name(place)[:200]
+        if not np.isfinite(lab[0]):
+            return name
+        flop = _number(self.flop[place], 1) or "0"
+        return tr("{name}, L* {L}, a* {a}, b* {b} at 45°, flop {flop}").format(
+            name=name, L=f"{lab[0]:.0f}", a=f"{lab[1]:.0f}", b=f"{lab[2]:.0f}", flop=flop
+        )
+
+
+def _number(value: float, decimals: int) -> str:
+    if not np.isfinite(value):
+        return ""
+    text = f"{value:.{decimals}f}"
+    return text.replace("-", "−")

@@ -1,0 +1,223 @@
+"""The File menu: new, open, save, close, the shipped paints; and the buttons over the library."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QPoint
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QMenu
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.features.entry_edits import add_entries
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Entry, Palette, new_id
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import (
+    ENTRY_MARK,
+    file_kind,
+    is_file,
+    load_document,
+    load_shipped_paint,
+    paint_names,
+)
+from brdf_suite.progress import Progress
+
+
+def new_palette() -> Palette:
+    """Return what New opens."""
+    return Palette(tr("Untitled"))
+
+
+def shipped_palette() -> Palette:
+    """Return the paints that come with the suite as a palette."""
+    entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
+    return Palette(tr("Shipped Paints"), tuple(entries))
+
+
+class FilePart:
+    """Commands on palettes as a whole."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        keys = QKeySequence.StandardKey
+        add = window.add_command
+        new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
+        opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
+        window.menu("file").addMenu(window.recent_menu)
+        add("file", mark("Open the S&hipped Paints"), None, self.open_shipped, "shipped")
+        window.menu("file").addSeparator()
+        self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
+        add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
+        add("file", mark("Save A&ll"), None, self.save_all, "save_all")
+        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close, "close", icon="x")
+        window.menu("file").addSeparator()
+        for action in (new, opened, self._close):
+            window.add_library_button(action)
+        for action in (new, opened, self._save):
+            window.toolbar.addAction(action)
+        window.toolbar.addSeparator()
+        window.open_asked.connect(self.open)
+        window.recent_cleared.connect(self._clear_recent)
+        window.tree.menu_asked.connect(self._menu)
+        for pane in window.panes:
+            pane.action_asked.connect(lambda key, number=pane.number: self._act(key, number))
+        desk.library.settled.connect(lambda _key: window.show_recent(desk.library.recent()))
+        desk.library.items_changed.connect(self._enable)
+        desk.state_changed.connect(lambda _pane: self._enable())
+        desk.front_changed.connect(self._enable)
+        window.show_recent(desk.library.recent())
+        self._enable()
+
+    def new(self) -> None:
+        """Begin an empty palette, and let it be named at once."""
+        key = self._desk.library.add_palette(new_palette())
+        self._desk.show_scope(Scope(key))
+
+    def open(self, path: Path | None) -> None:
+        """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
+        desk = self._desk
+        if path is not None and _names_material(path):
+            self._add_material(str(path))
+            return
+        key = desk.library.ask_open(path)
+        if key is not None:
+            desk.show_scope(Scope(key))
+
+    def open_shipped(self) -> None:
+        """Open the shipped paints as a palette without a file."""
+        try:
+            palette = shipped_palette()
+        except SuiteError as error:
+            self._desk.library.fails(error, "open")
+            return
+        self._desk.show_scope(Scope(self._desk.library.add_palette(palette)))
+
+    def save(self) -> None:
+        """Save the palette in front."""
+        self._finish_typing()
+        self._desk.library.save(self._desk.state.scope.palette)
+
+    def save_as(self) -> None:
+        """Save the palette in front to a file that is asked for."""
+        self._finish_typing()
+        self._desk.library.save_as(self._desk.state.scope.palette)
+
+    def save_all(self) -> None:
+        """Save every palette with changes; the first that is not saved ends it."""
+        self._finish_typing()
+        for item in self._desk.library.items:
+            if not item.is_clean and not self._desk.library.save(item.key):
+                return
+
+    def close(self) -> None:
+        """Take the palette in front out of the library; its file stays."""
+        self._finish_typing()
+        key = self._desk.state.scope.palette
+        items = self._desk.library.items
+        place = next((place for place, item in enumerate(items) if item.key == key), None)
+        if place is None or not self._desk.library.close(key):
+            return
+        rest = self._desk.library.items
+        read = [item for item in (*rest[place:], *reversed(rest[:place])) if item.palette is not None]
+        if read:
+            self._desk.show_scope(Scope(read[0].key))
+
+    def _finish_typing(self) -> None:
+        """Take what is still being typed: a shortcut leaves no field."""
+        focused = self._window.focusWidget()
+        if focused is not None:
+            focused.clearFocus()
+            focused.setFocus()
+
+    def _add_material(self, name: str) -> None:
+        try:
+            document = load_document(name)
+        except SuiteError as error:
+            self._not_added(error)
+            return
+        if document is not None:
+            self._add_paint(document)
+            return
+        # Measured data and models have no document: the virtual instruments read a paint from them.
+        self._desk.library.tasks.submit(
+            f"add {name}", _read_paint, name, done=self._add_paint, failed=self._not_added
+        )
+
+    def _add_paint(self, paint: AnyPaint) -> None:
+        if self._desk.palette is None:
+            self.new()
+        add_entries(self._desk, tr("Add a paint"), [Entry(paint, id=new_id())])
+
+    def _not_added(self, error: Exception) -> None:
+        self._desk.library.fails(error, "open", tr("The palette is as it was."))
+
+    def _clear_recent(self) -> None:
+        from brdf_qt.program.settings import settings
+
+        settings().setValue("recent", [])
+        self._window.show_recent([])
+
+    def _act(self, what: str, number: int) -> None:
+        """Do what a button of an empty page offers."""
+        desk = self._desk
+        desk.set_front(number)
+        key = desk.state.scope.palette
+        if what == "new":
+            self.new()
+        elif what == "open":
+            self.open(None)
+        elif what == "shipped":
+            self.open_shipped()
+        elif what == "cancel":
+            desk.library.cancel_reading(key)
+        elif what == "again" and desk.library.item(key) is not None:
+            desk.library.want(key)
+        elif what == "close":
+            self.close()
+        elif what == "clear":
+            desk.set_state(desk.state.cleared())
+
+    def _menu(self, scope: Scope, point: QPoint) -> None:
+        if scope.palette and scope.palette != self._desk.state.scope.palette:
+            self._desk.show_scope(scope)
+        menu = QMenu(self._window)
+        keys = ["new", "open", "shipped"]
+        if scope.palette:
+            keys = ["save", "save_as", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
+        for key in keys:
+            action = self._window.command(key) if key else None
+            if action is not None:
+                menu.addAction(action)
+            elif not key:
+                menu.addSeparator()
+        menu.popup(point)
+
+    def _enable(self) -> None:
+        item = self._desk.item
+        there = item is not None and item.palette is not None
+        for key in ("save", "save_as"):
+            action = self._window.command(key)
+            if action is not None:
+                action.setEnabled(there)
+        self._close.setEnabled(item is not None)
+
+
+def _names_material(path: Path) -> bool:
+    """Whether a material is asked for, and not a palette; files that cannot be read count as palettes."""
+    if not is_file(str(path)):
+        return not path.suffix or ENTRY_MARK in path.name or path.suffix.lower() == PAINT_ENDING
+    try:
+        return file_kind(path) != "palette"
+    except SuiteError:
+        return False
+
+
+def _read_paint(name: str, progress: Progress) -> Paint:
+    from brdf_suite.paint_design.measured_start import load_start  # much to import, and few palettes need it
+
+    return load_start(name, progress=progress).paint

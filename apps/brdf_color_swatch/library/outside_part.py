@@ -1,0 +1,105 @@
+"""A palette's file that another program has written: noticed, told, and read or merged where the user says so."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message, message_of
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.library.reading import Read
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.palette import Palette
+from brdf_suite.progress import Progress
+
+_MOST_TOLD = 6
+
+
+class OutsidePart:
+    """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        desk.library.changed_outside.connect(self._offer)
+
+    def _offer(self, key: str) -> None:
+        item = self._desk.library.item(key)
+        if item is None or item.palette is None or item.path is None:
+            return
+        what = tr("“{name}” was changed by another program.").format(name=item.path.name)
+        reload_it = (
+            tr("Reload"),
+            lambda: self._desk.library.read_again(key, lambda read: self._reload(key, read)),
+        )
+        if item.palette.store.is_clean:
+            todo = tr("Reload shows what the file holds now; Undo brings this back.")
+            actions = (reload_it, (tr("Keep Mine"), lambda: None))
+        else:
+            todo = tr(
+                "Your changes are not saved. Merge keeps both; Reload takes the file's. Either can be undone."
+            )
+            merge = (
+                tr("Merge"),
+                lambda: self._desk.library.read_again(key, lambda read: self._merge(key, read)),
+            )
+            actions = (merge, reload_it, (tr("Keep Mine"), lambda: None))
+        self._window.show_message(
+            Message(
+                f"outside {key}", what, where=str(item.path), todo=todo, severity="warning", actions=actions
+            )
+        )
+
+    def _reload(self, key: str, read: Read) -> None:
+        self._desk.library.take_outside(key, read.palette, read, tr("Reload from disk"))
+
+    def _merge(self, key: str, read: Read) -> None:
+        item = self._desk.library.item(key)
+        if item is None or item.palette is None:
+            return
+        opened = item.palette
+        mine = opened.store.value
+        self._desk.library.tasks.submit(
+            f"merge {key}",
+            _merged,
+            (opened.base, mine, read.palette),
+            lambda merged: self._take(key, mine, merged, read),
+            lambda error: self._window.show_message(message_of(error, f"outside {key}")),
+        )
+
+    def _take(self, key: str, mine: Palette, merged: object, read: Read) -> None:
+        from brdf_suite.palettes.merge import Merge
+
+        item = self._desk.library.item(key)
+        if item is None or item.palette is None or not isinstance(merged, Merge):
+            return
+        if item.palette.store.value is not mine:
+            # An edit came while it was merged: it is merged as well.
+            self._merge(key, read)
+            return
+        self._desk.library.take_outside(key, merged.palette, read, tr("Merge with the file"))
+        told = [*merged.conflicts, *merged.taken]
+        if not told:
+            return
+        more = len(told) - _MOST_TOLD
+        lines = told[:_MOST_TOLD] + ([tr("{count} more").format(count=more)] if more > 0 else [])
+        if merged.conflicts:
+            what = tr(
+                "The file was merged; {count} of your changes met others of the same thing, and stay."
+            ).format(count=len(merged.conflicts))
+        else:
+            what = tr("The file was merged with your changes.")
+        self._window.show_message(
+            Message(
+                "merged",
+                what,
+                todo="\n".join(lines),
+                severity="warning" if merged.conflicts else "info",
+                actions=((tr("Undo"), self._desk.library.history.undo),),
+            )
+        )
+
+
+def _merged(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
+    from brdf_suite.palettes.merge import merge
+
+    progress(0.0, "")
+    return merge(*request)

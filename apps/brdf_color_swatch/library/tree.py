@@ -1,0 +1,309 @@
+"""The library at the left: palettes, their groups within groups, and their tags. Swatches can be dropped on each."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QDragEnterEvent,
+    QDragMoveEvent,
+    QDropEvent,
+    QIcon,
+    QMouseEvent,
+    QPainter,
+    QPalette,
+    QPixmap,
+)
+from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, QWidget
+
+from brdf_color_swatch.features.transfer import can_take
+from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.library.library import Item
+
+_SCOPE = Qt.ItemDataRole.UserRole
+_TAGS = Scope("", (), "\0tags")
+
+
+@dataclass(frozen=True)
+class _Line:
+    """What a line of the tree shows: compared with what it showed before, so that little is made anew."""
+
+    scope: Scope
+    text: str
+    tip: str
+    colour: str
+    sign: str
+    children: tuple[_Line, ...] = ()
+
+
+class LibraryTree(QTreeWidget):
+    """Signals: ``scope_chosen(scope)``, ``opened(scope)`` (Return or double click on a palette that is not read),
+    ``renamed(scope, name)``, ``dropped(event, scope)``, ``group_dropped(path, scope)``, ``menu_asked(scope, point)``.
+    """
+
+    scope_chosen = Signal(object)
+    renamed = Signal(object, str)
+    dropped = Signal(object, object)
+    group_dropped = Signal(object, object)
+    menu_asked = Signal(object, QPoint)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("library")
+        self.setAccessibleName(tr("Library: palettes, groups and tags"))
+        self.setHeaderHidden(True)
+        self.setFrameShape(QTreeWidget.Shape.NoFrame)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
+        self.setUniformRowHeights(True)
+        self.setIconSize(QSize(16, 16))
+        self.setAcceptDrops(True)
+        self.setDragEnabled(True)
+        self.setDropIndicatorShown(True)
+        self.setDragDropMode(QAbstractItemView.DragDropMode.DragDrop)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.customContextMenuRequested.connect(self._ask_menu)
+        self._lines: tuple[_Line, ...] = ()
+        self._quiet = False
+        self._chosen = Scope()
+        self._drop_item: QTreeWidgetItem | None = None
+        self.currentItemChanged.connect(lambda now, _before: self._choose(now))
+        self.itemChanged.connect(self._edited)
+
+    def show_items(self, items: tuple[Item, ...]) -> None:
+        """Show the library; what was open in the tree stays so."""
+        lines = tuple(_line_of(item) for item in items)
+        if lines == self._lines:
+            return
+        opened = {self._scope(item) for item in self._all() if item.isExpanded()}
+        known = {line.scope for line in self._lines}
+        self._lines = lines
+        self._quiet = True
+        top = self.verticalScrollBar().value()
+        self.clear()
+        for line in lines:
+            made = self._made(line)
+            self.addTopLevelItem(made)
+            if line.scope not in known or line.scope in opened:
+                made.setExpanded(True)
+        for item in self._all():
+            if self._scope(item) in opened or (
+                item.parent() is not None
+                and self._scope(item).group
+                and self._scope(item) not in opened
+                and not known
+            ):
+                item.setExpanded(True)
+        self._mark_chosen()
+        self.verticalScrollBar().setValue(top)
+        self._quiet = False
+
+    def show_scope(self, scope: Scope) -> None:
+        """Mark what the pane in front shows."""
+        self._chosen = scope
+        self._quiet = True
+        self._mark_chosen()
+        self._quiet = False
+
+    def rename(self, scope: Scope) -> None:
+        """Write the name of a line anew, in its place."""
+        item = self._item(scope)
+        if item is not None:
+            self.setCurrentItem(item)
+            self.editItem(item)
+
+    def scopes(self) -> list[Scope]:
+        """Return what all lines stand for, from top to bottom."""
+        return [self._scope(item) for item in self._all()]
+
+    # Lines.
+
+    def _made(self, line: _Line) -> QTreeWidgetItem:
+        item = QTreeWidgetItem([line.text])
+        item.setData(0, _SCOPE, line.scope)
+        item.setToolTip(0, plain_tip(line.tip))
+        item.setIcon(0, _dot(line.colour) if line.colour else icon(line.sign))
+        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsDropEnabled
+        if line.scope.tag != _TAGS.tag:
+            flags |= Qt.ItemFlag.ItemIsEditable
+        if line.scope.group:
+            flags |= Qt.ItemFlag.ItemIsDragEnabled
+        item.setFlags(flags)
+        for child in line.children:
+            item.addChild(self._made(child))
+        return item
+
+    def _all(self) -> list[QTreeWidgetItem]:
+        found: list[QTreeWidgetItem] = []
+        waiting = [self.topLevelItem(place) for place in range(self.topLevelItemCount())]
+        while waiting:
+            item = waiting.pop(0)
+            if item is not None:
+                found.append(item)
+                waiting = [item.child(place) for place in range(item.childCount())] + waiting
+        return found
+
+    def _scope(self, item: QTreeWidgetItem) -> Scope:
+        scope = item.data(0, _SCOPE)
+        return scope if isinstance(scope, Scope) else Scope()
+
+    def _item(self, scope: Scope) -> QTreeWidgetItem | None:
+        return next((item for item in self._all() if self._scope(item) == scope), None)
+
+    def _mark_chosen(self) -> None:
+        item = self._item(self._chosen) or self._item(Scope(self._chosen.palette))
+        if item is not None:
+            self.setCurrentItem(item)
+        else:
+            self.setCurrentItem(None)  # type: ignore[arg-type]  # Qt takes a null pointer for none
+
+    def _choose(self, item: QTreeWidgetItem | None) -> None:
+        if item is None or self._quiet:
+            return
+        scope = self._scope(item)
+        if scope.tag != _TAGS.tag:
+            self._chosen = scope
+            self.scope_chosen.emit(scope)
+
+    def _edited(self, item: QTreeWidgetItem, _column: int) -> None:
+        if self._quiet:
+            return
+        scope, text = self._scope(item), item.text(0).strip()
+        before = next((line.text for line in _flat(self._lines) if line.scope == scope), "")
+        name = _name_of(scope, before)
+        self._quiet = True
+        item.setText(0, before)
+        self._quiet = False
+        if text and text not in (before, name):
+            self.renamed.emit(scope, text)
+
+    def _ask_menu(self, point: QPoint) -> None:
+        item = self.itemAt(point)
+        scope = self._scope(item) if item is not None else Scope()
+        self.menu_asked.emit(scope, self.viewport().mapToGlobal(point))
+
+    # Drops.
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if event.source() is self or can_take(event.mimeData()):
+            event.acceptProposedAction()
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        item = self.itemAt(event.position().toPoint())
+        if item is not self._drop_item:
+            self._drop_item = item
+            self.viewport().update()
+        if event.source() is self or can_take(event.mimeData()):
+            event.acceptProposedAction()
+
+    def dragLeaveEvent(self, _event: object) -> None:
+        self._drop_item = None
+        self.viewport().update()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        item = self.itemAt(event.position().toPoint())
+        self._drop_item = None
+        self.viewport().update()
+        scope = self._scope(item) if item is not None else Scope()
+        if event.source() is self:
+            moved = self._scope(self.currentItem()) if self.currentItem() is not None else Scope()
+            # The tree itself moves nothing: the palette is changed, and then the tree shows it.
+            event.setDropAction(Qt.DropAction.IgnoreAction)
+            event.accept()
+            if moved.group and scope.palette and not scope.tag:
+                self.group_dropped.emit(moved, scope)
+            return
+        self.dropped.emit(event, scope)
+
+    def drawRow(self, painter: QPainter, options: object, index: object) -> None:
+        super().drawRow(painter, options, index)  # type: ignore[arg-type]  # as Qt gives them
+        if self._drop_item is not None and self.itemFromIndex(index) is self._drop_item:  # type: ignore[arg-type]
+            box: QRect = options.rect  # type: ignore[attr-defined]  # a QStyleOptionViewItem
+            painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
+            painter.drawRect(box.adjusted(0, 0, -1, -1))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        super().mousePressEvent(event)
+        item = self.itemAt(event.position().toPoint())
+        # A click on what is chosen already goes back to all of it, where a search had narrowed another scope.
+        if item is not None and event.button() is Qt.MouseButton.LeftButton:
+            self._choose(item)
+
+
+def _line_of(item: Item) -> _Line:
+    scope = Scope(item.key)
+    palette = item.palette.store.value if item.palette is not None else None
+    signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
+    tip = str(item.path) if item.path is not None else tr("Not in a file yet")
+    if item.state == "wrong":
+        tip = item.problem
+    elif item.state == "closed":
+        tip = tr("{file}\nNot read yet; choose it to read it.").format(file=tip)
+    title = item.title[:200]
+    if palette is None:
+        return _Line(scope, title, tip, "", signs[item.state])
+    counts: Counter[tuple[str, ...]] = Counter()
+    for path, number in Counter(entry.group for entry in palette.entries).items():
+        for depth in range(1, len(path) + 1):
+            counts[path[:depth]] += number
+    # Each group under the group around it, in one pass over all of them.
+    inside: dict[tuple[str, ...], list[tuple[str, ...]]] = {}
+    known = {group.path: group for group in palette.groups}
+    for path in known:
+        inside.setdefault(path[:-1], []).append(path)
+
+    def groups(around: tuple[str, ...]) -> tuple[_Line, ...]:
+        return tuple(
+            _Line(
+                Scope(item.key, path),
+                _counted(path[-1] or tr("(no name)"), counts[path]),
+                known[path].notes[:300],
+                known[path].colour,
+                "folder",
+                groups(path),
+            )
+            for path in inside.get(around, ())
+        )
+
+    tags = Counter(tag for entry in palette.entries for tag in entry.tags)
+    children = groups(())
+    if tags:
+        under = tuple(
+            _Line(Scope(item.key, (), tag), _counted(tag, tags[tag]), "", "", "tag")
+            for tag in sorted(tags, key=str.casefold)
+        )
+        children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
+    mark = "" if item.is_clean else " •"
+    tip = tip if item.is_clean else tr("{file}\nThere are changes that are not saved.").format(file=tip)
+    return _Line(scope, _counted(title, len(palette)) + mark, tip, palette.colour, "palette", children)
+
+
+def _counted(name: str, count: int) -> str:
+    return f"{name}  {count}"
+
+
+def _name_of(scope: Scope, text: str) -> str:
+    if scope.tag:
+        return scope.tag
+    return scope.group[-1] if scope.group else text
+
+
+def _flat(lines: tuple[_Line, ...]) -> list[_Line]:
+    return [one for line in lines for one in (line, *_flat(line.children))]
+
+
+def _dot(colour: str) -> QIcon:
+    picture = QPixmap(16, 16)
+    picture.fill(QColor(0, 0, 0, 0))
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setBrush(QColor(colour))
+    painter.setPen(QColor(128, 128, 128))
+    painter.drawEllipse(2, 2, 11, 11)
+    painter.end()
+    return QIcon(picture)

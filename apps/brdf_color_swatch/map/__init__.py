@@ -1,0 +1,1 @@
+"""The swatches as points in colour space."""

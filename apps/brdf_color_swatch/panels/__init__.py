@@ -1,0 +1,1 @@
+"""Panels and the bar over the swatches."""

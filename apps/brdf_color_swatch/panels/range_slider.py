@@ -1,0 +1,233 @@
+"""Two ends of a filter on one slider, with their numbers; the track shows what the range means."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFocusEvent,
+    QKeyEvent,
+    QLinearGradient,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QPen,
+)
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+
+_HANDLE = 6
+_TRACK = 8
+
+
+class _Track(QWidget):
+    """The slider itself. ``moved(low, high)`` while dragged, ``released()`` at the end of it."""
+
+    moved = Signal(float, float)
+
+    def __init__(
+        self,
+        low: float,
+        high: float,
+        step: float,
+        colour_at: Callable[[float], QColor] | None,
+        *,
+        wraps: bool,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._ends = (low, high)
+        self._values = [low, high]
+        self._step, self._colour_at, self._wraps = step, colour_at, wraps
+        self._held: int | None = None
+        self._keyed = 0
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumHeight(22)
+
+    def set_values(self, low: float, high: float) -> None:
+        self._values = [low, high]
+        self.update()
+
+    def sizeHint(self) -> QSize:
+        return QSize(160, 22)
+
+    def _x(self, value: float) -> float:
+        low, high = self._ends
+        return _HANDLE + (self.width() - 2 * _HANDLE) * (value - low) / (high - low)
+
+    def _value(self, x: float) -> float:
+        low, high = self._ends
+        share = min(1.0, max(0.0, (x - _HANDLE) / max(1, self.width() - 2 * _HANDLE)))
+        return round((low + share * (high - low)) / self._step) * self._step
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        middle = self.height() / 2
+        track = QRectF(_HANDLE, middle - _TRACK / 2, self.width() - 2 * _HANDLE, _TRACK)
+        role = QPalette.ColorRole
+        if self._colour_at is None:
+            painter.fillRect(track, self.palette().color(role.Mid))
+        else:
+            ramp = QLinearGradient(track.topLeft(), track.topRight())
+            low, high = self._ends
+            for number in range(13):
+                ramp.setColorAt(number / 12, self._colour_at(low + (high - low) * number / 12))
+            painter.fillRect(track, ramp)
+        shade = QColor(self.palette().color(role.Window))
+        shade.setAlpha(200)
+        first, last = self._x(self._values[0]), self._x(self._values[1])
+        hidden = (
+            [QRectF(track.left(), track.top() - 1, first - track.left(), _TRACK + 2),
+             QRectF(last, track.top() - 1, track.right() - last, _TRACK + 2)]
+            if first <= last
+            else [QRectF(last, track.top() - 1, first - last, _TRACK + 2)]
+        )  # fmt: skip
+        for box in hidden:
+            painter.fillRect(box, shade)
+        for number, x in enumerate((first, last)):
+            focused = self.hasFocus() and number == self._keyed
+            painter.setPen(
+                QPen(
+                    self.palette().color(role.Highlight if focused else role.WindowText), 2 if focused else 1
+                )
+            )
+            painter.setBrush(self.palette().color(role.Button))
+            painter.drawRoundedRect(QRectF(x - 4, middle - 9, 8, 18), 2, 2)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        x = event.position().x()
+        away = [abs(self._x(value) - x) for value in self._values]
+        if abs(away[0] - away[1]) < 1e-6:
+            self._held = 0 if x < self._x(self._values[0]) else 1
+        else:
+            self._held = 0 if away[0] < away[1] else 1
+        self._keyed = self._held
+        self._move(event.position())
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if self._held is not None:
+            self._move(event.position())
+
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
+        self._held = None
+
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
+        self._held = None
+        self._set(*self._ends)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        keys = {Qt.Key.Key_Left: -1, Qt.Key.Key_Down: -1, Qt.Key.Key_Right: 1, Qt.Key.Key_Up: 1}
+        way = keys.get(Qt.Key(event.key()))
+        if event.key() in (Qt.Key.Key_Space, Qt.Key.Key_Return):
+            self._keyed = 1 - self._keyed
+            self.update()
+        elif way is None:
+            super().keyPressEvent(event)
+        else:
+            step = self._step * (10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1)
+            self._held = self._keyed
+            self._to(self._values[self._keyed] + way * step)
+            self._held = None
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self.update()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.update()
+
+    def _move(self, point: QPointF) -> None:
+        self._to(self._value(point.x()))
+
+    def _to(self, value: float) -> None:
+        assert self._held is not None
+        low, high = self._ends
+        values = list(self._values)
+        values[self._held] = min(high, max(low, value))
+        if not self._wraps and values[0] > values[1]:
+            values[1 - self._held] = values[self._held]
+        self._set(*values)
+
+    def _set(self, low: float, high: float) -> None:
+        if [low, high] != self._values:
+            self._values = [low, high]
+            self.update()
+            self.moved.emit(low, high)
+
+
+class RangeField(QWidget):
+    """A name, two numbers with their unit, and a slider with two ends; a double click on it lets all pass again.
+
+    ``wraps``: the first end may be past the last, as the hue's from red over 0° to violet. Signal
+    ``edited(low, high)``.
+    """
+
+    edited = Signal(float, float)
+
+    def __init__(
+        self,
+        name: str,
+        unit: str,
+        ends: tuple[float, float],
+        step: float = 1.0,
+        decimals: int = 0,
+        colour_at: Callable[[float], QColor] | None = None,
+        *,
+        wraps: bool = False,
+        tip: str = "",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._ends = ends
+        low_name = tr("{name}, from").format(name=name)
+        high_name = tr("{name}, to").format(name=name)
+        self.low = NumberField(low_name, unit, *ends, step, decimals, ends[0])
+        self.high = NumberField(high_name, unit, *ends, step, decimals, ends[1])
+        self.track = _Track(*ends, step, colour_at, wraps=wraps)
+        self.track.setAccessibleName(name)
+        self.track.setToolTip(
+            plain_tip(f"{tip}\n{tr('Space takes the other end, a double click lets all pass.')}".strip())
+        )
+        self._wraps = wraps
+        label = PlainLabel(name)
+        label.setToolTip(plain_tip(tip))
+        for field in (self.low, self.high):
+            field.setMaximumWidth(84)
+            field.edited.connect(lambda _value, field=field: self._typed(field))
+        head = QHBoxLayout()
+        head.setSpacing(4)
+        head.addWidget(label, 1)
+        head.addWidget(self.low)
+        head.addWidget(PlainLabel("–"))
+        head.addWidget(self.high)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addLayout(head)
+        box.addWidget(self.track)
+        self.track.moved.connect(self._dragged)
+
+    def set_range(self, low: float, high: float) -> None:
+        """Show a range; nothing is emitted."""
+        self.low.set_value(low)
+        self.high.set_value(high)
+        self.track.set_values(low, high)
+
+    def _typed(self, field: NumberField) -> None:
+        low, high = self.low.value(), self.high.value()
+        if not self._wraps and low > high:
+            low, high = (low, low) if field is self.low else (high, high)
+        self.set_range(low, high)
+        self.edited.emit(low, high)
+
+    def _dragged(self, low: float, high: float) -> None:
+        self.low.set_value(low)
+        self.high.set_value(high)
+        self.edited.emit(low, high)

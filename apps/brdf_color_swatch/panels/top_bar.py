@@ -1,0 +1,216 @@
+"""The bar over the swatches: search, order, form, size, light; all for the pane in front or for all panes."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import (
+    QBoxLayout,
+    QButtonGroup,
+    QComboBox,
+    QHBoxLayout,
+    QLineEdit,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
+
+from brdf_color_swatch.grid.view_state import SIZES, Look, PaneState
+
+_SEARCH_AFTER_MS = 120
+_ONE_LINE_PX = 540
+"""Narrower, the bar has two lines."""
+SORT_TITLES = {
+    "own": mark("Own order"),
+    "hue": mark("Hue path"),
+    "lightness": mark("Lightness"),
+    "flop": mark("Flop"),
+    "gloss": mark("Gloss"),
+    "name": mark("Name"),
+    "code": mark("Code"),
+    "date": mark("Date"),
+    "tags": mark("Tags"),
+    "nearest": mark("Nearest first"),
+}
+_FORM_TITLES = {
+    "sphere": (mark("Sphere"), "circle", mark("A sphere in the light booth")),
+    "panel": (mark("Panel"), "rectangle", mark("A curved panel in the light booth")),
+    "flop_strip": (mark("Flop"), "square-half", mark("The flop from 15° at the left to 110° at the right")),
+    "chips": (mark("Chips"), "columns", mark("Flat chips: the measured colour at 15°, 45° and 110°")),
+}
+
+
+class SearchField(QLineEdit):
+    """Text to search by; it is told shortly after the last letter, and Escape clears it."""
+
+    searched = Signal(str)
+    left_downwards = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("search")
+        self.setPlaceholderText(tr("Search names, codes, tags, notes"))
+        self.setAccessibleName(tr("Search names, codes, tags and notes"))
+        self.setToolTip(tr("Every word must be in the name, code, tags, notes or group (Ctrl+F)"))
+        self.setClearButtonEnabled(True)
+        self.addAction(icon("magnifying-glass"), QLineEdit.ActionPosition.LeadingPosition)
+        self._timer = QTimer(self, singleShot=True, interval=_SEARCH_AFTER_MS)
+        self._timer.timeout.connect(lambda: self.searched.emit(self.text()))
+        self.textEdited.connect(lambda _text: self._timer.start())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self.text():
+            self.clear()
+            self._timer.stop()
+            self.searched.emit("")
+            return
+        if event.key() in (Qt.Key.Key_Down, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self._timer.stop()
+            self.searched.emit(self.text())
+            self.left_downwards.emit()
+            return
+        super().keyPressEvent(event)
+
+
+class TopBar(QWidget):
+    """Signals: ``searched(text)``, ``sort_chosen(key)``, ``turned()`` (the other way round), ``form_chosen(form)``,
+    ``size_chosen(pixels)``, ``light_chosen(name)``, ``list_chosen(bool)``, ``left_downwards()``.
+    """
+
+    searched = Signal(str)
+    sort_chosen = Signal(str)
+    turned = Signal()
+    form_chosen = Signal(str)
+    size_chosen = Signal(int)
+    light_chosen = Signal(str)
+    list_chosen = Signal(bool)
+    left_downwards = Signal()
+
+    def __init__(self, lights: list[str], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.search = SearchField()
+        self.search.searched.connect(self.searched)
+        self.search.left_downwards.connect(self.left_downwards)
+        self.sort = QuietComboBox()
+        self.sort.setObjectName("sort")
+        self.sort.setAccessibleName(tr("Order of the swatches"))
+        self.sort.setToolTip(
+            tr("Order of the swatches; own order is the one in which they can be put by hand")
+        )
+        for key, title in SORT_TITLES.items():
+            self.sort.addItem(tr(title), key)
+        self.sort.activated.connect(lambda _place: self.sort_chosen.emit(self.sort.currentData()))
+        self.light = QuietComboBox()
+        self.light.setObjectName("light")
+        self.light.setAccessibleName(tr("Light on all swatches"))
+        self.light.setToolTip(tr("The light booth, or another light, for all swatches"))
+        for name in lights:
+            self.light.addItem(name.replace("_", " ").capitalize(), name)
+        self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
+        self.way = QToolButton()
+        self.way.setObjectName("way")
+        self.way.setAutoRaise(True)
+        self.way.clicked.connect(self.turned)
+        self.forms = QButtonGroup(self)
+        # None of them is down while a list is shown.
+        self.forms.setExclusive(False)
+        self._box = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
+        self._box.setContentsMargins(8, 6, 8, 2)
+        self._box.setSpacing(8)
+        first, row = QHBoxLayout(), QHBoxLayout()
+        for line, share in ((first, 3), (row, 1)):
+            line.setSpacing(8)
+            self._box.addLayout(line, share)
+        self.search.setMinimumWidth(72)
+        for box in (self.sort, self.light):
+            # In a narrow window they give way; their lists are as wide as their texts.
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(7)
+            box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 32)
+        self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        first.addWidget(self.search, 3)
+        first.addWidget(self.sort)
+        first.addWidget(self.way)
+        for key, (title, sign, tip) in _FORM_TITLES.items():
+            button = ChoiceButton("")
+            button.setIcon(icon(sign))
+            button.setObjectName(f"form_{key}")
+            button.setToolTip(plain_tip(f"{tr(title)}: {tr(tip)}"))
+            button.setAccessibleName(tr(title))
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.clicked.connect(lambda _=False, key=key: self.form_chosen.emit(key))
+            self.forms.addButton(button)
+            button.setProperty("form", key)
+            row.addWidget(button)
+        self.list_button = ChoiceButton("")
+        self.list_button.setIcon(icon("rows"))
+        self.list_button.setObjectName("as_list")
+        self.list_button.setToolTip(tr("List with columns (Ctrl+L)"))
+        self.list_button.setAccessibleName(tr("List with columns"))
+        self.list_button.clicked.connect(self.list_chosen)
+        row.addWidget(self.list_button)
+        self.size_slider = QuietSlider(Qt.Orientation.Horizontal)
+        self.size_slider.setObjectName("size")
+        self.size_slider.setRange(*SIZES)
+        self.size_slider.setMinimumWidth(48)
+        self.size_slider.setMaximumWidth(140)
+        self.size_slider.setAccessibleName(tr("Size of the swatches, pixels"))
+        self.size_slider.valueChanged.connect(self.size_chosen)
+        self._paint_grey()
+        row.addWidget(self.size_slider, 1)
+        row.addWidget(self.light)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        ways = QBoxLayout.Direction
+        self._box.setDirection(ways.TopToBottom if self.width() < _ONE_LINE_PX else ways.LeftToRight)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._paint_grey()
+
+    def _paint_grey(self) -> None:
+        """Fill the slider with grey: the accent is for focus and selection alone."""
+        slider = getattr(self, "size_slider", None)
+        if slider is not None:
+            colours = QPalette(self.palette())
+            colours.setColor(QPalette.ColorRole.Highlight, colours.color(QPalette.ColorRole.PlaceholderText))
+            slider.setPalette(colours)
+
+    def show_state(self, state: PaneState) -> None:
+        """Show what narrows and orders the pane in front."""
+        with QSignalBlocker(self.search):
+            if self.search.text().strip() != state.text.strip():
+                self.search.setText(state.text)
+        place = self.sort.findData(state.sort)
+        self.sort.setCurrentIndex(place)
+        self.way.setIcon(icon("sort-descending" if state.descending else "sort-ascending"))
+        self.way.setEnabled(state.sort not in ("own", "nearest"))
+        told = (
+            tr("Largest first; click for the other way")
+            if state.descending
+            else tr("Smallest first; click for the other way")
+        )
+        self.way.setToolTip(plain_tip(told))
+        self.way.setAccessibleName(told)
+
+    def show_look(self, look: Look) -> None:
+        """Show form, size and light."""
+        for button in self.forms.buttons():
+            button.setChecked(button.property("form") == look.form and not look.as_list)
+        self.list_button.setChecked(look.as_list)
+        with QSignalBlocker(self.size_slider):
+            self.size_slider.setValue(look.size)
+        self.size_slider.setEnabled(not look.as_list)
+        self.size_slider.setToolTip(
+            plain_tip(tr("Size of the swatches: {size} pixels (Ctrl and wheel)").format(size=look.size))
+        )
+        place = self.light.findData(look.booth)
+        if place >= 0:
+            self.light.setCurrentIndex(place)

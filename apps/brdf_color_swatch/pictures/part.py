@@ -1,0 +1,114 @@
+"""Joins the panes with the pictures: what is seen is wanted, what has come is painted."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message
+from PySide6.QtCore import QTimer
+
+from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.grid.view_state import Look
+from brdf_color_swatch.pictures.pictures import Pictures
+from brdf_color_swatch.window import SwatchWindow
+from brdf_suite.documents.palette import Entry
+
+_SOON_MS = 30
+"""After the last step of a scroll; what only flies by is not drawn."""
+
+
+class PicturePart:
+    """Owns the pictures."""
+
+    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
+        self._desk, self._window = desk, window
+        self._begun = False
+        self.pictures = Pictures(window)
+        self._soon = QTimer(window, singleShot=True, interval=_SOON_MS, timeout=self._ask)
+        window.picture_of = self._picture
+        for pane in window.panes:
+            pane.grid.stale = lambda row, number=pane.number: self._is_stale(number, row)
+            pane.seen_changed.connect(self._see)
+        desk.shown_changed.connect(lambda _pane: self._see())
+        desk.look_changed.connect(self._relook)
+        self.pictures.arrived.connect(self._arrived)
+        self.pictures.waiting_changed.connect(self._tell)
+        self.pictures.unavailable.connect(self._unavailable)
+
+    def begin_part(self) -> None:
+        """Begin to draw, once the window is there."""
+        self._begun = True
+        self._relook(None, self._desk.look)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the picture of everything that is seen is there."""
+        return self._begun and not self._soon.isActive() and not self.pictures.waiting
+
+    def close_part(self) -> None:
+        """End the process that draws."""
+        self.pictures.close()
+
+    def _entry(self, number: int, row: int) -> Entry:
+        entry: Entry = self._window.panes[number].model.entry_at(row)
+        return entry
+
+    def _picture(self, number: int, row: int) -> object:
+        return self.pictures.picture(self._entry(number, row))
+
+    def _is_stale(self, number: int, row: int) -> bool:
+        return self.pictures.is_stale(self._entry(number, row))
+
+    def _see(self) -> None:
+        if self._begun and not self._soon.isActive():
+            self._soon.start()
+
+    def _relook(self, _old: Look | None, look: Look) -> None:
+        if not self._begun or look.form == "chips" or look.as_list:
+            return
+        before = self.pictures.problem
+        self.pictures.set_look(look.form, look.booth, look.size, self._window.devicePixelRatioF())
+        if before and not self.pictures.problem:
+            self._window.dismiss_message("pictures")
+        self._soon.start()
+
+    def _ask(self) -> None:
+        look = self._desk.look
+        if look.form == "chips" or look.as_list:
+            self.pictures.want([])
+            return
+        wanted: list[Entry] = []
+        margin: list[Entry] = []
+        for pane in self._window.panes:
+            if pane.isHidden() or pane.note:
+                continue
+            seen = pane.grid.seen()
+            wanted += [pane.model.entry_at(row) for row in seen]
+            around = set(pane.grid.seen(pane.grid.viewport().height())) - set(seen)
+            margin += [pane.model.entry_at(row) for row in sorted(around)]
+        self.pictures.want([*wanted, *margin])
+
+    def _arrived(self, ids: set[str]) -> None:
+        for pane in self._window.panes:
+            if not pane.isHidden():
+                rows = [row for row in pane.grid.seen() if pane.model.id_at(row) in ids]
+                pane.grid.refresh_rows(rows)
+
+    def _tell(self, count: int) -> None:
+        cell = self._window.picture_cell
+        cell.set(
+            tr("{count} pictures to come").format(count=count) if count else "",
+            state="stale" if count else "fresh",
+        )
+
+    def _unavailable(self, why: str) -> None:
+        for pane in self._window.panes:
+            pane.grid.viewport().update()
+        self._window.show_message(
+            Message(
+                "pictures",
+                tr("The pictures of the paints cannot be drawn here."),
+                where=why,
+                todo=tr("The measured colours stand for them; all else works."),
+                severity="warning",
+            )
+        )

@@ -1,0 +1,284 @@
+"""Step 2: one position's photographs side by side, with what is clipped, their histogram and their times."""
+
+from __future__ import annotations
+
+import numpy as np
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietSlider
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
+from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QSplitter
+
+from brdf_designer.acquire.page import AcquirePage, Facts, wrapped
+from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
+from brdf_designer.acquire.pictures.marks import Area, draw_mark
+from brdf_designer.acquire.pictures.tone import Tones, area_of, drawn
+from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.session.page import fill_problems, problem_list
+from brdf_designer.acquire.states import Series, Shot
+from brdf_designer.standard.tables import WholeTable
+
+THUMB = 84
+_HARDLY = 0.02
+_SAME_TIME = 0.05
+"""A time of a file's own that differs by less is the stated one: cameras write rounded fractions."""
+
+
+class ExposuresPage(AcquirePage):
+    """The page of the exposures. Intents: ``position_chosen(index)``."""
+
+    position_chosen = Signal(int)
+
+    def __init__(self) -> None:
+        super().__init__(
+            "exposures",
+            tr(
+                "Each position was photographed with several exposures: the highlight needs a short, the "
+                "flank a long one."
+            ),
+        )
+        self._series: Series | None = None
+        self._chosen = -1
+        self.picture = PictureView(tr("The photograph"), tr("Open a session first."))
+        self.strip = QListWidget()
+        self.strip.setAccessibleName(tr("Photographs of this position"))
+        self.strip.setToolTip(
+            tr("Exposure time, and the share of clipped pixels, which are hatched; Left and Right choose")
+        )
+        self.strip.setViewMode(QListView.ViewMode.IconMode)
+        self.strip.setFlow(QListView.Flow.LeftToRight)
+        self.strip.setWrapping(False)
+        self.strip.setMovement(QListView.Movement.Static)
+        self.strip.setIconSize(QSize(THUMB, THUMB))
+        self.strip.setUniformItemSizes(True)
+        self.strip.setSpacing(2)
+        self.strip.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.strip.setFixedHeight(THUMB + 3 * self.fontMetrics().height() + 24)
+        self.strip.currentRowChanged.connect(self._choose)
+        self.histogram = LinesPlot(
+            tr("Histogram of the photograph"), Axis(tr("Code")), Axis(tr("Pixels"), log=True)
+        )
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(8)
+        split.addWidget(self.picture)
+        split.addWidget(self.histogram)
+        split.setStretchFactor(0, 3)
+        split.setStretchFactor(1, 2)
+        split.setChildrenCollapsible(False)
+        self.centre.addWidget(split, 1)
+        self.problems = problem_list(tr("Problems of this position"))
+        self.problems.hide()
+        self.centre.addWidget(self.problems)
+        self.centre.addWidget(self.strip)
+        self.position = QuietSlider(Qt.Orientation.Horizontal)
+        self.position.setAccessibleName(tr("Position of the lamp"))
+        self.position.setToolTip(tr("Which position's photographs are shown"))
+        self.position.setTracking(True)
+        self.position.valueChanged.connect(self._move)
+        self.where = wrapped("")
+        self.brightness = NumberField(tr("Brightness"), "EV", -6.0, 12.0, 0.5, 1, 0.0)
+        self.brightness.edited.connect(lambda _value: self._draw())
+        form = Form()
+        form.add_row(tr("Position"), self.position, tr("Which position's photographs are shown"))
+        form.add_wide(self.where)
+        form.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        self.add_part("position", tr("Position"), form)
+        self.pixel = Facts(tr("The pixel under the cursor"))
+        self.table = WholeTable(
+            tr("Exposure times and clipped pixels"),
+            (tr("Time, ms"), tr("EXIF, ms"), tr("Clipped"), tr("Dark")),
+        )
+        self.table.setToolTip(
+            tr(
+                "Stated in session.json; in the file (EXIF); share of pixels clipped in a channel; share "
+                "within the noise"
+            )
+        )
+        self.table.currentCellChanged.connect(lambda row, *_: self._choose(row))
+        self.times = wrapped("")
+        self.add_part("times", tr("Exposure Times"), self.table, self.times)
+        self.add_part("pixel", tr("Under the Cursor"), self.pixel)
+        self._read(-1.0, -1.0)
+        self.picture.hovered.connect(self._read)
+        self.picture.left_picture.connect(lambda: self._read(-1.0, -1.0))
+
+    def show_positions(self, angles_deg: tuple[float, ...]) -> None:
+        """Offer these positions."""
+        self._angles = angles_deg
+        self.position.blockSignals(True)
+        self.position.setRange(0, max(0, len(angles_deg) - 1))
+        self.position.blockSignals(False)
+        self._tell_position(self.position.value())
+
+    _angles: tuple[float, ...] = ()
+    differing = 0
+    """How many files of what is shown tell another time than the session."""
+
+    def show_position(self, index: int) -> None:
+        """Show which position is chosen, without an intent."""
+        self.position.blockSignals(True)
+        self.position.setValue(index)
+        self.position.blockSignals(False)
+        self._tell_position(index)
+
+    def show_series(self, series: Series | None) -> None:
+        """Show a position's photographs; the same exposure stays chosen."""
+        self._series = series
+        problems = () if series is None else series.problems
+        fill_problems(self.problems, problems)
+        self.problems.setVisible(bool(problems))
+        self.strip.blockSignals(True)
+        self.strip.clear()
+        self.strip.blockSignals(False)
+        if series is None:
+            self.picture.show_empty(tr("Open a session first."))
+            self.histogram.show_curves(())
+            self.table.set_row_count(0)
+            return
+        if not series.shots:
+            self.picture.show_empty(
+                tr("No photograph of this position can be read; the session's page tells why.")
+            )
+            self.histogram.show_curves(())
+            self.table.set_row_count(0)
+            return
+        self.strip.blockSignals(True)
+        for shot in series.shots:
+            text = tr("{time:.4g} ms\n{clipped}").format(
+                time=1e3 * shot.exposure_s, clipped=percent(shot.clipped)
+            )
+            small = _thumb(shot)
+            sign = QIcon(small)
+            # The style tints what is chosen; a photograph keeps its colours.
+            sign.addPixmap(small, QIcon.Mode.Selected)
+            item = QListWidgetItem(sign, text)
+            item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
+            item.setToolTip(plain_tip(shot.file))
+            self.strip.addItem(item)
+        # At first the longest exposure that is hardly clipped; it shows most.
+        if self._chosen < 0:
+            good = [row for row, shot in enumerate(series.shots) if shot.clipped < _HARDLY]
+            self._chosen = good[-1] if good else 0
+        self._chosen = min(self._chosen, len(series.shots) - 1)
+        self.strip.setCurrentRow(self._chosen)
+        self.strip.blockSignals(False)
+        self._fill_table(series)
+        self._draw()
+
+    def choose(self, exposure: int) -> None:
+        """Show this exposure."""
+        self.strip.setCurrentRow(exposure)
+
+    def _fill_table(self, series: Series) -> None:
+        self.table.blockSignals(True)
+        self.table.set_row_count(len(series.shots))
+        differing = 0
+        for row, shot in enumerate(series.shots):
+            other = shot.exif_s is not None and bool(abs(shot.exif_s / shot.exposure_s - 1.0) > _SAME_TIME)
+            differing += other
+            read = "–" if shot.exif_s is None else f"{1e3 * shot.exif_s:.4g}"
+            texts = (f"{1e3 * shot.exposure_s:.4g}", read, percent(shot.clipped), percent(shot.dark))
+            for column, text in enumerate(texts):
+                self.table.set_text(row, column, text, bold=column == 1 and other, tip=shot.file)
+        self.table.selectRow(self._chosen)
+        self.table.blockSignals(False)
+        self.differing = differing
+        if all(shot.exif_s is None for shot in series.shots):
+            self.times.setText(tr("The files hold no times of their own; the stated ones are taken."))
+        elif differing:
+            self.times.setText(
+                tr("{count} files tell another time than session.json.").format(count=differing)
+            )
+        else:
+            self.times.setText(tr("The times in the files are the stated ones."))
+
+    def _move(self, index: int) -> None:
+        self._tell_position(index)
+        self.position_chosen.emit(index)
+
+    def _tell_position(self, index: int) -> None:
+        if index < len(self._angles):
+            self.where.setText(
+                tr("Lamp at {angle:g}°, position {number} of {count}").format(
+                    angle=self._angles[index], number=index + 1, count=len(self._angles)
+                )
+            )
+
+    def _choose(self, row: int) -> None:
+        if self._series is None or not 0 <= row < len(self._series.shots) or row == self._chosen:
+            return
+        self._chosen = row
+        for view in (self.strip, self.table):
+            view.blockSignals(True)
+        self.strip.setCurrentRow(row)
+        self.table.selectRow(row)
+        for view in (self.strip, self.table):
+            view.blockSignals(False)
+        self._draw()
+
+    def _draw(self) -> None:
+        if self._series is None or not self._series.shots:
+            return
+        shot = self._series.shots[self._chosen]
+        self.picture.show_image(drawn(shot.tones, self.brightness.value()))
+        self.picture.show_marks(
+            [Area(area_of(shot.clipped_area), tr("clipped"))] if shot.clipped > 0.0 else []
+        )
+        middles = 0.5 * (shot.edges[1:] + shot.edges[:-1])
+        looks = CHANNELS if len(shot.histogram) == 3 else (("text", "solid"),)
+        names = (tr("red"), tr("green"), tr("blue")) if len(shot.histogram) == 3 else (tr("grey"),)
+        curves = [
+            Curve(middles, np.where(counts > 0, counts, np.nan), name, kind, dash)
+            for counts, name, (kind, dash) in zip(shot.histogram, names, looks, strict=True)
+        ]
+        self.histogram.set_reach(x=(0.0, 1.02 * shot.top))
+        self.histogram.show_curves(curves, ((shot.top, tr("clipped")),))
+
+    def _read(self, x: float, y: float) -> None:
+        if self._series is None or not self._series.shots or x < 0.0:
+            self.pixel.show_rows(((tr("Pixel"), "–", tr("Column and row under the cursor")),))
+            return
+        codes = self._series.shots[self._chosen].tones.codes
+        row, column = min(int(y), codes.shape[0] - 1), min(int(x), codes.shape[1] - 1)
+        found = np.atleast_1d(codes[row, column])
+        self.pixel.show_rows(
+            (
+                (tr("Pixel"), f"{column}, {row}", tr("Column and row under the cursor")),
+                (
+                    tr("Codes"),
+                    " ".join(str(int(code)) for code in found),
+                    tr("Red, green and blue as the file has them"),
+                ),
+            )
+        )
+
+
+def percent(share: float) -> str:
+    """Return a share 0…1 as text; what is more than nothing does not read as nothing.
+
+    >>> percent(0.0001)
+    '< 0.1 %'
+    """
+    return "< 0.1 %" if 0.0 < share < 0.001 else f"{100.0 * share:.1f} %"
+
+
+def _thumb(shot: Shot) -> QPixmap:
+    """Return a small picture, from as many pixels as it can show: all of them would take a moment for each."""
+    step = max(1, min(shot.tones.codes.shape[:2]) // (2 * THUMB))
+    whole = drawn(Tones(np.ascontiguousarray(shot.tones.codes[::step, ::step]), shot.tones.values))
+    clipped = area_of(shot.clipped_area[::step, ::step])
+    small = whole.scaled(
+        THUMB, THUMB, Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation
+    )
+    scale = min(THUMB / whole.width(), THUMB / whole.height())
+    left, top = 0.5 * (THUMB - small.width()), 0.5 * (THUMB - small.height())
+    pixmap = QPixmap(THUMB, THUMB)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.drawImage(int(left), int(top), small)
+    draw_mark(painter, Area(clipped), QTransform().translate(left, top).scale(scale, scale))
+    painter.end()
+    return pixmap

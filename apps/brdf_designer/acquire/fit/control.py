@@ -1,0 +1,108 @@
+"""Joins the page of the fit to the table, and the fitted lobes to Designer."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.message_bar import Message
+from PySide6.QtCore import QObject
+
+from brdf_designer.acquire.fit.page import FitPage
+from brdf_designer.acquire.fit.work import (
+    FitFound,
+    FitRequest,
+    SavePaint,
+    StartRequest,
+    find_fit,
+    find_start,
+    save_fitted,
+)
+from brdf_designer.acquire.workbench import Workbench
+from brdf_designer.session.desk import Desk
+from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.paint_design.measured_start import MeasuredStart
+
+
+class FitControl(QObject):
+    """Fits, shows, opens and saves."""
+
+    def __init__(self, bench: Workbench, page: FitPage, desk: Desk, dialogs: Dialogs) -> None:
+        super().__init__(bench)
+        self._bench, self._page, self._desk, self._dialogs = bench, page, desk, dialogs
+        page.fit_asked.connect(self.find)
+        page.choice_edited.connect(lambda: bench.forget("fit"))
+        page.open_asked.connect(self.open)
+        page.save_asked.connect(self.save)
+        bench.found.connect(self._show)
+        bench.busy_changed.connect(self._busy)
+
+    def find(self) -> None:
+        """Fit the lobes to the table."""
+        table, session = self._bench.have.get("table"), self._bench.session
+        if table is None or session is None:
+            return
+        model, lobes = self._page.chosen
+        request = FitRequest(session.name, table.acquired.table, model, lobes)
+        self._bench.run("fit", find_fit, request, lambda found: self._bench.keep("fit", found))
+
+    def open(self) -> None:
+        """Start a design from the fitted lobes, in a tab of Designer."""
+        fit: FitFound | None = self._bench.have.get("fit")
+        if fit is None or fit.paint is None:
+            return
+        request = StartRequest(fit.paint, str(self._bench.folder))
+        self._bench.run("start", find_start, request, self._opened)
+
+    def save(self) -> None:
+        """Ask where the lobes are to be, and write them as a paint."""
+        fit: FitFound | None = self._bench.have.get("fit")
+        if fit is None or fit.paint is None or self._bench.folder is None:
+            return
+        named = fit.paint.name.replace("/", "_") + PAINT_ENDING
+        path = self._dialogs.save_path(self._bench.folder.parent / named, tr("Paint (*.brdfpaint)"))
+        if path is None:
+            return
+
+        def done(_: object) -> None:
+            self._page.show_kept(tr("Saved as {file}.").format(file=path))
+
+        self._bench.run("save_paint", save_fitted, SavePaint(fit.paint, path), done)
+
+    def _opened(self, start: MeasuredStart) -> None:
+        self._desk.open_paint(start.paint)
+        told = tr("“{name}” is open in Designer, in a tab of its own; it is not saved yet.").format(
+            name=start.paint.name
+        )
+        self._page.show_kept(told)
+        notes = list(start.notices)
+        if start.mean_delta_e is not None:
+            notes.insert(
+                0,
+                tr("ΔE00 to the fitted lobes at angles that were not used: {mean:.1f} in the mean.").format(
+                    mean=start.mean_delta_e
+                ),
+            )
+        self._desk.show_message(Message("acquired", told, where=" ".join(notes)))
+
+    def _show(self, key: str) -> None:
+        if key not in ("fit", "table"):
+            return
+        fit: FitFound | None = self._bench.have.get("fit")
+        self._page.show_fit(None if fit is None else fit.state, has_table="table" in self._bench.have)
+        self._page.show_kept("")
+        if fit is None:
+            self._bench.window.show_step("fit", "todo", "")
+        else:
+            words = tr("RMS ln {error:.3f}").format(error=fit.found.errors.log_rms)
+            self._bench.window.show_step("fit", "done", words)
+
+    def _busy(self, key: str, busy: bool) -> None:
+        if key == "fit":
+            if busy:
+                self._bench.window.show_step("fit", "running", "")
+                self._page.start.setEnabled(False)
+            else:
+                self._show("fit")
+        elif key == "start":
+            fit = self._bench.have.get("fit")
+            self._page.open.setEnabled(not busy and fit is not None and fit.state.has_paint)

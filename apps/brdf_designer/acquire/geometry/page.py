@@ -1,0 +1,141 @@
+"""Step 4: where the sphere lies in the picture and where the lamp really was, with what is left over."""
+
+from __future__ import annotations
+
+import numpy as np
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QSplitter
+
+from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
+from brdf_designer.acquire.pictures.marks import Differences, Outline, Points
+from brdf_designer.acquire.pictures.tone import drawn
+from brdf_designer.acquire.pictures.view import PictureView
+from brdf_designer.acquire.states import GeometryState
+
+_HALF = 0.5
+"""From pixels whose centres lie at whole numbers to those of a picture's corner."""
+
+
+class GeometryPage(AcquirePage):
+    """The page of the geometry. Intents: ``find_asked()``, ``refine_chosen(on)``."""
+
+    find_asked = Signal()
+    refine_chosen = Signal(bool)
+
+    def __init__(self) -> None:
+        super().__init__(
+            "geometry",
+            tr(
+                "The sphere's outline gives its centre; where the highlights lie tells how far the lamp "
+                "was off."
+            ),
+        )
+        self._state: GeometryState | None = None
+        self.picture = PictureView(tr("Sphere and highlights"), tr("Not found yet."))
+        self.residuals = LinesPlot(
+            tr("What is left between found and expected highlights"),
+            Axis(tr("Lamp angle (degrees)")),
+            Axis(tr("Off (pixels)")),
+        )
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(8)
+        split.addWidget(self.picture)
+        split.addWidget(self.residuals)
+        split.setStretchFactor(0, 3)
+        split.setStretchFactor(1, 1)
+        split.setChildrenCollapsible(False)
+        self.centre.addWidget(split, 1)
+        self.start = button(
+            tr("Find Sphere and Lamp"),
+            tr("Find the outline, the highlights of many positions, and what fits them"),
+        )
+        self.start.clicked.connect(lambda _=False: self.find_asked.emit())
+        self.refined = QCheckBox(tr("Refine by the highlights"))
+        self.refined.setChecked(True)
+        self.refined.setToolTip(
+            tr("Correct the lamp's angle and height and the sphere's centre by where the highlights are")
+        )
+        self.refined.toggled.connect(self.refine_chosen)
+        self.note = wrapped("")
+        self.add_part("find", tr("Geometry"), self.start, self.refined, self.note)
+        self.facts = Facts(tr("What is left over"))
+        self.left = self.add_part("left", tr("Left Over"), self.facts)
+        self.found = Facts(tr("What was refined"))
+        self.refinement = self.add_part("refined", tr("Refinement"), self.found)
+        form = Form()
+        self.gain = NumberField(tr("Magnified"), "×", 1.0, 500.0, 10.0, 0, 50.0)
+        self.gain.edited.connect(lambda _value: self._draw_marks())
+        self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
+        self.brightness.edited.connect(lambda _value: self._draw_picture())
+        form.add_row(tr("Magnified"), self.gain, tr("How many times as long the differences are drawn"))
+        form.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        self.look = self.add_part("look", tr("Picture"), form)
+        self.show_geometry(None)
+
+    def show_geometry(self, state: GeometryState | None) -> None:
+        """Show what was found, or that nothing was yet."""
+        self._state = state
+        there = state is not None
+        for part in (self.left, self.refinement, self.look):
+            part.setVisible(there)
+        if state is None:
+            self.note.setText(tr("Not found yet."))
+            self.picture.show_empty(tr("Not found yet."))
+            self.residuals.hide()
+            return
+        self.residuals.show()
+        self.note.setText("\n".join(problem.reason for problem in state.problems))
+        self.note.setVisible(bool(state.problems))
+        self.facts.show_rows(state.facts)
+        self.found.show_rows(state.parameters)
+        self.refinement.setVisible(bool(state.parameters))
+        self._draw_picture()
+        self._draw_marks()
+        kept = ~state.outliers
+        curves = [
+            Curve(state.angles_deg[kept], state.residual_px[kept], tr("highlights"), mark="points", width=3.0)
+        ]
+        if state.outliers.any():
+            off = state.outliers
+            curves.append(
+                Curve(
+                    state.angles_deg[off],
+                    state.residual_px[off],
+                    tr("left out"),
+                    "faint",
+                    mark="points",
+                    width=2.0,
+                )
+            )
+        largest = float(np.nanmax(state.residual_px[kept], initial=0.0))
+        self.residuals.set_reach(y=(0.0, max(0.1, 1.8 * largest)))
+        self.residuals.show_curves(curves)
+
+    def _draw_picture(self) -> None:
+        if self._state is not None:
+            self.picture.show_image(drawn(self._state.picture, self.brightness.value()))
+
+    def _draw_marks(self) -> None:
+        state = self._state
+        if state is None:
+            return
+        gain = self.gain.value()
+        marks = [
+            Outline(state.outline + _HALF, tr("outline that was fitted")),
+            Points(state.predicted + _HALF, tr("highlight, expected"), "ring"),
+            Points(state.found + _HALF, tr("highlight, found"), "cross"),
+            Differences(
+                state.predicted + _HALF,
+                state.found + _HALF,
+                tr("difference × {gain:g}").format(gain=gain),
+                gain,
+            ),
+        ]
+        rejected = state.edge[~state.edge_used]
+        if len(rejected):
+            marks.append(Points(rejected + _HALF, tr("edge that was left out"), "dot"))
+        self.picture.show_marks(marks)

@@ -1,0 +1,163 @@
+"""Sphere and lamp, found on a thread, and what their page shows of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_designer.acquire.exposures.work import LONGEST_SIDE
+from brdf_designer.acquire.pictures.tone import tones_of_linear
+from brdf_designer.acquire.response.work import ResponseFound, response_found
+from brdf_designer.acquire.states import GeometryState, Problem
+from brdf_designer.acquire.workbench import RoadRequest
+from brdf_suite.progress import Progress, subrange
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+_OUTLINE_POINTS = 361
+
+
+@dataclass(frozen=True, eq=False)
+class GeometryFound:
+    """A calibration with its geometry, and what is shown of it; no ``state`` where it was taken from a work file."""
+
+    found: Any
+    state: GeometryState | None
+
+
+@dataclass(frozen=True, eq=False)
+class GeometryAnswer:
+    """A geometry, and the response where that had to be found first."""
+
+    geometry: GeometryFound
+    response: ResponseFound | None
+
+
+def road_of(request: RoadRequest) -> Acquisition:
+    """Take the road up where the request says."""
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+    road = Acquisition.open(request.folder, request.options)
+    if request.geometry is not None:
+        road.take_calibration(request.geometry)
+    elif request.response is not None:
+        road.set_response(request.response.found)
+    return road
+
+
+def find_geometry(request: RoadRequest, progress: Progress) -> GeometryAnswer:
+    """Find sphere and lamp; the response first, where it is not known."""
+    road = road_of(replace(request, geometry=None))
+    response = None
+    start = 0.0
+    if request.response is None:
+        road.calibrate_response(subrange(progress, 0.0, 0.3))
+        response, start = response_found(road), 0.3
+    road.calibrate_intrinsics(subrange(progress, start, start + 0.05))
+    road.calibrate_geometry(subrange(progress, start + 0.05, 1.0))
+    return GeometryAnswer(geometry_found(road), response)
+
+
+def geometry_found(road: Acquisition) -> GeometryFound:
+    """Return what a road knows of the geometry."""
+    geometry, outline, refinement, union = road.geometry, road.outline, road.refinement, road.union
+    assert geometry is not None
+    if union is None or outline is None:
+        return GeometryFound(road.calibration, None)
+    facts: list[tuple[str, str, str]] = [
+        (
+            tr("Outline"),
+            tr("{rms:.3f} px RMS").format(rms=outline.rms_px),
+            tr("Root mean square distance of the edge that was seen from the outline that was fitted"),
+        )
+    ]
+    parameters: list[tuple[str, str, str]] = []
+    angles = np.asarray(geometry.angles_deg)
+    if refinement is not None:
+        found, off = refinement.pixels, refinement.residuals_px
+        seen = angles[refinement.positions]
+        facts += [
+            (
+                tr("Highlights"),
+                tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.rms_px, deg=refinement.rms_deg),
+                tr("What is left between found and expected highlights after the refinement"),
+            ),
+            (
+                tr("Before"),
+                tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.before_px, deg=refinement.before_deg),
+                tr("The same with the numbers of session.json"),
+            ),
+            (
+                tr("Used"),
+                tr("{used} of {count} highlights").format(
+                    used=int((~refinement.outliers).sum()), count=len(refinement.outliers)
+                ),
+                tr("The others do not belong: a second reflection, or the arm"),
+            ),
+        ]
+        parameters = [_refined(row) for row in refinement.parameters if row.observed > 0.005]
+    else:
+        seen = np.array([angles[h.position] for h in road.highlights])
+        found = np.array([h.pixel for h in road.highlights], float).reshape(-1, 2)
+        off = found - geometry.highlights(seen) if len(seen) else found
+    step = max(1, -(-max(union.shape) // LONGEST_SIDE))
+    around = geometry.outline(np.linspace(0.0, 2.0 * np.pi, _OUTLINE_POINTS))
+    scaled = lambda places: (np.asarray(places, float) + 0.5) / step - 0.5  # noqa: E731 - one line, used four times
+    rig = [
+        (
+            tr("Sphere"),
+            "{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0)),
+            tr("Middle of its outline, column and row"),
+        ),
+        (
+            tr("Distance"),
+            tr("{distance:.1f} mm").format(distance=1e3 * float(np.linalg.norm(geometry.centre_m))),
+            tr("From the camera to the centre of the sphere"),
+        ),
+    ]
+    lens_rms = road.calibration.figures.get("lens_rms_px")
+    if lens_rms is not None:
+        rig.append(
+            (
+                tr("Lens"),
+                tr("{rms:.3f} px RMS").format(rms=float(lens_rms)),
+                tr("Distance of the board's corners from where the calibrated camera expects them"),
+            )
+        )
+    state = GeometryState(
+        tones_of_linear(np.asarray(union)[::step, ::step]),
+        scaled(outline.points),
+        np.asarray(outline.used),
+        scaled(around),
+        scaled(found),
+        scaled(found - off),
+        seen,
+        np.hypot(off[:, 0], off[:, 1]),
+        np.zeros(len(seen)) if refinement is None else np.asarray(refinement.residuals_deg),
+        np.zeros(len(seen), bool) if refinement is None else np.asarray(refinement.outliers),
+        (*facts, *rig),
+        tuple(parameters),
+        tuple(Problem("warning", "", notice) for notice in road.notices),
+    )
+    return GeometryFound(road.calibration, state)
+
+
+def _refined(row: Any) -> tuple[str, str, str]:
+    """A refined number with its uncertainty; metres as millimetres."""
+    scale, unit, form = (1e3, " mm", "{:.2f}") if row.unit == "m" else (1.0, "°", "{:.3f}")
+    found, sigma, stated = (
+        form.format(scale * number).replace("-", "−") for number in (row.value, row.sigma, row.stated)
+    )
+    if not any(digit in "123456789" for digit in stated):
+        stated = stated.lstrip("−")
+    value = tr("{value} ± {sigma}\nstated {stated}").format(
+        value=found, sigma=sigma + unit, stated=stated + unit
+    )
+    told = tr("The highlights tell {share:.0f} % of it: {why}").format(
+        share=100.0 * row.observed, why=row.why
+    )
+    return row.name, value, told

@@ -1,0 +1,184 @@
+"""Joins the page of the mask to the session: read, corrected by hand, and kept as it is painted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import message_of
+from PySide6.QtCore import QObject, QTimer
+
+from brdf_designer.acquire.mask.file import MASK_FILE, write_session_mask
+from brdf_designer.acquire.mask.history import Mask
+from brdf_designer.acquire.mask.page import MaskPage
+from brdf_designer.acquire.pictures.marks import Outline
+from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
+from brdf_designer.acquire.workbench import Workbench
+from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.session.session import Session
+
+_PAUSE_MS = 700
+_MOST_CLIPPED = 0.05
+
+
+@dataclass(frozen=True)
+class _Wanted:
+    """The picture of a position, and the mask where that is not read yet."""
+
+    folder: Path
+    session: Session
+    position: int
+
+
+@dataclass(frozen=True, eq=False)
+class _Read:
+    """A picture of the whole size, and the session's mask."""
+
+    tones: Tones
+    shape: tuple[int, int]
+    mask: Mask | None
+
+
+class MaskControl(QObject):
+    """Shows a picture below the mask, and writes the mask when the hand pauses."""
+
+    def __init__(self, bench: Workbench, page: MaskPage) -> None:
+        super().__init__(bench)
+        self._bench, self._page = bench, page
+        self._fresh = True
+        self._unwritten = False
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self.write_pending)
+        page.mask_edited.connect(self._edited)
+        page.position_chosen.connect(self._show_position)
+        page.everything_asked.connect(self._take_everything)
+        bench.opened.connect(self._opened)
+        bench.found.connect(self._found)
+        bench.window.step_shown.connect(self._shown)
+
+    def undo(self) -> None:
+        """Take the newest stroke back."""
+        self._page.picture.undo()
+
+    def redo(self) -> None:
+        """Paint again what was taken back last."""
+        self._page.picture.redo()
+
+    def write_pending(self) -> None:
+        """Write the mask where it is not written yet."""
+        self._pause.stop()
+        bench, history = self._bench, self._page.picture.history
+        if not self._unwritten or history is None or bench.session is None or bench.folder is None:
+            return
+        try:
+            session = write_session_mask(bench.folder, bench.session, history.used)
+        except SuiteError as error:
+            todo = tr("The mask is kept here; the next stroke tries again.")
+            bench.say(message_of(error, "mask", todo=todo))
+            return
+        self._unwritten = False
+        bench.window.messages.dismiss("mask")
+        bench.edit(session, forget=None)
+        self._tell()
+
+    def _opened(self) -> None:
+        self._pause.stop()
+        self._fresh, self._unwritten = True, False
+        session = self._bench.session
+        self._page.show_positions(() if session is None else tuple(p.angle_deg for p in session.positions))
+        self._page.show_picture(None)
+        self._bench.window.show_step("mask", "todo", "")
+        if self._bench.window.step == "mask":
+            self._shown("mask")
+
+    def _shown(self, step: str) -> None:
+        if step == "mask" and self._fresh and self._bench.session is not None:
+            self._show_position(self._page.position.value())
+
+    def _show_position(self, position: int) -> None:
+        bench = self._bench
+        if bench.session is not None and bench.folder is not None:
+            request = _Wanted(bench.folder, bench.session, position)
+            bench.run("mask_picture", _read, request, self._read, beside=True)
+
+    def _read(self, answer: _Read) -> None:
+        self._page.show_picture(answer.tones)
+        if self._fresh:
+            self._fresh = False
+            used = answer.mask if answer.mask is not None else np.ones(answer.shape, bool)
+            self._page.show_mask(used)
+            self._tell()
+
+    def _take_everything(self) -> None:
+        history = self._page.picture.history
+        if history is not None:
+            self._page.picture.put(np.ones_like(history.used))
+
+    def _edited(self) -> None:
+        self._unwritten = True
+        self._bench.forget("table")
+        self._pause.start()
+
+    def _tell(self) -> None:
+        session = self._bench.session
+        if session is None:
+            return
+        if session.mask is None:
+            self._page.show_kept(
+                tr("Nothing is left out. What is painted is kept in the folder as {file}.").format(
+                    file=MASK_FILE
+                )
+            )
+        else:
+            self._page.show_kept(tr("Kept in the folder as {file}.").format(file=session.mask))
+        self._bench.window.show_step("mask", "done", session.mask or tr("everything is used"))
+
+    def _found(self, key: str) -> None:
+        """Draw the sphere's outline below the mask, as soon as it is known."""
+        if key != "geometry":
+            return
+        found = self._bench.have.get("geometry")
+        if found is None:
+            self._page.show_outline(None)
+            return
+        around = found.found.geometry.outline(np.linspace(0.0, 2.0 * np.pi, 361))
+        self._page.show_outline(Outline(np.asarray(around) + 0.5, tr("outline of the sphere"), dashed=True))
+
+
+def _read(request: _Wanted, _progress: Progress) -> _Read:
+    """Read the exposure of a position that is neither clipped nor dark, whole, and the mask."""
+    from brdf_suite.acquisition.photographs.reading import read_photograph
+    from brdf_suite.acquisition.session.series import read_mask
+
+    session = request.session
+    names = session.positions[request.position].photographs
+    bits = session.camera.bit_depth
+    best = None
+    # The longest exposure of which little is clipped, tried from the middle up: as a rule two or three are read.
+    for name in names[len(names) // 2 :]:
+        found = read_photograph(request.folder / name)
+        whole = found.facts.bits is not None
+        clipped = whole and float((found.codes >= (1 << bits) - 1).any(axis=-1).mean()) > _MOST_CLIPPED
+        if best is not None and clipped:
+            break
+        best = found
+    assert best is not None
+    codes = np.asarray(best.codes)
+    tones = tones_of_linear(codes) if best.facts.bits is None else tones_of_codes(codes, bits)
+    mask = read_mask(request.folder, session)
+    if mask is not None and mask.shape != codes.shape[:2]:
+        from brdf_suite.errors import FileError
+
+        raise FileError(
+            request.folder / str(session.mask),
+            f"has {mask.shape[1]}×{mask.shape[0]} pixels, the photographs {codes.shape[1]}×{codes.shape[0]}",
+        )
+    return _Read(tones, (int(codes.shape[0]), int(codes.shape[1])), mask)

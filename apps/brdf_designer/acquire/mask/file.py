@@ -1,0 +1,56 @@
+"""The mask of a session as a picture beside its photographs: white is used, black left out."""
+
+from __future__ import annotations
+
+import io
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from brdf_designer.acquire.mask.history import Mask
+from brdf_suite.documents.atomic import write_atomically
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.session.session import Session
+
+MASK_FILE = "mask.png"
+_MOST_NAMES = 100
+
+
+def write_session_mask(folder: Path, session: Session, used: Mask) -> Session:
+    """Write the mask into the folder and name it in session.json; return the session that names it.
+
+    A mask of another name is left as it is, and so is a ``mask.png`` beside it that the session does not use.
+
+    Raises
+    ------
+    FileError
+        The folder cannot be written.
+    """
+    from PIL import Image
+
+    from brdf_suite.acquisition.session.store import read_session, write_session
+
+    name = session.mask or MASK_FILE
+    if not _is_ours(name):
+        name = _free_name(folder)
+    stream = io.BytesIO()
+    Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
+    write_atomically(folder / name, stream.getvalue())
+    # What somebody else has written there meanwhile is kept: only the mask's name is changed.
+    present = read_session(folder)
+    if present.mask != name:
+        present = replace(present, mask=name)
+        write_session(present, folder)
+    return present
+
+
+def _is_ours(name: str) -> bool:
+    return name == MASK_FILE or (name.startswith("mask_") and name.endswith(".png"))
+
+
+def _free_name(folder: Path) -> str:
+    names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
+    return next((name for name in names if not (folder / name).exists()), MASK_FILE)

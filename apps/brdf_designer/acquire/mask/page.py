@@ -1,0 +1,159 @@
+"""Step 5: what of the picture is measured: arm, reflections and dust are painted out by hand."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietSlider
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QButtonGroup, QSizePolicy
+
+from brdf_designer.acquire.exposures.page import percent
+from brdf_designer.acquire.mask.history import Mask
+from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
+from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
+from brdf_designer.acquire.pictures.marks import Outline
+from brdf_designer.acquire.pictures.tone import Tones, drawn
+
+
+class MaskPage(AcquirePage):
+    """The page of the mask.
+
+    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_asked()``.
+    """
+
+    mask_edited = Signal()
+    position_chosen = Signal(int)
+    everything_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__(
+            "mask",
+            tr(
+                "Paint over what is not the sphere's own light: the arm, its reflection, dust. The lower "
+                "half is left out anyway."
+            ),
+        )
+        self._tones: Tones | None = None
+        self.picture = MaskView(tr("The mask over a photograph"), tr("Open a session first."))
+        self.centre.addWidget(self.picture, 1)
+        self.leave_out, self.take_in = ChoiceButton(tr("Leave Out")), ChoiceButton(tr("Take In"))
+        modes = QButtonGroup(self)
+        for one, tip in (
+            (self.leave_out, tr("The brush leaves pixels out of the measurement (X changes)")),
+            (self.take_in, tr("The brush takes pixels back into the measurement (X changes)")),
+        ):
+            modes.addButton(one)
+            one.setToolTip(plain_tip(tip))
+            one.setAutoRaise(False)
+            one.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.leave_out.setChecked(True)
+        self.take_in.toggled.connect(self.picture.set_takes_in)
+        self.picture.mode_changed.connect(self._show_mode)
+        form = Form()
+        self.radius = NumberField(
+            tr("Radius"), tr("pixels"), LEAST_RADIUS, MOST_RADIUS, 1.0, 1, self.picture.radius
+        )
+        self.radius.edited.connect(self.picture.set_radius)
+        self.picture.radius_changed.connect(self.radius.set_value)
+        form.add_row(tr("Radius"), self.radius, tr("Of the brush; [ and ] change it over the picture"))
+        self.undo, self.redo = (
+            button(tr("Undo"), tr("Take the newest stroke back (Ctrl+Z)")),
+            button(tr("Redo"), tr("Paint again what was taken back (Ctrl+Shift+Z)")),
+        )
+        self.undo.clicked.connect(lambda _=False: self.picture.undo())
+        self.redo.clicked.connect(lambda _=False: self.picture.redo())
+        self.picture.mask_edited.connect(self._edited)
+        self.add_part(
+            "brush", tr("Brush"), beside(self.leave_out, self.take_in), form, beside(self.undo, self.redo)
+        )
+        self.everything = button(
+            tr("Take In Everything"), tr("Begin again with a mask that leaves nothing out")
+        )
+        self.everything.clicked.connect(lambda _=False: self.everything_asked.emit())
+        self.facts = Facts(tr("The mask"))
+        self.kept = wrapped("")
+        self.add_part("mask", tr("Mask"), self.facts, self.everything, self.kept)
+        look = Form()
+        self.position = QuietSlider(Qt.Orientation.Horizontal)
+        self.position.valueChanged.connect(self._move)
+        self.where = wrapped("")
+        self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
+        self.brightness.edited.connect(lambda _value: self._draw())
+        look.add_row(tr("Position"), self.position, tr("Which position's photograph lies below the mask"))
+        look.add_wide(self.where)
+        look.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        self.add_part("look", tr("Picture"), look)
+        self._show_state()
+
+    def show_positions(self, angles_deg: tuple[float, ...]) -> None:
+        """Offer these positions."""
+        self._angles = angles_deg
+        self.position.blockSignals(True)
+        self.position.setRange(0, max(0, len(angles_deg) - 1))
+        self.position.setValue(len(angles_deg) // 2)
+        self.position.blockSignals(False)
+        self._tell_position(self.position.value())
+
+    _angles: tuple[float, ...] = ()
+
+    def show_picture(self, tones: Tones | None) -> None:
+        """Show the picture below the mask."""
+        self._tones = tones
+        if tones is None:
+            self.picture.show_empty(tr("Open a session first."))
+            self.picture.show_mask(None)
+        self._draw()
+
+    def show_mask(self, used: Mask | None) -> None:
+        """Show a mask that was read; its steps begin anew."""
+        self.picture.show_mask(used)
+        self._show_state()
+
+    def show_outline(self, outline: Outline | None) -> None:
+        """Draw the sphere's outline below the mask."""
+        self.picture.show_under(() if outline is None else (outline,))
+
+    def show_kept(self, text: str) -> None:
+        """Say where the mask is kept."""
+        self.kept.setText(text)
+
+    def _edited(self) -> None:
+        self._show_state()
+        self.mask_edited.emit()
+
+    def _show_state(self) -> None:
+        history = self.picture.history
+        for one in (self.leave_out, self.take_in, self.radius, self.everything):
+            one.setEnabled(history is not None)
+        self.undo.setEnabled(history is not None and history.can_undo)
+        self.redo.setEnabled(history is not None and history.can_redo)
+        share = 0.0 if history is None else 1.0 - history.share
+        self.facts.show_rows(
+            (
+                (
+                    tr("Left out"),
+                    percent(share),
+                    tr("Share of all pixels of the picture that the mask leaves out"),
+                ),
+            )
+        )
+
+    def _show_mode(self, takes_in: bool) -> None:
+        (self.take_in if takes_in else self.leave_out).setChecked(True)
+
+    def _move(self, index: int) -> None:
+        self._tell_position(index)
+        self.position_chosen.emit(index)
+
+    def _tell_position(self, index: int) -> None:
+        if index < len(self._angles):
+            self.where.setText(tr("Lamp at {angle:g}°").format(angle=self._angles[index]))
+
+    def _draw(self) -> None:
+        if self._tones is not None:
+            self.picture.show_image(drawn(self._tones, self.brightness.value()))

@@ -1,0 +1,279 @@
+"""Joins the pages of response, geometry, reconstruction and coverage to the road."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject, Signal
+
+from brdf_designer.acquire.geometry.work import GeometryAnswer, find_geometry
+from brdf_designer.acquire.response.work import ResponseFound, find_response
+from brdf_designer.acquire.states import CoverageState, Problem
+from brdf_designer.acquire.table.work import (
+    KeptWork,
+    SaveTable,
+    TableFound,
+    TableRequest,
+    find_kept,
+    find_table,
+    save_table,
+)
+from brdf_designer.acquire.workbench import WORK_FILE, Workbench, no_session
+from brdf_suite.errors import FileError
+
+
+class RoadControl(QObject):
+    """Starts the steps, shows what they found, and keeps it."""
+
+    _partial = Signal(int, int, object)
+
+    def __init__(self, bench: Workbench, dialogs: Dialogs) -> None:
+        super().__init__(bench)
+        self._bench, self._dialogs = bench, dialogs
+        self._done = self._total = 0
+        self._fraction, self._what = 0.0, ""
+        self._saved = ""
+        window = bench.window
+        window.response.recover_asked.connect(self.find_response)
+        window.response.kind_chosen.connect(self._choose_response)
+        window.geometry_page.find_asked.connect(self.find_geometry)
+        window.geometry_page.refine_chosen.connect(self._choose_refinement)
+        window.reconstruction.start_asked.connect(self.find_table)
+        window.reconstruction.cancel_asked.connect(lambda: bench.cancel("table"))
+        window.reconstruction.again_asked.connect(lambda: self.find_table(restart=True))
+        window.reconstruction.grazing_edited.connect(self._choose_grazing)
+        window.coverage.save_asked.connect(self.save)
+        self._partial.connect(self._show_partial)
+        bench.opened.connect(self._opened)
+        bench.found.connect(self._show)
+        bench.busy_changed.connect(self._busy)
+
+    # The steps.
+
+    def find_response(self) -> None:
+        """Find the response of the camera."""
+        if not self._ready():
+            return
+        todo = tr("The other steps are as they were.")
+        self._bench.run("response", find_response, self._bench.request(), self._take_response, todo=todo)
+
+    def find_geometry(self) -> None:
+        """Find sphere and lamp."""
+        if not self._ready():
+            return
+        self._bench.run("geometry", find_geometry, self._bench.request(), self._take_geometry)
+
+    def find_table(self, *, restart: bool = False) -> None:
+        """Make the table, or go on with it."""
+        if not self._ready() or self._bench.is_busy("table"):
+            return
+        request = TableRequest(self._bench.request(), restart, self._partial.emit)
+        self._bench.window.reconstruction.show_partial(None)
+        self._bench.run("table", find_table, request, self._take_table, told=self._moved, failed=self._failed)
+
+    def _failed(self, error: Exception) -> None:
+        told = message_of(error, "table", todo=tr("What is done is kept; Resume goes on with it."))
+        folder = self._bench.folder
+        if isinstance(error, FileError) and folder is not None and error.path == str(folder / WORK_FILE):
+            told = replace(
+                told,
+                todo=tr(
+                    "The mask, the rig or a choice has changed since. Beginning again forgets what it had."
+                ),
+                actions=((tr("Begin Again"), lambda: self.find_table(restart=True)),),
+            )
+        self._bench.say(told)
+
+    def save(self) -> None:
+        """Ask where the table is to be, and write it."""
+        table = self._bench.have.get("table")
+        if table is None or self._bench.folder is None or self._bench.session is None:
+            return
+        named = f"{self._bench.session.name.replace('/', '_')}.brdftable"
+        filters = ";;".join((tr("Table with coverage (*.brdftable)"), tr("MERL layout (*.binary)")))
+        path = self._dialogs.save_path(self._bench.folder.parent / named, filters)
+        if path is None:
+            return
+
+        def done(notes: tuple[str, ...]) -> None:
+            self._saved = tr("Saved as {file}.").format(file=path)
+            self._bench.window.coverage.show_kept(" ".join((self._saved, *notes)))
+
+        self._bench.run("save", save_table, SaveTable(table.acquired, path), done)
+
+    # Choices.
+
+    def _choose_response(self, kind: str) -> None:
+        self._bench.choose(response=kind)
+        self._bench.forget("response")
+
+    def _choose_refinement(self, on: bool) -> None:
+        self._bench.choose(refine=on)
+        self._bench.forget("geometry")
+
+    def _choose_grazing(self, degrees: float) -> None:
+        self._bench.choose(grazing_deg=degrees)
+        self._bench.forget("table")
+
+    def _ready(self) -> bool:
+        if self._bench.session is None:
+            self._bench.say(no_session())
+            return False
+        return True
+
+    # What was found.
+
+    def _opened(self) -> None:
+        session = self._bench.session
+        self._done, self._total = 0, 0 if session is None else len(session.positions)
+        self._bench.window.reconstruction.show_partial(None)
+        self._show_done(())
+        if session is not None:
+            self._bench.run("kept", find_kept, self._bench.request(), self._take_kept, shown=False)
+
+    def _take_kept(self, kept: KeptWork) -> None:
+        if kept.reason:
+            self._bench.say(
+                Message(
+                    "kept",
+                    tr("An earlier reconstruction in this folder cannot be gone on with."),
+                    where=kept.reason,
+                    todo=tr("Begin Again, at the reconstruction, makes a new one."),
+                    severity="warning",
+                )
+            )
+        if kept.done:
+            self._bench.keep("response", kept.response)
+            self._bench.keep("geometry", kept.geometry)
+            self._done = kept.done
+            self._show_done(())
+            self._bench.window.reconstruction.show_progress(
+                kept.done / max(1, self._total),
+                tr("{done} positions are done from an earlier run.").format(done=kept.done),
+                running=False,
+            )
+            words = tr("{done} of {total} done").format(done=kept.done, total=self._total)
+            self._bench.window.show_step("reconstruction", "todo", words)
+
+    def _take_response(self, found: ResponseFound) -> None:
+        self._bench.keep("response", found)
+
+    def _take_geometry(self, answer: GeometryAnswer) -> None:
+        if answer.response is not None:
+            self._bench.keep("response", answer.response)
+        self._bench.keep("geometry", answer.geometry)
+
+    def _take_table(self, found: TableFound) -> None:
+        bench = self._bench
+        # What was calibrated on the way is kept without forgetting the table that came of it.
+        for key, value in (("response", found.response), ("geometry", found.geometry)):
+            if value is not None:
+                bench.keep(key, value)
+        self._done = len(found.acquired.positions_done)
+        self._saved = ""
+        bench.keep("table", found)
+
+    def _show(self, key: str) -> None:
+        window, value = self._bench.window, self._bench.have.get(key)
+        if key == "response":
+            window.response.show_response(None if value is None else value.state)
+            if value is not None and value.state is None:
+                window.response.note.setText(tr("The photographs are linear files; no curve is needed."))
+            words = "" if value is None else _response_words(value)
+            window.show_step("response", "todo" if value is None else "done", words)
+        elif key == "geometry":
+            window.geometry_page.show_geometry(None if value is None else value.state)
+            if value is not None and value.state is None:
+                told = tr("Taken from the earlier run; find it again to see it.")
+                window.geometry_page.note.setText(told)
+                window.geometry_page.picture.show_empty(told)
+            self._tell_geometry(value)
+        elif key == "table":
+            self._show_table(value)
+
+    def _tell_geometry(self, value: Any) -> None:
+        if value is None:
+            self._bench.window.show_step("geometry", "todo", "")
+            return
+        rms = value.found.figures.get("highlight_rms_px", value.found.figures.get("outline_rms_px"))
+        words = "" if rms is None else tr("{rms:.3f} px RMS").format(rms=rms)
+        moved = value.state is not None and bool(value.state.problems)
+        self._bench.window.show_step("geometry", "warning" if moved else "done", words)
+
+    def _show_table(self, value: TableFound | None) -> None:
+        window = self._bench.window
+        window.coverage.show_coverage(None if value is None else value.state)
+        if value is None:
+            window.coverage.show_kept("")
+            window.show_step("reconstruction", "todo", "")
+            window.show_step("coverage", "todo", "")
+            return
+        failed = tuple(
+            Problem("error", self._name(one.position), one.reason) for one in value.acquired.positions_failed
+        )
+        window.reconstruction.show_partial(value.state)
+        window.reconstruction.show_progress(1.0, tr("Done."), running=False)
+        self._show_done(failed)
+        words = tr("{done} of {total} positions").format(done=self._done, total=self._total)
+        window.show_step("reconstruction", "warning" if failed else "done", words)
+        measured = next((text for name, text, _ in value.state.facts if name == tr("Measured")), "")
+        window.show_step("coverage", "done", tr("{share} measured").format(share=measured))
+        window.coverage.show_kept(
+            self._saved or tr("Not saved yet; what it was made of is kept in {file}.").format(file=WORK_FILE)
+        )
+
+    def _name(self, position: int) -> str:
+        session = self._bench.session
+        if session is None:
+            return ""
+        return tr("{angle:g}°").format(angle=session.positions[position].angle_deg)
+
+    # While it runs.
+
+    def _moved(self, fraction: float, what: str) -> None:
+        self._fraction, self._what = fraction, what
+        self._bench.window.reconstruction.show_progress(fraction, what, running=True)
+
+    def _show_partial(self, done: int, total: int, state: CoverageState | None) -> None:
+        if not self._bench.is_busy("table"):
+            return
+        self._done, self._total = done, total
+        self._show_done(())
+        if state is not None:
+            self._bench.window.reconstruction.show_partial(state)
+
+    def _show_done(self, failed: tuple[Problem, ...]) -> None:
+        self._bench.window.reconstruction.show_done(self._done, self._total, failed)
+
+    def _busy(self, key: str, busy: bool) -> None:
+        window, step = self._bench.window, {"table": "reconstruction"}.get(key, key)
+        if key not in ("response", "geometry", "table"):
+            return
+        if busy:
+            window.show_step(step, "running", "")
+        elif key not in self._bench.have:
+            window.show_step(step, "todo", "")
+        else:
+            self._show(key)
+        if key == "response":
+            window.response.start.setEnabled(not busy)
+        elif key == "geometry":
+            window.geometry_page.start.setEnabled(not busy)
+        elif busy:
+            window.reconstruction.show_progress(0.0, tr("Waiting…"), running=True)
+        elif key not in self._bench.have:
+            stopped = tr("Stopped; what is done is kept.") if self._done else ""
+            window.reconstruction.show_progress(self._fraction if self._done else 0.0, stopped, running=False)
+            self._show_done(())
+
+
+def _response_words(value: ResponseFound) -> str:
+    if value.state is None or value.state.linear:
+        return tr("linear")
+    if value.kept:
+        return tr("from the earlier run")
+    return tr("recovered") if value.state.times else tr("as stated")

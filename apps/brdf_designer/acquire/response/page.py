@@ -1,0 +1,113 @@
+"""Step 3: what exposure each code of the camera stands for."""
+
+from __future__ import annotations
+
+import numpy as np
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QSplitter
+
+from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
+from brdf_designer.acquire.states import ResponseState
+
+
+class ResponsePage(AcquirePage):
+    """The page of the response curve. Intents: ``recover_asked()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
+
+    recover_asked = Signal()
+    kind_chosen = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__(
+            "response",
+            tr(
+                "The same light with different exposures tells what each code means; the curve is found "
+                "from all of them."
+            ),
+        )
+        self.plot = LinesPlot(
+            tr("Response of the camera"),
+            Axis(tr("Code")),
+            Axis(tr("Exposure (half at the middle code)"), log=True),
+        )
+        self.plot.put_legend(left=True)
+        self.times = LinesPlot(
+            tr("Stated exposure times against what the photographs say"),
+            Axis(tr("Stated time (ms)"), log=True),
+            Axis(tr("Difference (%)")),
+        )
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(8)
+        split.addWidget(self.plot)
+        split.addWidget(self.times)
+        split.setStretchFactor(0, 5)
+        split.setStretchFactor(1, 2)
+        split.setChildrenCollapsible(False)
+        self.centre.addWidget(split, 1)
+        self.kind = QuietComboBox()
+        self.kind.addItem(tr("As session.json says"), "auto")
+        self.kind.addItem(tr("Linear camera"), "linear")
+        self.kind.setAccessibleName(tr("Kind of response"))
+        self.kind.setToolTip(
+            tr("Recovered from the photographs where session.json names no curve; or taken as linear")
+        )
+        self.kind.activated.connect(lambda _index: self.kind_chosen.emit(str(self.kind.currentData())))
+        self.start = button(
+            tr("Find the Response"), tr("Find the curve from photographs of several positions")
+        )
+        self.start.clicked.connect(lambda _=False: self.recover_asked.emit())
+        self.note = wrapped("")
+        self.add_part("find", tr("Response"), self.kind, self.start, self.note)
+        self.facts = Facts(tr("How well the curve is known"))
+        self.known = self.add_part("known", tr("How Well It Is Known"), self.facts)
+        self.show_response(None)
+
+    def show_response(self, state: ResponseState | None) -> None:
+        """Show a curve, or that there is none yet."""
+        self.known.setVisible(state is not None)
+        if state is None:
+            self.note.setText(tr("Not found yet."))
+            self.plot.show_empty(tr("Not found yet."))
+            self.times.hide()
+            return
+        self.note.setText(
+            tr("The camera is linear.")
+            if state.linear
+            else tr("Codes outside the thick lines are not trusted.")
+        )
+        channels, codes = state.exposure.shape
+        code = np.arange(codes, dtype=float)
+        names = (tr("red"), tr("green"), tr("blue")) if channels == 3 else (tr("grey"),)
+        looks = CHANNELS if channels == 3 else (("text", "solid"),)
+        curves = []
+        for values, low, high, name, (kind, dash) in zip(
+            state.exposure, state.lowest, state.highest, names, looks, strict=True
+        ):
+            trusted = (code >= low) & (code <= high)
+            curves.append(Curve(code, values, "", kind, "solid", width=0.8))
+            curves.append(Curve(code, np.where(trusted, values, np.nan), name, kind, dash, width=2.4))
+        # The floor of a logarithmic axis: what the lowest trusted code stands for, and a decade below.
+        floor = [row[low] for row, low in zip(state.exposure, state.lowest, strict=True) if row[low] > 0.0]
+        top = float(np.nanmax(state.exposure))
+        if floor and top > 0.0:
+            self.plot.set_reach(x=(0.0, float(codes)), y=(0.2 * float(min(floor)), 1.5 * top))
+        self.plot.show_curves(curves)
+        self.facts.show_rows(state.facts)
+        if state.times:
+            stated, off = (np.array(column) for column in zip(*state.times, strict=True))
+            self.times.show_curves(
+                [
+                    Curve(1e3 * stated, np.zeros_like(off), "", "faint", "dash"),
+                    Curve(
+                        1e3 * stated, 100.0 * off, tr("found less stated"), "text", mark="points", width=3.0
+                    ),
+                ]
+            )
+        self.times.setVisible(bool(state.times))
+        self.plot.setAccessibleDescription("; ".join(f"{name}: {value}" for name, value, _ in state.facts))
+
+    def show_kind(self, name: str) -> None:
+        """Show which kind is chosen."""
+        self.kind.setCurrentIndex(max(0, self.kind.findData(name)))

@@ -1,0 +1,99 @@
+"""The response of the camera, found on a thread, and what its page shows of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_designer.acquire.states import ResponseState
+from brdf_designer.acquire.workbench import RoadRequest
+from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+
+@dataclass(frozen=True, eq=False)
+class ResponseFound:
+    """A response and what is shown of it; ``found`` is None for photographs that are linear files.
+
+    ``kept``: taken from a work file, with the figures of the run that found it.
+    """
+
+    found: Any
+    state: ResponseState | None
+    kept: bool = False
+
+
+def find_response(request: RoadRequest, progress: Progress) -> ResponseFound:
+    """Find the response of the camera."""
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+    road = Acquisition.open(request.folder, request.options)
+    road.calibrate_response(progress)
+    return response_found(road)
+
+
+def response_found(road: Acquisition) -> ResponseFound:
+    """Return what a road knows of the response."""
+    response, fit = road.response, road.response_fit
+    if response is None:
+        return ResponseFound(None, None)
+    facts = [
+        (tr("Bits"), f"{response.bit_depth}", tr("Of a code")),
+        (tr("Black"), _each(response.black, "{:.1f}"), tr("The code without light, per channel")),
+        (
+            tr("Trusted"),
+            tr("codes {low} to {high}").format(
+                low=int(response.lowest.max()), high=int(response.highest.min())
+            ),
+            tr("Codes between which the response was measured in every channel"),
+        ),
+        (
+            tr("Read noise"),
+            _each(100.0 * response.read, "{:.3f}", " %"),
+            tr("Standard deviation in the dark, of the full scale of a linear camera"),
+        ),
+    ]
+    times: tuple[tuple[float, float], ...] = ()
+    if fit is not None:
+        off = np.expm1(np.asarray(fit.time_residuals, float))
+        stated = np.asarray(road.session.exposures_s[: len(off)], float)
+        times = tuple(zip(stated.tolist(), off.tolist(), strict=True))
+        facts += [
+            (
+                tr("Times"),
+                tr("within {worst:.2f} %").format(worst=100.0 * float(np.abs(off).max())),
+                tr("Largest difference between a stated exposure time and what the photographs say"),
+            ),
+            (
+                tr("From linear"),
+                _each(100.0 * np.asarray(fit.linear_rms), "{:.1f}", " %"),
+                tr("RMS distance of the curve from a straight line, in the logarithm of the exposure"),
+            ),
+            (tr("Pixels"), thousands(int(np.sum(fit.pixels))), tr("That took part")),
+            (tr("Iterations"), str(fit.iterations), tr("Until nothing changed any more")),
+        ]
+    state = ResponseState(
+        np.asarray(response.exposure, float),
+        np.asarray(response.lowest),
+        np.asarray(response.highest),
+        tuple(facts),
+        times,
+        bool(response.linear),
+    )
+    return ResponseFound(response, state)
+
+
+def _each(values: Any, form: str, unit: str = "") -> str:
+    """Return numbers per channel, one where they read the same."""
+    texts = [form.format(float(value)) for value in np.atleast_1d(values)]
+    return (texts[0] if len(set(texts)) == 1 else ", ".join(texts)) + unit
+
+
+def thousands(count: int) -> str:
+    """Return a count in groups of three digits."""
+    return f"{count:,}".replace(",", "\u202f")

@@ -1,0 +1,289 @@
+"""Opens sessions, makes new ones, checks them, and writes the numbers of the rig that are edited."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject, QTimer
+
+from brdf_designer.acquire.pictures.tone import drawn
+from brdf_designer.acquire.session.page import SessionPage
+from brdf_designer.acquire.states import Problem, Series, SessionState
+from brdf_designer.acquire.workbench import Workbench
+from brdf_suite.errors import SuiteError
+from brdf_suite.progress import Progress, report
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.session.session import Session
+
+_LAST = "acquire/folder"
+_PAUSE_MS = 500
+_MM = 1e3
+_MOST_STEPS = 100
+_SEVERITIES = {"fatal": "error", "position": "error", "exposure": "error", "warning": "warning"}
+
+
+@dataclass(frozen=True)
+class _Opened:
+    """What opening a folder gives."""
+
+    folder: Path
+    session: Session
+    problems: tuple[Problem, ...]
+
+
+class SessionControl(QObject):
+    """Joins the session's page to the workbench."""
+
+    def __init__(self, bench: Workbench, page: SessionPage, dialogs: Dialogs) -> None:
+        super().__init__(bench)
+        self._bench, self._page, self._dialogs = bench, page, dialogs
+        self.problems: tuple[Problem, ...] | None = None
+        self._undo: list[Session] = []
+        self._redo: list[Session] = []
+        self._pending: dict[str, float] = {}
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self.write_pending)
+        page.open_asked.connect(self.ask)
+        page.template_asked.connect(self.ask_new)
+        page.check_asked.connect(self.check)
+        page.number_edited.connect(self._edited)
+        bench.window.folder_dropped.connect(lambda name: self.open(Path(name)))
+        bench.opened.connect(self._opened)
+        bench.edited.connect(self._show)
+
+    # Opening.
+
+    def ask(self) -> None:
+        """Ask for a session, and open it."""
+        path = self._dialogs.open_path(self._last_folder(), tr("Session (session.json)"))
+        if path is not None:
+            self.open(path)
+
+    def ask_new(self) -> None:
+        """Ask where a new session is to be, make its folder from the template, and open it."""
+        from brdf_suite.acquisition.session.session import SESSION_FILE
+
+        path = self._dialogs.save_path(self._last_folder() / SESSION_FILE, tr("Session (session.json)"))
+        if path is not None:
+            self.make(path.parent)
+
+    def make(self, folder: Path) -> None:
+        """Make a folder from the template, and open it."""
+
+        def refused(error: Exception) -> None:
+            self._bench.say(message_of(error, "open", todo=tr("Nothing was written.")))
+
+        # On a thread: it looks into every photograph that lies there.
+        self._bench.run("make", _make, folder, self.open, failed=refused)
+
+    def open(self, path: Path) -> None:
+        """Read a session by its folder or its session.json, and check it."""
+        self.write_pending()
+        folder = path if path.is_dir() else path.parent
+        todo = tr("The session that was open is unchanged.") if self._bench.session is not None else ""
+        self._bench.run("open", _open, folder, self._taken, todo=todo)
+
+    def check(self) -> None:
+        """Read the session of the folder once more, and check it."""
+        if self._bench.folder is not None:
+            self.open(self._bench.folder)
+
+    def _taken(self, answer: _Opened) -> None:
+        settings().setValue(_LAST, str(answer.folder))
+        self.problems = answer.problems
+        self._undo.clear()
+        self._redo.clear()
+        self._bench.open(answer.folder, answer.session)
+
+    def _opened(self) -> None:
+        self._show()
+        session = self._bench.session
+        if session is None:
+            return
+        self._page.keep_opened()
+        self._page.show_problems(self.problems, len(session.files()))
+        self._bench.window.show_title(session.name)
+        self._bench.window.show_step(
+            "session",
+            "warning" if self.problems else "done",
+            tr("{positions} × {exposures} photographs").format(
+                positions=len(session.positions), exposures=len(session.exposures_s)
+            ),
+        )
+
+    def show_series(self, series: Series) -> None:
+        """Show the exposure of a position that shows most of the sphere."""
+        if series.shots:
+            bright = [shot for shot in series.shots if shot.clipped < 0.02]
+            self._page.picture.show_image(drawn((bright or series.shots[:1])[-1].tones))
+        else:
+            self._page.picture.show_empty(tr("None of the photographs of this position can be read."))
+
+    def _show(self) -> None:
+        session, folder = self._bench.session, self._bench.folder
+        if session is None or folder is None:
+            self._page.show_session(None)
+        else:
+            self._page.show_session(state_of(folder, session))
+
+    # Editing.
+
+    def _edited(self, key: str, value: float) -> None:
+        self._pending[key] = value
+        self._pause.start()
+
+    def write_pending(self) -> None:
+        """Write what was edited and is not yet written."""
+        self._pause.stop()
+        pending, self._pending = self._pending, {}
+        if not pending or self._bench.session is None:
+            return
+        before = self._bench.session
+        try:
+            after = edited(before, pending)
+        except SuiteError as error:
+            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._show()
+            return
+        if after != before and self._write(after):
+            self._undo = [*self._undo, before][-_MOST_STEPS:]
+            self._redo.clear()
+
+    def undo(self) -> None:
+        """Take the newest edit back."""
+        self.write_pending()
+        self._move(self._undo, self._redo)
+
+    def redo(self) -> None:
+        """Do again what was taken back last."""
+        self._move(self._redo, self._undo)
+
+    def _move(self, source: list[Session], target: list[Session]) -> None:
+        if source and self._bench.session is not None:
+            present, other = self._bench.session, source[-1]
+            # Only the numbers are steps; a mask that was named meanwhile stays named.
+            if self._write(replace(other, mask=present.mask)):
+                source.pop()
+                target.append(present)
+
+    def _write(self, session: Session) -> bool:
+        from brdf_suite.acquisition.session.store import read_session, write_session
+
+        assert self._bench.folder is not None
+        try:
+            if read_session(self._bench.folder) != self._bench.session:
+                self._bench.say(
+                    Message(
+                        "edit",
+                        tr("session.json was changed by another program since it was opened here."),
+                        todo=tr("Check Again reads it; then edit once more."),
+                        severity="warning",
+                    )
+                )
+                self._show()
+                return False
+            write_session(session, self._bench.folder)
+        except SuiteError as error:
+            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._show()
+            return False
+        self._bench.window.messages.dismiss("edit")
+        self._bench.edit(session, forget="geometry")
+        return True
+
+    def _last_folder(self) -> Path:
+        if self._bench.folder is not None:
+            return self._bench.folder
+        kept = Path(settings().value(_LAST, "", type=str) or Path.home())
+        return kept if kept.is_dir() else Path.home()
+
+
+def state_of(folder: Path, session: Session) -> SessionState:
+    """Return what the page shows of a session."""
+    values = {key: _value(session, key) * (_MM if key.endswith("_m") else 1.0) for key in _KEYS}
+    extras = []
+    if session.dark:
+        extras.append(tr("With dark frames"))
+    if session.white is not None:
+        extras.append(tr("With a white reference"))
+    if session.flat_field is not None:
+        extras.append(tr("With a flat field"))
+    if session.camera.board is not None:
+        extras.append(
+            tr("With {count} photographs of a board").format(count=len(session.camera.board.photographs))
+        )
+    return SessionState(
+        str(folder),
+        session.name,
+        session.date,
+        session.notes,
+        values,
+        tuple(position.angle_deg for position in session.positions),
+        session.exposures_s,
+        session.camera.bit_depth,
+        session.camera.response,
+        tuple(extras),
+    )
+
+
+_KEYS = (
+    "sphere.radius_m",
+    "camera.distance_m",
+    "camera.height_m",
+    "camera.tilt_deg",
+    "light.distance_m",
+    "light.height_m",
+    "light.angle_offset_deg",
+)
+
+
+def _value(session: Session, key: str) -> float:
+    part, name = key.split(".")
+    return float(getattr(getattr(session, part), name))
+
+
+def edited(session: Session, values: dict[str, float]) -> Session:
+    """Return the session with these numbers, in the units of the fields."""
+    changed: dict[str, dict[str, Any]] = {}
+    for key, value in values.items():
+        part, name = key.split(".")
+        changed.setdefault(part, {})[name] = value / _MM if name.endswith("_m") else value
+    parts = {part: replace(getattr(session, part), **numbers) for part, numbers in changed.items()}
+    return replace(session, **parts)
+
+
+def _make(folder: Path, progress: Progress) -> Path:
+    from brdf_suite.acquisition.session.template import write_template
+
+    report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
+    write_template(folder)
+    return folder
+
+
+def _open(folder: Path, progress: Progress) -> _Opened:
+    from brdf_suite.acquisition.session.check import check_session
+    from brdf_suite.acquisition.session.store import read_session
+
+    report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
+    session = read_session(folder)
+    findings = check_session(folder, session, progress)
+    problems = tuple(
+        Problem(_SEVERITIES.get(finding.severity, "info"), _relative(finding.path, folder), finding.reason)
+        for finding in findings
+    )
+    return _Opened(folder, session, problems)
+
+
+def _relative(path: object, folder: Path) -> str:
+    text = str(path)
+    inside = Path(text)
+    return str(inside.relative_to(folder)) if inside.is_relative_to(folder) else text

@@ -1,0 +1,125 @@
+"""Step 6: all photographs to one table: how far it is, what of it is covered so far, and what could not be used."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QApplication, QProgressBar
+
+from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
+from brdf_designer.acquire.pictures.map_plot import MapPlot
+from brdf_designer.acquire.session.page import fill_problems, problem_list
+from brdf_designer.acquire.states import CoverageState, Problem
+from brdf_designer.acquire.table.coverage_page import coverage_map
+
+
+class GreyBar(QProgressBar):
+    """A bar filled with grey: the accent is for focus and selection alone."""
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ApplicationPaletteChange:
+            self.dress()
+
+    def dress(self) -> None:
+        """Take the theme's grey."""
+        colours = QPalette()
+        grey = QApplication.palette().color(QPalette.ColorRole.PlaceholderText)
+        colours.setColor(QPalette.ColorRole.Highlight, grey)
+        self.setPalette(colours)
+
+
+class ReconstructionPage(AcquirePage):
+    """The page of the reconstruction.
+
+    Intents: ``start_asked()``, ``cancel_asked()``, ``again_asked()``, ``grazing_edited(degrees)``.
+    """
+
+    start_asked = Signal()
+    cancel_asked = Signal()
+    again_asked = Signal()
+    grazing_edited = Signal(float)
+
+    def __init__(self) -> None:
+        super().__init__(
+            "reconstruction",
+            tr(
+                "Every photograph becomes measurements of the paint. What is done is kept: it can be "
+                "stopped and resumed."
+            ),
+        )
+        self.bar = GreyBar()
+        self.bar.dress()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        self.bar.setMaximumHeight(12)
+        self.bar.setAccessibleName(tr("Progress of the reconstruction"))
+        self.telling = wrapped("")
+        self.map = MapPlot(tr("Covered so far"))
+        self.problems = problem_list(tr("Positions that could not be used"))
+        self.centre.addWidget(self.telling)
+        self.centre.addWidget(self.bar)
+        self.centre.addWidget(self.map, 3)
+        self.centre.addWidget(self.problems, 1)
+        self.start = button(tr("Start"), tr("Turn all photographs into a table of the reflectance"))
+        self.cancel = button(tr("Stop"), tr("Stop; what is done is kept, and is gone on with later"))
+        self.again = button(
+            tr("Begin Again"), tr("Forget what is done, and start with the first position once more")
+        )
+        self.start.clicked.connect(lambda _=False: self.start_asked.emit())
+        self.cancel.clicked.connect(lambda _=False: self.cancel_asked.emit())
+        self.again.clicked.connect(lambda _=False: self.again_asked.emit())
+        form = Form()
+        self.grazing = NumberField(tr("Grazing cut-off"), "°", 45.0, 89.0, 1.0, 0, 80.0)
+        self.grazing.edited.connect(self.grazing_edited)
+        form.add_row(
+            tr("Grazing cut-off"),
+            self.grazing,
+            tr("Light or view farther from the normal than this is not measured"),
+        )
+        self.add_part("run", tr("Reconstruction"), beside(self.start, self.cancel), self.again, form)
+        self.facts = Facts(tr("What is done"))
+        self.add_part("done", tr("Done"), self.facts)
+        self.show_progress(0.0, "", running=False)
+        self.show_done(0, 0, ())
+
+    def show_progress(self, fraction: float, text: str, *, running: bool) -> None:
+        """Show how far it is; ``running`` says whether it can be stopped."""
+        self.bar.setValue(round(1000 * fraction))
+        self.telling.setText(text or tr("Not started."))
+        self.start.setEnabled(not running)
+        self.again.setEnabled(not running)
+        self.cancel.setEnabled(running)
+        self.grazing.setEnabled(not running)
+
+    def show_done(self, done: int, total: int, failed: Sequence[Problem]) -> None:
+        """Show how many positions are done, and which could not be used."""
+        self.start.setText(tr("Resume") if 0 < done < total else tr("Start"))
+        self.facts.show_rows(
+            (
+                (
+                    tr("Positions"),
+                    tr("{done} of {total}").format(done=done, total=total),
+                    tr("Positions of the lamp that are in the table"),
+                ),
+                (
+                    tr("Left out"),
+                    str(len(failed)),
+                    tr("Positions that could not be used; the list tells why"),
+                ),
+            )
+        )
+        fill_problems(self.problems, failed)
+        self.problems.setVisible(bool(failed))
+
+    def show_partial(self, state: CoverageState | None) -> None:
+        """Show what is covered so far."""
+        if state is None:
+            self.map.clear(tr("The map grows while positions are done."))
+        else:
+            self.map.show_map(coverage_map(state, "share"))

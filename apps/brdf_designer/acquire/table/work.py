@@ -1,0 +1,175 @@
+"""The table, made and gone on with on a thread, and what its pages show of it."""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, road_of
+from brdf_designer.acquire.response.work import ResponseFound, response_found, thousands
+from brdf_designer.acquire.states import CoverageState
+from brdf_designer.acquire.workbench import WORK_FILE, RoadRequest
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.progress import Progress, report, subrange
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+_PARTIAL_S = 2.0
+_PARTIAL_SHARE = 0.1
+"""Maps of what is covered so far: how long before the first, and the share of the time that they may take."""
+
+
+@dataclass(frozen=True, eq=False)
+class TableFound:
+    """A table, what is shown of it, and what was calibrated on the way to it."""
+
+    acquired: Any
+    state: CoverageState
+    response: ResponseFound | None
+    geometry: GeometryFound | None
+
+
+@dataclass(frozen=True)
+class KeptWork:
+    """What lies in the work file of a session: how many positions are done, and what they were calibrated with.
+
+    ``reason`` says why what lies there cannot be gone on with; empty where it can.
+    """
+
+    done: int = 0
+    response: ResponseFound | None = None
+    geometry: GeometryFound | None = None
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class TableRequest:
+    """The road, whether to begin anew, and who hears of what is covered so far (from the thread)."""
+
+    road: RoadRequest
+    restart: bool
+    partial: Callable[[int, int, CoverageState | None], None]
+
+
+@dataclass(frozen=True, eq=False)
+class SaveTable:
+    """A table, and where it is to be."""
+
+    acquired: Any
+    path: Path
+
+
+def find_kept(request: RoadRequest, _progress: Progress) -> KeptWork:
+    """Look what an earlier run has left."""
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+    from brdf_suite.acquisition.reconstruction.table import kept_calibration
+    from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
+
+    work = request.folder / WORK_FILE
+    if not work.exists():
+        return KeptWork()
+    try:
+        road = Acquisition.open(request.folder, request.options)
+        calibration = kept_calibration(road, work)
+        with open_work(work) as kept:
+            done = {record.values["position"] for record in kept.records if record.tag == POSITION}
+        if calibration is None:
+            return KeptWork()
+        road.take_calibration(calibration)
+    except FileError as error:
+        return KeptWork(reason=str(error))
+    return KeptWork(len(done), replace(response_found(road), kept=True), GeometryFound(calibration, None))
+
+
+def find_table(request: TableRequest, progress: Progress) -> TableFound:
+    """Make the table; response and geometry first, where they are not known. What is done is kept in the folder."""
+    from brdf_suite.acquisition.reconstruction.table import kept_calibration
+
+    road = road_of(request.road)
+    work = request.road.folder / WORK_FILE
+    response = geometry = None
+    start = 0.0
+    if request.road.geometry is None:
+        kept = None if request.restart else kept_calibration(road, work)
+        if kept is not None:
+            road.take_calibration(kept)
+            response, geometry = replace(response_found(road), kept=True), GeometryFound(kept, None)
+        else:
+            start = 0.25
+            if request.road.response is None:
+                road.calibrate_response(subrange(progress, 0.0, 0.08))
+                response = response_found(road)
+            road.calibrate_intrinsics(subrange(progress, 0.08, 0.1))
+            road.calibrate_geometry(subrange(progress, 0.1, start))
+            geometry = geometry_found(road)
+    due = time.monotonic() + _PARTIAL_S
+
+    def partial(done: int, total: int, table: Callable[[], IsotropicTable]) -> None:
+        nonlocal due
+        begun = time.monotonic()
+        state = None
+        if begun >= due and done < total:
+            # The first positions may see nothing that can be measured, so that there is no table yet.
+            with contextlib.suppress(SuiteError):
+                state = coverage_state(table())
+            ended = time.monotonic()
+            due = ended + max(_PARTIAL_S, (ended - begun) / _PARTIAL_SHARE)
+        request.partial(done, total, state)
+
+    acquired = road.table(subrange(progress, start, 0.98), work, partial, request.restart)
+    report(progress, 0.99, tr("drawing the coverage"))
+    return TableFound(acquired, coverage_state(acquired.table, acquired), response, geometry)
+
+
+def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState:
+    """Return how a table is covered."""
+    from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map
+
+    theta_h, theta_d, _ = table.grid.centres()
+    coverage = table.coverage
+    share = coverage_map(table)
+    pixels = np.zeros_like(share) if coverage is None else np.asarray(coverage.samples.sum(axis=2).T, float)
+    facts: list[tuple[str, str, str]] = []
+    if acquired is not None:
+        facts = [
+            (
+                tr("Measured"),
+                tr("{share:.1f} %").format(share=100.0 * covered_share(table, 75.0)),
+                tr(
+                    "Of the bins with light and view up to 75° from the normal; the others are filled from neighbours"
+                ),
+            ),
+            (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels that went into the table")),
+            (
+                tr("Positions"),
+                tr("{done} of {total}").format(
+                    done=len(acquired.positions_done),
+                    total=len(acquired.positions_done) + len(acquired.positions_failed),
+                ),
+                tr("Of the lamp"),
+            ),
+            *(("", notice, "") for notice in acquired.notices),
+        ]
+    return CoverageState(
+        share,
+        pixels,
+        deviation_map(table),
+        np.degrees(theta_h),
+        np.degrees(theta_d),
+        tuple(facts),
+    )
+
+
+def save_table(request: SaveTable, _progress: Progress) -> tuple[str, ...]:
+    """Write the table; that the file may be overwritten was asked before."""
+    from brdf_suite.acquisition.reconstruction.output import write_acquired
+
+    return write_acquired(request.acquired, request.path, overwrite=True)

@@ -1,0 +1,1 @@
+"""Clearcoat and flakes of a paint."""

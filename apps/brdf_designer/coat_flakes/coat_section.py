@@ -1,0 +1,184 @@
+"""The clearcoat: as a glossmeter reads it or as index and roughness, in step; its haze and its orange peel."""
+
+from __future__ import annotations
+
+import math
+
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QWidget
+
+from brdf_designer.session.fields import DEFAULT_PEEL
+from brdf_designer.session.state import FitState
+from brdf_designer.window.paint_sections import PaintSection, computed
+from brdf_suite.appearance.gloss import HIGHEST_IOR, HIGHEST_ROUGHNESS, LOWEST_IOR, LOWEST_ROUGHNESS
+from brdf_suite.appearance.haze import haze_units
+from brdf_suite.documents.paint import OrangePeel, Paint
+
+_IOR_TIP = mark(
+    "Refractive index n of the clearcoat: the higher, the more it mirrors; resins have 1.45 to 1.55. Setting it sets "
+    "both gloss readings."
+)
+_ROUGHNESS_TIP = mark(
+    "Roughness α of the clearcoat: spread of its facets' slopes (Beckmann). 0.003 is a fresh car, 0.05 satin. Setting "
+    "it sets both gloss readings."
+)
+_HAZE_TIP = mark(
+    "Haze index: gloss at 60° minus gloss at 20° (as practice reads ASTM D4039), GU. It grows where light is scattered "
+    "just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 5 to 12."
+)
+_SLOPE_TIP = mark("Root mean square slope of the waves; a tenth of a degree is seen at arm's length.")
+
+
+class CoatSection(PaintSection):
+    """Gloss readings, the clearcoat that gives them, and its waviness.
+
+    Emits ``("coat", "ior" | "roughness")`` with both numbers: the other stays as it was at the start of the gesture.
+    ``gloss_wanted()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
+    """
+
+    gloss_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
+        self.has_60 = QCheckBox(tr("A 60° reading is known"))
+        self.has_60.setToolTip(
+            tr(
+                "With both readings the refractive index is solved too; otherwise it is 1.5, or what 20° needs."
+            )
+        )
+        self.has_60.clicked.connect(self._switch_60)
+        self.panel.add_row("", self.has_60)
+        self.ior = NumberField(tr("Index n"), "", LOWEST_IOR, HIGHEST_IOR, 0.005, 3, 1.5)
+        self.roughness = NumberField(
+            tr("Roughness of the coat"), "", LOWEST_ROUGHNESS, HIGHEST_ROUGHNESS, 0.001, 4, LOWEST_ROUGHNESS
+        )
+        self.ior.setObjectName("field_coat.ior")
+        self.roughness.setObjectName("field_coat.roughness")
+        for field, key, label, tip in (
+            (self.ior, "ior", tr("Index n"), tr(_IOR_TIP)),
+            (self.roughness, "roughness", tr("Roughness α"), tr(_ROUGHNESS_TIP)),
+        ):
+            self.panel.add_row(label, field, tip)
+            field.edited.connect(lambda _value, key=key: self._set_coat(key))
+            field.gesture_started.connect(lambda key=key: self._begin_coat(key))
+            field.gesture_finished.connect(self._end_coat)
+        self.haze = computed()
+        self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
+        self.note = PlainLabel()
+        self.note.setWordWrap(True)
+        self.note.hide()
+        self.box.addWidget(self.note)
+        self.has_peel = QCheckBox(tr("Orange peel"))
+        self.has_peel.setToolTip(
+            tr(
+                "Waviness of the coat, as sprayed coats have it. Viewer draws it, and a view may set its own instead."
+            )
+        )
+        self.has_peel.clicked.connect(self._switch_peel)
+        self.box.addWidget(self.has_peel)
+        self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
+        self.slope = computed()
+        self.peel.add_row(tr("Slope"), self.slope, tr(_SLOPE_TIP))
+        self._last_peel = DEFAULT_PEEL
+        self._solved = (1.5, LOWEST_ROUGHNESS)
+        self._held: tuple[float, float] | None = None
+        self._asked: tuple[float, float] | None = None
+        self._taken = False
+
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.gloss, paint.orange_peel
+
+    def show_paint(self, paint: Paint) -> None:
+        """Show the readings and the orange peel."""
+        field = self.panel.fields["gloss.gu_60"]
+        known = paint.gloss.gu_60 is not None
+        self.panel.set_values({"gloss.gu_20": paint.gloss.gu_20})
+        if paint.gloss.gu_60 is not None:
+            field.set_value(paint.gloss.gu_60)
+            self._show_haze(haze_units(paint.gloss.gu_20, paint.gloss.gu_60), tr("from the readings"))
+        field.setEnabled(known)
+        self.has_60.setChecked(known)
+        peel: OrangePeel = paint.orange_peel or self._last_peel
+        self._last_peel = peel
+        self.has_peel.setChecked(paint.orange_peel is not None)
+        self.peel.setEnabled(paint.orange_peel is not None)
+        self.peel.set_values(
+            {"orange_peel.amplitude_um": peel.amplitude_um, "orange_peel.wavelength_mm": peel.wavelength_mm}
+        )
+        self.slope.setText(tr("{slope:.3f}° RMS, computed").format(slope=peel.slope_deg))
+
+    def show_fit(self, state: FitState) -> None:
+        """Show the coat that was solved."""
+        self._taken = True
+        self._solved = (state.ior, state.roughness)
+        for field, value in zip((self.ior, self.roughness), self._solved, strict=True):
+            field.setEnabled(True)
+            field.set_value(value)
+        self._show_note()
+
+    def show_gloss(self, gu_20: float, gu_60: float) -> None:
+        """Show the haze of a paint whose 60° reading is not known, from what its coat and base would read."""
+        self._show_haze(haze_units(gu_20, gu_60), tr("computed"))
+        field = self.panel.fields["gloss.gu_60"]
+        if not field.isEnabled():
+            field.set_value(gu_60)
+
+    def mark_stale(self) -> None:
+        """Say that no coat gives these readings."""
+        self._asked, self._taken = None, True
+        for field in (self.ior, self.roughness):
+            field.setEnabled(False)
+        self.haze.setText(tr("–, no such coat"))
+
+    def show_refusal(self, text: str) -> None:
+        """Say why no coat gives the readings, with what could be reached."""
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
+
+    def _show_haze(self, haze: float, source: str) -> None:
+        self.haze.setText(tr("{haze:.1f} GU, {source}").format(haze=haze, source=source).replace("-", "−"))
+
+    def _show_note(self) -> None:
+        """Tell where the readings are also those of another coat, which was solved."""
+        text = ""
+        if self._asked is not None:
+            ior, roughness = self._asked
+            if abs(ior - self._solved[0]) > 0.005 or abs(math.log(roughness / self._solved[1])) > 0.1:
+                text = tr(
+                    "A coat of n {ior:.3f} and α {roughness:.4f} reads the same at 20 and 60°; the readings are what "
+                    "the paint keeps, and the coat nearest to n 1.5 is taken."
+                ).format(ior=ior, roughness=roughness)
+        self.show_refusal(text)
+
+    def _begin_coat(self, key: str) -> None:
+        self._held = self._solved
+        self.gesture_started.emit(("coat", key))
+
+    def _end_coat(self) -> None:
+        self._held = None
+        self.gesture_finished.emit()
+
+    def _set_coat(self, key: str) -> None:
+        held = self._held or self._solved
+        value = (self.ior.value(), held[1]) if key == "ior" else (held[0], self.roughness.value())
+        self._asked, self._taken = value, False
+        self.edited.emit(("coat", key), value)
+        self._asked = None
+        if not self._taken:
+            # It was refused: what is shown is the coat that the paint has.
+            for field, solved in zip((self.ior, self.roughness), self._solved, strict=True):
+                field.set_value(solved)
+
+    def _switch_60(self, on: bool) -> None:
+        if on:
+            self.gloss_wanted.emit()
+        value = self.panel.fields["gloss.gu_60"].value() if on else None
+        self.edited.emit(("gloss", "gu_60"), value)
+
+    def _switch_peel(self, on: bool) -> None:
+        self.edited.emit(("orange_peel",), self._last_peel if on else None)

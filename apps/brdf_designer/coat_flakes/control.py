@@ -1,0 +1,42 @@
+"""What coat and flakes make of a fit: haze, refusal and sparkle, worked out at idle."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject
+
+from brdf_designer.coat_flakes.coat_section import CoatSection
+from brdf_designer.coat_flakes.flakes_section import FlakesSection
+from brdf_designer.session.desk import Desk
+from brdf_designer.window.window import DesignerWindow
+from brdf_suite.errors import SuiteError, UnreachableError
+from brdf_suite.inspection.sparkle import sparkle
+from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
+
+
+class CoatControl(QObject):
+    """Joins the sections of coat and flakes to the desk."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk = desk
+        self._coat: CoatSection = window.coat
+        self._flakes: FlakesSection = window.flakes
+        desk.fit_changed.connect(lambda _fit: desk.at_idle("coat", self._show))
+        desk.refused.connect(self._refuse)
+        self._coat.gloss_wanted.connect(self._show_gloss)
+
+    def _show(self) -> None:
+        fit = self._desk.fit
+        if fit is None:
+            return
+        self._show_gloss()
+        self._flakes.show_sparkle(sparkle(fit.weights, fit.flakes))
+
+    def _show_gloss(self) -> None:
+        fit = self._desk.fit
+        if fit is not None and fit.paint.gloss.gu_60 is None:
+            self._coat.show_gloss(*total_gloss(fit.reflectance.base, fit.reflectance.coat))
+
+    def _refuse(self, error: SuiteError) -> None:
+        self._flakes.show_sparkle(())
+        self._coat.show_refusal(str(error) if isinstance(error, UnreachableError) else "")

@@ -1,0 +1,78 @@
+"""The flakes that sparkle, and our own figure of how much they do."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
+
+from brdf_designer.session.fields import DEFAULT_FLAKES
+from brdf_designer.window.paint_sections import PaintSection, computed
+from brdf_suite.documents.paint import Flakes, Paint
+from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, Sparkle
+
+_DRAWN = mark(
+    "Viewer draws these flakes one by one in the brightest lights; the mean colour stays that of the readings."
+)
+_FIGURE = mark(
+    "Our own sparkle figure, from the model of the flakes: spots per mm² that are brighter than the surface around "
+    "them by {contrast:.0%} or more, and the mean of how much brighter they are (contrast); in the sun 45° off the "
+    "normal, seen from {distance:g} mm by an eye that takes in {resolved:.3f} mm. It is no instrument's reading and "
+    "must not be compared with one."
+)
+
+
+class FlakesSection(PaintSection):
+    """The flakes of the document, and what they do."""
+
+    _KEYS = ("density_per_mm2", "size_um", "roughness", "colour_spread")
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.has_flakes = QCheckBox(tr("Flakes that can be seen"))
+        self.has_flakes.setToolTip(tr(_DRAWN))
+        self.has_flakes.clicked.connect(self._switch)
+        self.box.addWidget(self.has_flakes)
+        self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
+        form = Form()
+        tip = tr(_FIGURE).format(contrast=CONTRAST, distance=DISTANCE_MM, resolved=RESOLVED_MM)
+        self.figures: dict[float, QLabel] = {}
+        for angle in ANGLES_DEG:
+            label = computed()
+            label.setObjectName(f"sparkle_{angle:g}")
+            form.add_row(tr("Sparkle {angle:g}°").format(angle=angle), label, tip)
+            self.figures[angle] = label
+        self.box.addWidget(form)
+        self._last = DEFAULT_FLAKES
+
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.flakes
+
+    def show_paint(self, paint: Paint) -> None:
+        """Show the flakes; without any, the numbers that switching on would give, disabled."""
+        self.has_flakes.setChecked(paint.flakes is not None)
+        self.panel.setEnabled(paint.flakes is not None)
+        flakes: Flakes = paint.flakes or self._last
+        self._last = flakes
+        self.panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in self._KEYS})
+
+    def show_sparkle(self, rows: tuple[Sparkle, ...]) -> None:
+        """Show our own figure per aspecular angle; nothing: it is not known."""
+        for label in self.figures.values():
+            label.setText("–")
+        for row in rows:
+            self.figures[row.aspecular_deg].setText(_text(row))
+
+    def _switch(self, on: bool) -> None:
+        self.edited.emit(("flakes",), self._last if on else None)
+
+
+def _text(row: Sparkle) -> str:
+    if row.spots_per_mm2 == 0.0:
+        return tr("no spots")
+    if row.crowded:
+        return tr("grain: spots run together")
+    return tr("{spots:.2f} spots/mm², contrast {contrast:.1f}").format(
+        spots=row.spots_per_mm2, contrast=row.mean_contrast
+    )

@@ -1,0 +1,54 @@
+"""The choices over the colours as commands: in the menu Paint, by key, and by name with Ctrl+K."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import mark
+from PySide6.QtCore import QObject
+
+from brdf_designer.session.desk import Desk
+from brdf_designer.window.focus import focus_first_number
+from brdf_designer.window.window import DesignerWindow
+
+_MODES = (
+    ("one", mark("Edit &One Angle"), "Alt+1"),
+    ("all", mark("Edit &All Angles Together"), "Alt+2"),
+    ("flop", mark("Edit the &Flop"), "Alt+3"),
+)
+_SPACES = (
+    ("lab", mark("Colours in &L*a*b*"), "Alt+4"),
+    ("lch", mark("Colours in LC&h"), "Alt+5"),
+)
+_SETS = (
+    ("e2194", mark("Angles: &3 (15, 45, 110°)")),
+    ("five", mark("Angles: &5 (15 to 110°)")),
+    ("six", mark("Angles: &6 (−15 to 110°)")),
+    ("e2539", mark("Angles: &8, Two Lights (E2539)")),
+)
+
+
+class ColourCommands(QObject):
+    """Adds the commands; each does what the button or the list over the colours does."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk = desk
+        head = window.editors.head
+        self._window = window
+        window.paint_menu.addSeparator()
+        window.add_command("paint", mark("Type the &Numbers"), "Alt+0", self.type_numbers, "type_numbers")
+        # Who makes a new paint wants to say what it is.
+        window.new_asked.connect(self.type_numbers)
+        for mode, text, keys in _MODES:
+            window.add_command("paint", text, keys, head.modes.buttons[mode].click, f"edit_{mode}")
+        window.paint_menu.addSeparator()
+        for space, text, keys in _SPACES:
+            window.add_command("paint", text, keys, head.spaces.buttons[space].click, f"space_{space}")
+        window.paint_menu.addSeparator()
+        for name, text in _SETS:
+            window.add_command("paint", text, None, lambda name=name: head.choose_set(name), f"angles_{name}")
+
+    def type_numbers(self) -> None:
+        """Go to the first number of the colour: of the first angle, or of the flop where that is edited."""
+        editors = self._window.editors
+        numbers = [*editors.flop.fields.values(), *(field for one in editors.editors for field in one.fields)]
+        focus_first_number(self._window.section("colour"), numbers)

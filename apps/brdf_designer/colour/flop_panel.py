@@ -1,0 +1,215 @@
+"""The flop as four handles: flop index, and the travel of lightness, chroma and hue about a face that stays."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from brdf_qt.fields.colour_slider import ColourSlider
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
+
+from brdf_designer.colour.display import lab_to_codes
+from brdf_designer.session.state import Colours
+from brdf_suite.appearance.flop.edits import (
+    FlopValues,
+    flop_ends,
+    measure_flop,
+    with_flop_index,
+    with_flop_travel,
+)
+from brdf_suite.errors import ValueRangeError
+
+_QUIET_MS = 40
+_TRACK_SAMPLES = 17
+
+
+@dataclass(frozen=True)
+class Handle:
+    """One handle: its name in :class:`FlopValues`, label, unit, reach, step, decimals, an explanation."""
+
+    key: str
+    label: str
+    unit: str
+    low: float
+    high: float
+    step: float
+    decimals: int
+    tip: str
+
+
+HANDLES = (
+    Handle(
+        "index",
+        mark("Flop index"),
+        "",
+        0.0,
+        40.0,
+        0.1,
+        1,
+        mark(
+            "Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high "
+            "flop. It needs readings at 15, 45 and 110°."
+        ),
+    ),
+    Handle(
+        "lightness",
+        mark("ΔL* travel"),
+        "",
+        -150.0,
+        100.0,
+        0.5,
+        1,
+        mark(
+            "Travel of lightness: L* at the farthest angle minus L* at the nearest. Negative: the paint darkens."
+        ),
+    ),
+    Handle(
+        "chroma",
+        mark("ΔC* travel"),
+        "",
+        -120.0,
+        120.0,
+        0.5,
+        1,
+        mark(
+            "Travel of chroma: C* at the farthest angle minus C* at the nearest. Negative: the paint greys."
+        ),
+    ),
+    Handle(
+        "hue",
+        mark("Δh travel"),
+        "°",
+        -180.0,
+        180.0,
+        1.0,
+        1,
+        mark(
+            "Travel of hue: by how many degrees it turns from the nearest to the farthest angle; positive from red "
+            "towards yellow. A grey has no hue to travel."
+        ),
+    ),
+)
+
+
+class FlopPanel(QWidget):
+    """Emits ``edited(what, amount)`` between ``gesture_started(what)`` and ``gesture_finished()``.
+
+    The track of a slider shows the far end's colour that each position would give.
+    """
+
+    edited = Signal(str, float)
+    gesture_started = Signal(str)
+    gesture_finished = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        grid = QGridLayout()
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(8)
+        grid.setVerticalSpacing(4)
+        grid.setColumnStretch(1, 1)
+        self.sliders: dict[str, ColourSlider] = {}
+        self.fields: dict[str, NumberField] = {}
+        for row, handle in enumerate(HANDLES):
+            self._add(grid, row, handle)
+        self._readings: tuple[list[float], np.ndarray] | None = None
+        self._tracks = QTimer(self)
+        self._tracks.setSingleShot(True)
+        self._tracks.setInterval(_QUIET_MS)
+        self._tracks.timeout.connect(self._show_tracks)
+        self.note = PlainLabel()
+        self.note.setWordWrap(True)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 4)
+        box.addLayout(grid)
+        box.addWidget(self.note)
+
+    def _add(self, grid: QGridLayout, row: int, handle: Handle) -> None:
+        name = tr(handle.label)
+        slider = ColourSlider(
+            tr("{name}, slider").format(name=name), handle.unit, handle.low, handle.high, 0.1
+        )
+        field = NumberField(
+            name, handle.unit, handle.low, handle.high, handle.step, handle.decimals, handle.low
+        )
+        field.setObjectName(f"flop_{handle.key}")
+        field.setFixedWidth(72)
+        # As over the angles: Tab goes from number to number.
+        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        label = PlainLabel(name)
+        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        label.setBuddy(field)
+        for widget in (label, slider, field):
+            widget.setToolTip(tr(handle.tip))
+        for source in (slider, field):
+            source.edited.connect(lambda value, key=handle.key: self.edited.emit(key, value))
+            source.gesture_started.connect(lambda key=handle.key: self.gesture_started.emit(key))
+            source.gesture_finished.connect(self.gesture_finished)
+        grid.addWidget(label, row, 0)
+        grid.addWidget(slider, row, 1)
+        grid.addWidget(field, row, 2)
+        self.sliders[handle.key], self.fields[handle.key] = slider, field
+
+    def show_colours(self, colours: Colours) -> None:
+        """Show the flop of the paint; what it has none of cannot be moved."""
+        angles = [item.aspecular_deg for item in colours.paint.measurements]
+        labs = np.array([item.lab for item in colours.paint.measurements])
+        self._readings = None
+        try:
+            now, ends = measure_flop(angles, labs), flop_ends(angles)
+        except ValueRangeError as error:
+            self._show(FlopValues(math.nan, math.nan, math.nan, math.nan))
+            self.note.setText(tr("No flop: {reason}.").format(reason=error.reason))
+            return
+        self._readings = (angles, labs)
+        self._show(now)
+        if self.isVisible():
+            self._tracks.start()
+        self.note.setText(
+            tr("From {near:g}° to {far:g}°; the colour at {face:g}° stays.").format(
+                near=angles[ends.near], far=angles[ends.far], face=angles[ends.face]
+            )
+        )
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._tracks.start()
+
+    def _show(self, now: FlopValues) -> None:
+        for key, value in zip(
+            ("index", "lightness", "chroma", "hue"),
+            (now.index, now.lightness, now.chroma, now.hue_deg),
+            strict=True,
+        ):
+            known = math.isfinite(value)
+            for widget in (self.sliders[key], self.fields[key]):
+                widget.setEnabled(known)
+            if known:
+                self.sliders[key].set_amount(value)
+                self.fields[key].set_value(value)
+
+    def _show_tracks(self) -> None:
+        """Colour each track with what the far end would be: too slow for between an event and its numbers."""
+        if self._readings is None:
+            return
+        angles, labs = self._readings
+        far = flop_ends(angles).far
+        for handle in HANDLES:
+            slider = self.sliders[handle.key]
+            if not slider.isEnabled():
+                continue
+            positions = np.linspace(handle.low, handle.high, _TRACK_SAMPLES).tolist()
+            ends = [_moved(angles, labs, handle.key, position)[far] for position in positions]
+            slider.set_track(*lab_to_codes(np.array(ends)))
+
+
+def _moved(angles: list[float], labs: np.ndarray, what: str, amount: float) -> np.ndarray:
+    if what == "index":
+        return with_flop_index(angles, labs, amount)
+    return with_flop_travel(angles, labs, ("lightness", "chroma", "hue").index(what), amount)

@@ -1,0 +1,163 @@
+"""Over the colours: which angles there are, in which terms they are edited, and what an edit moves."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QHBoxLayout,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_suite.documents.paint import PARAMETERS
+
+_SETS = {
+    "e2194": mark("3 angles: 15, 45, 110°"),
+    "five": mark("5 angles: 15, 25, 45, 75, 110°"),
+    "six": mark("6 angles: −15, 15, 25, 45, 75, 110°"),
+    "e2539": mark("8 geometries, two lights (E2539)"),
+}
+_OWN = mark("Own angles")
+_SETS_TIP = mark(
+    "The aspecular angles at which the colour is given. Another set takes the colours that the paint has at the new "
+    "angles, so that it keeps its look."
+)
+_SPACES = {
+    "lab": (mark("L*a*b*"), mark("Lightness, green to red, blue to yellow (CIE 1976, D65, 10°).")),
+    "lch": (mark("LCh°"), mark("Lightness, chroma and hue angle (CIE 1976, D65, 10°).")),
+}
+_MODES = {
+    "one": (mark("One angle"), mark("An edit changes the colour at its own angle alone.")),
+    "all": (
+        mark("All together"),
+        mark("Face and flop move in step: what an edit adds at one angle is added at every angle."),
+    ),
+    "flop": (
+        mark("Flop"),
+        mark(
+            "Flop: how the colour changes from the view near the mirror direction to the shallow one. The face (45°) "
+            "stays, and the angles on either side of it move."
+        ),
+    ),
+}
+
+
+class ColourHead(QWidget):
+    """Emits ``set_chosen(name)``, ``angle_added(degrees)``, ``space_chosen(lab | lch)`` and ``mode_chosen(one | all |
+    flop)``. The space is remembered; a program begins with one angle, so that no first edit moves more than it says.
+    """
+
+    set_chosen = Signal(str)
+    angle_added = Signal(float)
+    space_chosen = Signal(str)
+    mode_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.sets = QuietComboBox()
+        self.sets.setObjectName("angle_set")
+        for name, text in _SETS.items():
+            self.sets.addItem(tr(text), name)
+        self.sets.addItem(tr(_OWN), None)
+        self.sets.activated.connect(self._chosen)
+        self._set: str | None = None
+        known = PARAMETERS["aspecular_deg"]
+        self.angle = NumberField(tr("New angle"), "°", known.low, 134.0, 5.0, 1, 60.0)
+        self.angle.setObjectName("new_angle")
+        self._light_deg: float | None = None
+        self.add = QPushButton(tr("Add angle"))
+        self.add.setToolTip(tr("Add a reading at this angle, with the colour that the paint has there."))
+        self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
+        further = QHBoxLayout()
+        further.setContentsMargins(0, 0, 0, 0)
+        further.setSpacing(8)
+        further.addWidget(self.angle, 1)
+        further.addWidget(self.add)
+        row = QWidget()
+        row.setLayout(further)
+        form = Form()
+        form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
+        form.add_row(tr("Further"), row)
+        self.spaces = _Choice(_SPACES, "designer/space", tr("Colours in"))
+        self.modes = _Choice(_MODES, None, tr("An edit moves"))
+        form.add_row(tr("In"), self.spaces)
+        form.add_row(tr("Edit"), self.modes)
+        self.spaces.chosen.connect(self.space_chosen)
+        self.modes.chosen.connect(self.mode_chosen)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 4)
+        box.addWidget(form)
+
+    def show_set(self, name: str | None, light_deg: float | None = None) -> None:
+        """Show which set the paint's angles are, ``None``: none of them; and where a view can be, by its light."""
+        self._set = name
+        self.sets.setCurrentIndex(self.sets.findData(name))
+        if light_deg is not None and light_deg != self._light_deg:
+            self._light_deg = light_deg
+            known = PARAMETERS["aspecular_deg"]
+            # A view at grazing sees nothing; one degree above it is enough.
+            self.angle.setRange(max(known.low, light_deg - 89.0), min(known.high, light_deg + 89.0))
+            self.angle.setToolTip(
+                plain_tip(
+                    tr("Aspecular angle of a further reading, with the light at {light:g}°.").format(
+                        light=light_deg
+                    )
+                )
+            )
+
+    def _chosen(self, row: int) -> None:
+        name = self.sets.itemData(row)
+        # "Own angles" says what is, and cannot be asked for: angles are added and removed one by one.
+        self.show_set(self._set)
+        if name is not None:
+            self.choose_set(name)
+
+    def choose_set(self, name: str) -> None:
+        """Ask for a set, as the list does."""
+        if name != self._set:
+            self.set_chosen.emit(name)
+
+
+class _Choice(QWidget):
+    """Buttons of which one is down."""
+
+    chosen = Signal(str)
+
+    def __init__(self, choices: dict[str, tuple[str, str]], key: str | None, name: str) -> None:
+        super().__init__()
+        self._key = key
+        self.setAccessibleName(name)
+        self.buttons: dict[str, ChoiceButton] = {}
+        group = QButtonGroup(self)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(0)
+        for choice, (text, tip) in choices.items():
+            button = ChoiceButton(tr(text))
+            button.setToolTip(tr(tip))
+            button.setAccessibleName(f"{name}: {tr(text)}")
+            button.clicked.connect(lambda _=False, choice=choice: self._choose(choice))
+            group.addButton(button)
+            row.addWidget(button)
+            self.buttons[choice] = button
+        row.addStretch(1)
+        first = next(iter(choices))
+        kept = str(settings().value(key, first)) if key else first
+        self.value = kept if kept in choices else first
+        self.buttons[self.value].setChecked(True)
+
+    def _choose(self, choice: str) -> None:
+        if choice != self.value:
+            self.value = choice
+            if self._key:
+                settings().setValue(self._key, choice)
+            self.chosen.emit(choice)

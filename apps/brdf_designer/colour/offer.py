@@ -1,0 +1,147 @@
+"""Where no such paint can be: the nearest one that can, looked for once the edits pause, and one click away."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message
+from brdf_qt.work.fit_error import LARGE_DELTA_E
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject
+
+from brdf_designer.colour.patches import lab_text
+from brdf_designer.session.desk import Desk
+from brdf_designer.session.fields import angle_text, by_angle, step_name
+from brdf_designer.window.window import DesignerWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError, UnreachableError
+from brdf_suite.paint_design.feasible import Feasible, judged, nearest_feasible
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter
+from brdf_suite.progress import Progress
+
+KEY = "nearest"
+_CLOSING_MS = 10_000
+_LARGE_BEYOND = 2.0
+
+
+def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
+    """Return the nearest paint that can be; on a thread, with a fitter of its own."""
+    fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
+    try:
+        return nearest_feasible(paint, fitter, progress=progress)
+    finally:
+        fitter.close()
+
+
+class NearestOffer(QObject):
+    """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk = desk
+        self._runner = TaskRunner(self, threads=1)
+        self._closed = False
+        self.offered: Feasible | None = None
+        desk.paint_changed.connect(lambda _paint: self._forget())
+        desk.fit_changed.connect(self._judge)
+        desk.refused.connect(self._refuse)
+        desk.gesture_ended.connect(lambda: desk.at_idle(KEY, self._search))
+
+    @property
+    def searching(self) -> bool:
+        """Whether the nearest paint is being looked for."""
+        return self._runner.busy
+
+    def close(self) -> None:
+        """End what runs."""
+        self._closed = True
+        self._runner.stop(_CLOSING_MS)
+
+    def take(self) -> None:
+        """Make the offered paint the document, as one step."""
+        found = self.offered
+        if found is not None and found.asked == self._desk.paint:
+            self._desk.edit(found.paint, step_name(found.paint, ("nearest",)))
+
+    def _judge(self, fit: LobeFit) -> None:
+        if missed(fit):
+            self._desk.at_idle(KEY, self._search)
+
+    def _refuse(self, error: SuiteError) -> None:
+        if isinstance(error, UnreachableError):
+            self._desk.at_idle(KEY, self._search)
+
+    def _forget(self) -> None:
+        self.offered = None
+        self._runner.cancel(KEY)
+        self._desk.dismiss_message(KEY)
+
+    def _search(self) -> None:
+        fit = self._desk.fit
+        can_be = fit is not None and (fit.exact_follows or not missed(fit))
+        # What cannot be in the midst of a drag may be at its end.
+        if can_be or self._desk.in_gesture or self.offered is not None or self._closed:
+            return
+        self._runner.submit(KEY, find_nearest, self._desk.paint, done=self._found, failed=self._failed)
+
+    def _found(self, found: Feasible | None) -> None:
+        if self._desk.fit is None:
+            what = tr("No such paint can be.")
+        else:
+            what = tr("No sum of the lobes gives the colour asked at {angles}.").format(
+                angles=", ".join(self._large_angles())
+            )
+        if found is None:
+            todo = tr("No paint near to it was found that can be; change a colour or the gloss.")
+            self._desk.show_message(Message(KEY, what, todo=todo, severity="warning"))
+            return
+        self.offered = found
+        todo = tr("The nearest that can be: {paint}.").format(paint=told(found))
+        actions = ((tr("Take the Nearest"), self.take),)
+        self._desk.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
+
+    def _failed(self, error: Exception) -> None:
+        text = tr("The nearest paint that can be was not found: {error}").format(error=error)
+        self._desk.show_message(Message(KEY, text, severity="warning"))
+
+    def _large_angles(self) -> list[str]:
+        fit = self._desk.fit
+        if fit is None:
+            return []
+        found = missed(fit)
+        return [angle_text(fit.paint, index) for index in by_angle(fit.paint) if index in found]
+
+
+def missed(fit: LobeFit) -> list[int]:
+    """Return the readings whose colour the lobes miss by so much that another paint is worth an offer.
+
+    Lobes are the same on both sides of the mirror direction, and a coat lets a little less out beyond it: what a
+    reading there misses by that alone, about 1.2, is told at its patch and no reason for another paint.
+    """
+    return [
+        index
+        for index in judged(fit)
+        if fit.readings[index].delta_e_2000
+        > (LARGE_DELTA_E if fit.readings[index].aspecular_deg >= 0.0 else _LARGE_BEYOND)
+    ]
+
+
+def told(found: Feasible) -> str:
+    """Return what is another in the offered paint, in words."""
+    parts = []
+    if found.gloss_changed:
+        gloss = found.paint.gloss
+        text = tr("gloss {gu:g} GU at 20°").format(gu=gloss.gu_20)
+        if gloss.gu_60 is not None:
+            text = tr("gloss {gu_20:g} GU at 20° and {gu_60:g} GU at 60°").format(
+                gu_20=gloss.gu_20, gu_60=gloss.gu_60
+            )
+        parts.append(text)
+    for index in by_angle(found.paint):
+        before, after = found.asked.measurements[index].lab, found.paint.measurements[index].lab
+        if before != after:
+            parts.append(
+                tr("{angle}: {lab} (ΔE00 {error:.1f})").format(
+                    angle=angle_text(found.paint, index), lab=lab_text(after), error=found.delta_e[index]
+                )
+            )
+    return "; ".join(parts)

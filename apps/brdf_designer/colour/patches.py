@@ -1,0 +1,271 @@
+"""The colours as large fields side by side, with their numbers, what the fit gives, and a standard."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.work.fit_error import is_large, large_error_tip, marked
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
+
+from brdf_designer.session.state import AngleColour, Colours, GivenColour
+from brdf_designer.standard.patch import StandardPatch
+from brdf_designer.window.caption import Caption
+
+OUTSIDE_TIP = mark(
+    "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
+)
+CORNER = 14.0
+GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
+"""How much of a field shows what the fit gives, and at most how many pixels of its height."""
+_FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
+
+
+def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
+    """Draw the mark of a colour that the screen cannot show, seen on any colour: a black corner, white edge."""
+    corner = QPolygonF(
+        [rect.topRight(), rect.topRight() - QPointF(size, 0), rect.topRight() + QPointF(0, size)]
+    )
+    painter.save()
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(QColor(0, 0, 0))
+    painter.drawPolygon(corner)
+    painter.setPen(QPen(QColor(255, 255, 255), 1.5))
+    painter.drawLine(corner[1], corner[2])
+    painter.restore()
+
+
+class ColourField(QWidget):
+    """One colour, edge to edge, or beside a standard's; a corner mark where the screen cannot show it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rgb = QColor(0, 0, 0)
+        self._in_gamut = True
+        self._shown: AngleColour | None = None
+        self._given: QColor | None = None
+        self._standard: QColor | None = None
+        self._standard_in_gamut = True
+        self.setMinimumSize(72, 16)
+        # It covers all of its place: what lies behind need not be drawn.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def show_colour(self, colour: AngleColour) -> None:
+        """Show the colour of one measurement."""
+        if colour == self._shown:
+            return
+        self._shown = colour
+        self._rgb = QColor(*colour.rgb)
+        self._in_gamut = colour.in_gamut
+        self.setToolTip("" if colour.in_gamut else tr(OUTSIDE_TIP))
+        numbers = lab_text(colour.lab)
+        name = tr("Colour at {angle}: {lab}")
+        self.setAccessibleName(name.format(angle=colour.text, lab=numbers))
+        self.update()
+
+    def show_standard(self, patch: StandardPatch | None) -> None:
+        """Show a standard's colour in the right half, without a gap between them; ``None`` for the whole field."""
+        rgb = None if patch is None else patch.rgb
+        self._standard = None if rgb is None else QColor(*rgb)
+        self._standard_in_gamut = patch is None or patch.in_gamut
+        self.update()
+
+    def show_given(self, given: GivenColour | None) -> None:
+        """Show what the fit gives along the lower edge, without a gap; ``None`` where there is no fit."""
+        rgb = None if given is None else QColor(*given.rgb)
+        if rgb != self._given:
+            self._given = rgb
+            self.update()
+
+    def given(self) -> QColor | None:
+        """Return the colour of the fit that is shown; ``None`` where there is none."""
+        return self._given
+
+    def standard(self) -> QColor | None:
+        """Return the standard's colour that is shown; ``None`` where there is none."""
+        return self._standard
+
+    def sizeHint(self) -> QSize:
+        return QSize(260, 200)
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self._rgb)
+        batch = QRectF(self.rect())
+        if self._standard is not None:
+            batch.setWidth(self.width() // 2)
+            other = QRectF(batch.right(), 0, self.width() - batch.right(), self.height())
+            painter.fillRect(other, self._standard)
+            if not self._standard_in_gamut:
+                paint_corner(painter, other, 2 * CORNER)
+            _write(painter, self._upper(batch), tr("batch"), self._rgb)
+            _write(painter, other, tr("standard"), self._standard)
+        if self._given is not None:
+            lower = batch.adjusted(0, self._upper(batch).height(), 0, 0)
+            painter.fillRect(lower, self._given)
+            _write(painter, lower, tr("fit"), self._given, rows=1)
+            if self._standard is None:
+                _write(painter, self._upper(batch), tr("asked"), self._rgb)
+        if not self._in_gamut:
+            paint_corner(painter, batch, 2 * CORNER)
+        # A hairline, so that a colour like the surround is still seen as a field.
+        painter.setPen(self.palette().dark().color())
+        painter.drawRect(self.rect().adjusted(0, 0, -1, -1))
+
+    def _upper(self, rect: QRectF) -> QRectF:
+        """The part of ``rect`` that shows what is asked; what is left shows what the fit gives."""
+        if self._given is None:
+            return rect
+        band = min(GIVEN_SHARE * rect.height(), GIVEN_MOST)
+        return rect.adjusted(0, 0, 0, -round(band))
+
+
+def _write(painter: QPainter, rect: QRectF, text: str, ground: QColor, rows: int = 3) -> None:
+    """Write what a part is at its lower edge, in black or white, where it has the room of some ``rows``."""
+    inner = rect.adjusted(6, 2, -6, -4)
+    metrics = painter.fontMetrics()
+    if metrics.horizontalAdvance(text) > inner.width() or rows * metrics.height() > inner.height():
+        return
+    light = 0.2126 * ground.redF() + 0.7152 * ground.greenF() + 0.0722 * ground.blueF() > 0.45
+    painter.setPen(QColor(0, 0, 0) if light else QColor(255, 255, 255))
+    painter.drawText(inner, Qt.AlignmentFlag.AlignBottom | Qt.AlignmentFlag.AlignLeft, text)
+
+
+def lab_text(lab: tuple[float, float, float]) -> str:
+    """Return L*a*b* as text with true minus signs, one decimal."""
+    return "   ".join(
+        f"{name} {one_decimal(value)}" for name, value in zip(("L*", "a*", "b*"), lab, strict=True)
+    )
+
+
+def one_decimal(value: float) -> str:
+    """Return a number with one decimal, a true minus sign, and none where it rounds to 0."""
+    return f"{round(value, 1) + 0.0:.1f}".replace("-", "−")
+
+
+def _bare(lab: tuple[float, float, float]) -> str:
+    return "  ".join(map(one_decimal, lab))
+
+
+class PatchRow(QWidget):
+    """A field for each measurement, with its angle, its numbers and what the fit gives there."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(2)
+        self._grid.setRowStretch(0, 1)
+        self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
+        self._told: dict[int, tuple[object, ...]] = {}
+        self._standard_cells: list[tuple[Caption, Caption]] = []
+
+    def show_colours(self, colours: Colours) -> None:
+        """Show every measurement; makes or drops fields where their number changes."""
+        while len(self._cells) < len(colours.angles):
+            self._cells.append(self._new_cell(len(self._cells)))
+        while len(self._cells) > len(colours.angles):
+            self._grid.setColumnStretch(len(self._cells) - 1, 0)
+            self._told.pop(len(self._cells) - 1, None)
+            for widget in (*self._cells.pop(), *self._standard_cells.pop()):
+                self._grid.removeWidget(widget)
+                widget.hide()
+                widget.deleteLater()
+        for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
+            field.show_colour(colour)
+            angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
+            numbers.set_forms(lab_text(colour.lab), _bare(colour.lab))
+
+    def show_differences(
+        self,
+        delta_e: list[float] | None,
+        given: list[GivenColour] | None = None,
+        *,
+        time_limited: bool = False,
+        exact_follows: bool = False,
+    ) -> None:
+        """Show what the fit gives in and under each field, a large ΔE00 with a mark; ``None``: there is no fit."""
+        large = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}"
+        for number, cell in enumerate(self._cells):
+            error = 0.0 if delta_e is None else delta_e[number]
+            colour = None if given is None else given[number]
+            told = _told_of_fit(None if delta_e is None else error, colour, time_limited, exact_follows)
+            if told == self._told.get(number):
+                continue
+            self._told[number] = told
+            cell[0].show_given(colour)
+            _set_bold(cell[3], is_large(error))
+            tip = large if is_large(error) else tr(_FIT_TIP)
+            if colour is not None:
+                tip = f"{lab_text(colour.lab)}\n{tip}"
+            if cell[3].toolTip() != tip:
+                cell[3].setToolTip(plain_tip(tip))
+            if delta_e is None:
+                cell[3].set_forms(tr("fit: none"))
+                continue
+            short = marked(tr("fit ΔE00 {error:.2f}").format(error=error), error)
+            if time_limited:
+                short = tr("{fit}, time-limited").format(fit=short)
+            forms = [short]
+            if colour is not None:
+                forms = [f"{short}:   {lab_text(colour.lab)}", f"{short}: {_bare(colour.lab)}", short]
+            cell[3].set_forms(*forms)
+
+    def show_standard(self, patches: Sequence[StandardPatch] | None) -> None:
+        """Show the standard in and under each field, in the order of the fields; ``None``: there is none."""
+        for number, (cell, captions) in enumerate(zip(self._cells, self._standard_cells, strict=True)):
+            patch = None if patches is None else patches[number]
+            cell[0].show_standard(patch)
+            for caption in captions:
+                caption.setVisible(patch is not None)
+            if patch is not None:
+                captions[0].set_forms(*patch.forms)
+                _set_bold(captions[0], patch.passes is False)
+                captions[1].set_forms(*patch.words)
+                for caption in captions:
+                    caption.setToolTip(plain_tip(patch.tip))
+
+    def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
+        field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()
+        _set_bold(angle, True)
+        italic = fit.font()
+        italic.setItalic(True)
+        fit.setFont(italic)
+        fit.setToolTip(tr(_FIT_TIP))
+        for row, widget in enumerate((field, angle, numbers, fit)):
+            self._grid.addWidget(widget, row, column)
+        against, words = Caption(), Caption()
+        for row, widget in enumerate((against, words), 4):
+            widget.hide()
+            self._grid.addWidget(widget, row, column)
+        self._standard_cells.append((against, words))
+        self._grid.setColumnStretch(column, 1)
+        return field, angle, numbers, fit
+
+
+def _told_of_fit(
+    error: float | None, given: GivenColour | None, time_limited: bool, exact_follows: bool
+) -> tuple[object, ...]:
+    """What is seen of a fit under a field: where that is as it was, nothing is written anew."""
+    lab = None if given is None else tuple(round(value, 3) for value in given.lab)
+    rgb = None if given is None else given.rgb
+    return None if error is None else round(error, 4), lab, rgb, time_limited, exact_follows
+
+
+def _set_bold(label: QWidget, bold: bool) -> None:
+    font = label.font()
+    if font.bold() != bold:
+        font.setBold(bold)
+        label.setFont(font)
+
+
+def place_word(aspecular_deg: float) -> str:
+    """Return the trade's word for the view at an aspecular angle; empty where there is none."""
+    words = {15.0: mark("near-specular"), 45.0: mark("face"), 110.0: mark("flop")}
+    return tr(words[aspecular_deg]) if aspecular_deg in words else ""

@@ -1,0 +1,1 @@
+"""The open paints: tabs, recovery, paints from other programs."""

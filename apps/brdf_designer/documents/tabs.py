@@ -1,0 +1,299 @@
+"""The paints that are open, in the order of their tabs; one of them is in front.
+
+Each has its own store, undo history, file and autosave. There is always one: where the last is closed, an empty
+one comes in its place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.stamp import FileStamp
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.message_bar import Message
+from PySide6.QtCore import QObject, Signal
+
+from brdf_suite.documents.paint import Paint
+
+MOST_CLOSED = 20
+"""Closed tabs that can be had back, each with its undo history."""
+
+
+@dataclass(eq=False)
+class OpenDocument:
+    """One open paint. ``key`` is its own for the run of the program, also after it was closed and had back.
+
+    ``original`` is the paint as it was opened; ``pristine``: the program began with it, and nobody has asked for it;
+    ``beside`` what was kept beside it, where it was recovered.
+    """
+
+    key: int
+    store: DocumentStore[Paint]
+    files: DocumentFiles[Paint]
+    recovery: Recovery[Paint]
+    original: Paint
+    pristine: bool = False
+    beside: Any = None
+
+    @property
+    def title(self) -> str:
+        """The name of its file, or of the paint while it has none."""
+        return self.files.title()
+
+    @property
+    def may_give_way(self) -> bool:
+        """Whether what is opened may take its place: the first, never touched."""
+        store = self.store
+        return self.pristine and store.is_clean and not store.stack.count() and store.path is None
+
+
+class Documents(QObject):
+    """Opens, closes, orders and finds the open paints.
+
+    Signals
+    -------
+    opened(document), closed(document)
+        An :class:`OpenDocument` came into the row, or left it.
+    front_changed()
+        Another document is in front.
+    row_changed()
+        The order, a title or a mark of unsaved work is another.
+    failed(Message), succeeded(str), recent_changed()
+        As :class:`DocumentFiles` has them, of every document.
+    """
+
+    opened = Signal(object)
+    closed = Signal(object)
+    front_changed = Signal()
+    row_changed = Signal()
+    failed = Signal(Message)
+    succeeded = Signal(str)
+    recent_changed = Signal()
+
+    def __init__(
+        self,
+        first: Paint,
+        form: DocumentFormat[Paint],
+        dialogs: Dialogs,
+        autosave_failed: Callable[[BaseException], None],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._format, self._dialogs, self._autosave_failed = form, dialogs, autosave_failed
+        self.foreign: Callable[[Path], bool] | None = None
+        """Asked first about every file to be opened; True where it is no paint of ours, and is taken care of."""
+        self._last_key = 0
+        self._closed: list[OpenDocument] = []
+        self._front = self._made(DocumentStore(first, self), pristine=True)
+        self._row = [self._front]
+
+    @property
+    def row(self) -> tuple[OpenDocument, ...]:
+        """The documents in the order of their tabs."""
+        return tuple(self._row)
+
+    @property
+    def front(self) -> OpenDocument:
+        """The document that is shown."""
+        return self._front
+
+    @property
+    def dialogs(self) -> Dialogs:
+        """Who asks the user for files."""
+        return self._dialogs
+
+    @property
+    def can_reopen(self) -> bool:
+        """Whether a closed tab can be had back."""
+        return bool(self._closed)
+
+    # Opening.
+
+    def new(self) -> None:
+        """Open an empty paint."""
+        self.add(self._format.new())
+
+    def open(self, path: Path | None = None) -> bool:
+        """Open ``path``, or ask for one; a file that is open comes to the front. True where it is shown."""
+        files = self._front.files
+        if path is None:
+            path = files.ask_open_path()
+            if path is None:
+                return False
+        present = self.with_path(path)
+        if present is not None:
+            self.show(present)
+            return True
+        if self.foreign is not None and self.foreign(path):
+            return True
+        read = files.read(path)
+        if read is None:
+            return False
+        value, stamp = read
+        self.add(value, path.absolute(), stamp=stamp)
+        files.remember(path.absolute())
+        self.succeeded.emit("open")
+        return True
+
+    def add(
+        self,
+        paint: Paint,
+        path: Path | None = None,
+        *,
+        clean: bool = True,
+        stamp: FileStamp | None = None,
+    ) -> OpenDocument:
+        """Open a paint beside the others, and in front; ``clean=False`` for work that no file holds."""
+        document = self._made(DocumentStore(paint, self))
+        document.store.replace(paint, path, clean=clean, stamp=stamp)
+        self._insert(document)
+        return document
+
+    def recover(self, item: Recovered[Paint]) -> OpenDocument:
+        """Open unsaved work of a run that was ended."""
+        document = self._made(DocumentStore(item.value, self))
+        document.beside = item.beside
+        document.recovery.take(item)
+        self._insert(document)
+        return document
+
+    def with_path(self, path: Path) -> OpenDocument | None:
+        """Return the document of file ``path``, also by another name of it; ``None`` where it is not open."""
+        for document in self._row:
+            known = document.store.path
+            if known is not None and _same_file(known, path):
+                return document
+        return None
+
+    # The row.
+
+    def show(self, document: OpenDocument) -> None:
+        """Bring a document to the front."""
+        if document is not self._front:
+            self._front.store.end_gesture()
+            self._front = document
+            self.front_changed.emit()
+
+    def step(self, by: int) -> None:
+        """Bring the document ``by`` places further along the row to the front; the ends meet."""
+        place = (self._row.index(self._front) + by) % len(self._row)
+        self.show(self._row[place])
+
+    def move(self, before: int, after: int) -> None:
+        """Move the document at place ``before`` of the row to place ``after``."""
+        if before != after:
+            self._row.insert(after, self._row.pop(before))
+            self.row_changed.emit()
+
+    # Closing.
+
+    def close(self, document: OpenDocument) -> bool:
+        """Ask about unsaved work where there is some, and close; True where it was closed.
+
+        The last one stays where it is empty already: there is nothing to close.
+        """
+        if len(self._row) == 1 and self._is_empty(document):
+            return False
+        if not document.store.is_clean:
+            self.show(document)
+        if not document.files.may_discard():
+            return False
+        if len(self._row) == 1:
+            self.add(self._format.new())
+            if document not in self._row:
+                return True
+        self._remove(document)
+        return True
+
+    def reopen(self) -> None:
+        """Have the tab back that was closed last, with its undo history and what was not saved."""
+        if not self._closed:
+            return
+        old = self._closed.pop()
+        present = self.with_path(old.store.path) if old.store.path is not None else None
+        if present is not None:
+            self.show(present)
+            return
+        # Its autosave ended with its tab.
+        old.recovery = self._recovery(old.store)
+        old.recovery.write()
+        self._insert(old)
+
+    def may_close_all(self) -> bool:
+        """Ask about the unsaved work of every document; True where all may go, and their autosaves with them."""
+        for document in self._row:
+            if not document.store.is_clean:
+                self.show(document)
+            if not document.files.may_discard():
+                return False
+        for document in self._row:
+            document.recovery.close(keep=False)
+        return True
+
+    def keep_unsaved(self) -> None:
+        """Write the unsaved work of every document for the next start; for a program that is told to end."""
+        for document in self._row:
+            document.recovery.close(keep=True)
+
+    def _made(self, store: DocumentStore[Paint], *, pristine: bool = False) -> OpenDocument:
+        self._last_key += 1
+        files = DocumentFiles(store, self._format, self._dialogs, self)
+        document = OpenDocument(self._last_key, store, files, self._recovery(store), store.value, pristine)
+        files.failed.connect(self.failed)
+        files.succeeded.connect(self.succeeded)
+        files.recent_changed.connect(self.recent_changed)
+        store.path_changed.connect(lambda _path: self.row_changed.emit())
+        store.clean_changed.connect(lambda _clean: self.row_changed.emit())
+        store.changed.connect(self._renamed)
+        store.replaced.connect(lambda: setattr(document, "original", store.value))
+        return document
+
+    def _recovery(self, store: DocumentStore[Paint]) -> Recovery[Paint]:
+        recovery = Recovery(store, self._format, self._autosave_failed, self)
+        recovery.written_again.connect(lambda: self.succeeded.emit("autosave"))
+        return recovery
+
+    def _is_empty(self, document: OpenDocument) -> bool:
+        """Whether nothing would be lost with it: as New makes it, and never changed."""
+        store = document.store
+        untouched = store.is_clean and store.path is None and not store.stack.count()
+        return untouched and store.value == self._format.new()
+
+    def _renamed(self, old: Paint, new: Paint) -> None:
+        if old.name != new.name:
+            self.row_changed.emit()
+
+    def _insert(self, document: OpenDocument) -> None:
+        giving_way = self._front if self._front.may_give_way else None
+        self._row.insert(self._row.index(self._front) + 1, document)
+        self.opened.emit(document)
+        self.show(document)
+        if giving_way is not None:
+            self._remove(giving_way, for_good=True)
+        self.row_changed.emit()
+
+    def _remove(self, document: OpenDocument, *, for_good: bool = False) -> None:
+        place = self._row.index(document)
+        if document is self._front:
+            self.show(self._row[place + 1 if place + 1 < len(self._row) else place - 1])
+        self._row.remove(document)
+        document.store.end_gesture()
+        document.recovery.close(keep=False)
+        if not (for_good or self._is_empty(document)):
+            self._closed = [*self._closed, document][-MOST_CLOSED:]
+        self.closed.emit(document)
+        self.row_changed.emit()
+
+
+def _same_file(known: Path, path: Path) -> bool:
+    try:
+        return known.samefile(path)
+    except OSError:
+        # One of them is not there: then only the names can say it.
+        return known.absolute() == path.absolute()

@@ -1,0 +1,116 @@
+"""The row of tabs over the desk: a paint each, its mark of unsaved work, and the order that the user gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
+
+from brdf_designer.session.state import TabState
+
+MARK = "•"
+"""Before the title of a paint that is not saved."""
+
+
+class DocumentTabs(QTabBar):
+    """Tabs that are clicked, dragged into another order, and closed by their cross or the middle button.
+
+    Signals: ``chosen(place)``, ``close_asked(place)``, ``dragged(before, after)``, ``new_asked()`` on a double
+    click beside them.
+    """
+
+    chosen = Signal(int)
+    close_asked = Signal(int)
+    dragged = Signal(int, int)
+    new_asked = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("document_tabs")
+        self.setAccessibleName(tr("Open paints"))
+        self.setMovable(True)
+        self.setExpanding(False)
+        self.setDocumentMode(True)
+        self.setDrawBase(False)
+        self.setUsesScrollButtons(True)
+        self.setElideMode(Qt.TextElideMode.ElideMiddle)
+        self.setSelectionBehaviorOnRemove(QTabBar.SelectionBehavior.SelectPreviousTab)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._shown: tuple[tuple[TabState, ...], int] = ((), -1)
+        self._filling = False
+        self.currentChanged.connect(self._tell_chosen)
+        self.tabMoved.connect(self._tell_moved)
+
+    def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
+        """Show the tabs; nothing is emitted."""
+        if (tuple(tabs), front) == self._shown:
+            return
+        self._shown = (tuple(tabs), front)
+        self._filling = True
+        try:
+            while self.count() > len(tabs):
+                self.removeTab(self.count() - 1)
+            while self.count() < len(tabs):
+                self._add()
+            for place, tab in enumerate(tabs):
+                self._fill(place, tab)
+            self.setCurrentIndex(front)
+        finally:
+            self._filling = False
+
+    def _add(self) -> None:
+        place = self.addTab("")
+        close = QToolButton()
+        close.setIcon(icon("x"))
+        close.setIconSize(QSize(12, 12))
+        close.setAutoRaise(True)
+        close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        close.clicked.connect(lambda: self.close_asked.emit(self._place_of(close)))
+        self.setTabButton(place, QTabBar.ButtonPosition.RightSide, close)
+
+    def _fill(self, place: int, tab: TabState) -> None:
+        title = tab.title.replace("&", "&&")
+        self.setTabText(place, title if tab.clean else f"{MARK} {title}")
+        where = str(tab.path) if tab.path else tr("Not yet in a file")
+        state = "" if tab.clean else tr("Not saved")
+        self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
+        spoken = tab.title if tab.clean else tr("{title}, not saved").format(title=tab.title)
+        self.setAccessibleTabName(place, spoken)
+        button = self.tabButton(place, QTabBar.ButtonPosition.RightSide)
+        if button is not None:
+            text = tr("Close {title}").format(title=tab.title)
+            button.setToolTip(plain_tip(text))
+            button.setAccessibleName(text)
+
+    def _place_of(self, button: QWidget) -> int:
+        side = QTabBar.ButtonPosition.RightSide
+        return next(place for place in range(self.count()) if self.tabButton(place, side) is button)
+
+    def _tell_chosen(self, place: int) -> None:
+        if not self._filling and place >= 0:
+            self.chosen.emit(place)
+
+    def _tell_moved(self, before: int, after: int) -> None:
+        if not self._filling:
+            tabs, front = list(self._shown[0]), self.currentIndex()
+            tabs.insert(after, tabs.pop(before))
+            self._shown = (tuple(tabs), front)
+            self.dragged.emit(before, after)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        place = self.tabAt(event.position().toPoint())
+        if event.button() == Qt.MouseButton.MiddleButton and place >= 0:
+            self.close_asked.emit(place)
+            return
+        super().mouseReleaseEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.tabAt(event.position().toPoint()) < 0:
+            self.new_asked.emit()
+            return
+        super().mouseDoubleClickEvent(event)

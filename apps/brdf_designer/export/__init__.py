@@ -1,0 +1,1 @@
+"""Export of a paint to other programs."""

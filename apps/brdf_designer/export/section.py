@@ -1,0 +1,110 @@
+"""The section that hands the paint over: which format, what it holds, what it loses, and the button."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+TITLES = {
+    "cxf": mark("CxF3, one specification per angle"),
+    "csv": mark("CSV table, one row per paint"),
+    "json": mark("JSON, with computed values"),
+    "luxcore": mark("LuxCore car paint"),
+    "openpbr": mark("MaterialX, OpenPBR surface"),
+    "gltf": mark("glTF, clearcoat"),
+    "rgl": mark("RGL measured material"),
+    "html": mark("Report, HTML"),
+    "pdf": mark("Report, PDF"),
+}
+REPORTS = ("html", "pdf")
+
+
+class HandoverSection(QWidget):
+    """The body of the section.
+
+    Intents: ``format_chosen(name)``, ``export_asked()``.
+    """
+
+    format_chosen = Signal(str)
+    export_asked = Signal()
+
+    def __init__(self, names: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
+        """``names``: each format's name and ending, in the order of the list."""
+        super().__init__(parent)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        form = Form()
+        self.formats = QuietComboBox()
+        self.formats.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        for name, ending in names:
+            self.formats.addItem(tr(TITLES[name]), name)
+            self.formats.setItemData(self.formats.count() - 1, plain_tip(ending), Qt.ItemDataRole.ToolTipRole)
+        self.formats.activated.connect(lambda _index: self.format_chosen.emit(self.chosen))
+        form.add_row(
+            tr("Format"), self.formats, tr("The kind of file; what it cannot hold of this paint stands below")
+        )
+        box.addWidget(form)
+        self.holds, self.losses = _wrapped(), _wrapped()
+        self.holds.setAccessibleName(tr("What the format holds"))
+        self.losses.setAccessibleName(tr("What the format loses"))
+        self.losses.setTextInteractionFlags(
+            Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
+        )
+        self.pictures = QCheckBox(tr("With pictures"))
+        self.pictures.setToolTip(
+            tr("The speed form in the booth and a sphere in the sun, by the real renderer")
+        )
+        self.pictures.setChecked(True)
+        self.compared = QCheckBox(tr("Against the standard"))
+        self.compared.setToolTip(
+            tr("Differences, words and tolerances of the section Standard go into the report")
+        )
+        self.compared.setChecked(True)
+        self.export = QPushButton(tr("Export…"))
+        self.export.setToolTip(tr("Write the paint as it is now into a file of this format"))
+        self.export.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.export.clicked.connect(lambda _=False: self.export_asked.emit())
+        for widget in (self.holds, self.losses, self.pictures, self.compared, self.export):
+            box.addWidget(widget)
+        self.show_options(self.chosen, has_standard=False)
+
+    @property
+    def chosen(self) -> str:
+        """The name of the format that is chosen."""
+        return str(self.formats.currentData())
+
+    def choose(self, name: str) -> None:
+        """Show a format as chosen, without an intent."""
+        self.formats.setCurrentIndex(max(0, self.formats.findData(name)))
+
+    def show_options(self, name: str, *, has_standard: bool) -> None:
+        """Offer what belongs to a format: pictures and standard to reports alone."""
+        self.pictures.setVisible(name in REPORTS)
+        self.compared.setVisible(name in REPORTS and has_standard)
+
+    def show_format(self, holds: str, losses: Sequence[str] | None, refusal: str = "") -> None:
+        """Show what a format holds and loses; ``None`` while that is found out. A refusal takes the button away."""
+        self.holds.setText(holds)
+        if refusal:
+            text = refusal
+        elif losses is None:
+            text = tr("Finding out what is lost…")
+        elif not losses:
+            text = tr("Nothing is lost.")
+        else:
+            text = "\n".join([tr("Lost:"), *(f"– {loss}" for loss in losses)])
+        self.losses.setText(text)
+        self.export.setEnabled(losses is not None and not refusal)
+
+
+def _wrapped() -> QLabel:
+    label = PlainLabel()
+    label.setWordWrap(True)
+    return label

@@ -1,0 +1,1 @@
+"""The history of a paint as a strip of states."""

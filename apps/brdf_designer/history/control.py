@@ -1,0 +1,97 @@
+"""The history of the paint in front: shown as a strip, gone back to by a click; nothing of it is lost by going back."""
+
+from __future__ import annotations
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, QObject, QPoint
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QMenu
+
+from brdf_designer.history.strip import HistoryState, HistoryStrip
+from brdf_designer.preview.thumbnails import thumbnails_of
+from brdf_designer.session.desk import Desk
+from brdf_designer.window.window import DesignerWindow
+
+_OWNER = "history"
+_SHOWN = "history/shown"
+LOW_WINDOW = 760
+"""Below this height of the window, pixels, the strip gives way to the plots."""
+
+
+class HistoryControl(QObject):
+    """Joins the strip to the desk. Drawn pictures are asked for between gestures, the present state's first."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk = desk
+        self._pictures = thumbnails_of(window)
+        self.strip = HistoryStrip(self._pictures.picture)
+        window.add_history(self.strip)
+        self.action = window.add_command(
+            "view",
+            tr("&History Strip"),
+            "F6",
+            lambda: self._show(self.action.isChecked()),
+            "history_strip",
+            tip=tr("Show or hide the states of this paint"),
+        )
+        self.action.setCheckable(True)
+        self._show(bool(settings().value(_SHOWN, True, type=bool)))
+        self.strip.chosen.connect(desk.go_to)
+        self.strip.menu_asked.connect(self._open_menu)
+        desk.paint_changed.connect(self._later)
+        desk.history_changed.connect(self._later)
+        desk.gesture_ended.connect(self._later)
+        self._pictures.ready.connect(lambda _key, _picture: self.strip.redraw())
+        window.installEventFilter(self)
+        self._later()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every picture in sight is drawn, or none can be."""
+        states = self.strip.states.states
+        drawn = all(self._pictures.is_drawn(state.paint) for state in states)
+        return drawn or bool(self._pictures.problem) or not self.strip.isVisible()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Make the strip low in a low window."""
+        if event.type() == QEvent.Type.Resize and isinstance(event, QResizeEvent):
+            self.strip.set_compact(event.size().height() < LOW_WINDOW)
+        return super().eventFilter(watched, event)
+
+    def refresh(self) -> None:
+        """Show the history as it is now; nothing while the strip is hidden, also where it was asked for before."""
+        if not self.action.isChecked():
+            return
+        store = self._desk.documents.front.store
+        states = [HistoryState(step, paint) for step, paint in store.states()]
+        present = store.stack.index()
+        self.strip.show_states(states, present)
+        if not self._desk.in_gesture:
+            near = sorted(range(len(states)), key=lambda place: abs(place - present))
+            self._pictures.request(_OWNER, [states[place].paint for place in near])
+
+    def _later(self, *_: object) -> None:
+        if self.action.isChecked():
+            self._desk.at_idle(_OWNER, self.refresh)
+
+    def _show(self, on: bool) -> None:
+        self.action.setChecked(on)
+        self.strip.setVisible(on)
+        settings().setValue(_SHOWN, on)
+        self._later()
+
+    def _open_menu(self, place: int, where: QPoint) -> None:
+        menu = self.menu_of(place)
+        menu.exec(where)
+        menu.deleteLater()
+
+    def menu_of(self, place: int) -> QMenu:
+        """Return what can be done with the state at ``place``."""
+        paint = self.strip.states.states[place].paint
+        menu = QMenu(self.strip)
+        menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
+        menu.addAction(tr("&Take It as a New Step"), lambda: self._desk.edit(paint, tr("Take Earlier State")))
+        menu.addAction(tr("&Open It in a New Tab"), lambda: self._desk.open_paint(paint))
+        return menu

@@ -1,0 +1,1 @@
+"""Designs that start from a measurement."""

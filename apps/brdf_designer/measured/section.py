@@ -1,0 +1,115 @@
+"""What was read of a measurement that the design started from, and how well the design stands for it elsewhere."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+
+from brdf_designer.standard.tables import WholeTable
+from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart
+
+ANGLE_SETS = (
+    ("e2194", mark("3 angles: 15, 45, 110°")),
+    ("five", mark("5 angles: 15, 25, 45, 75, 110°")),
+    ("six", mark("6 angles: −15, 15, 25, 45, 75, 110°")),
+)
+
+
+class MeasuredSection(QWidget):
+    """The body of the section.
+
+    Intents: ``again_asked(name)`` with a geometry set's name, ``standard_asked`` to judge against the original.
+    """
+
+    again_asked = Signal(str)
+    standard_asked = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        self.origin, self.gloss, self.summary, self.notices = (_wrapped() for _ in range(4))
+        form = Form()
+        self.angles = QuietComboBox()
+        for name, title in ANGLE_SETS:
+            self.angles.addItem(tr(title), name)
+        self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.angles.activated.connect(lambda _index: self.again_asked.emit(str(self.angles.currentData())))
+        form.add_row(
+            tr("Read at"), self.angles, tr("The angles of the design; another set reads the original again")
+        )
+        headings = (tr("Angle"), *(tr("light {angle:g}°").format(angle=one) for one in HELD_OUT_LIGHTS_DEG))
+        self.table = WholeTable(tr("ΔE00 between the design and the original"), headings)
+        self.table.setToolTip(
+            tr("ΔE00 between the design and the original at angles that it was not made from")
+        )
+        self.standard = QPushButton(tr("Original as Standard"))
+        self.standard.setToolTip(tr("Judge the design against what was measured, at every angle"))
+        self.standard.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.standard.clicked.connect(lambda _=False: self.standard_asked.emit())
+        row = QHBoxLayout()
+        row.addWidget(self.standard)
+        for widget in (self.origin, form, self.gloss, self.summary, self.table):
+            box.addWidget(widget)
+        box.addLayout(row)
+        box.addWidget(self.notices)
+
+    def show_start(self, start: MeasuredStart) -> None:
+        """Show what was read, and the differences at angles that were not."""
+        self.origin.setText(start.paint.source)
+        self.angles.setCurrentIndex(self.angles.findData(start.geometry_set.name))
+        self.gloss.setText(_gloss(start))
+        self.summary.setText(_summary(start))
+        angles = sorted({row.aspecular_deg for row in start.held_out})
+        known = {(row.illumination_deg, row.aspecular_deg): row.delta_e_2000 for row in start.held_out}
+        self.table.set_row_count(len(angles))
+        for number, angle in enumerate(angles):
+            self.table.set_text(number, 0, f"{angle:g}°")
+            for column, light in enumerate(HELD_OUT_LIGHTS_DEG, 1):
+                value = known.get((light, angle))
+                self.table.set_text(number, column, "–" if value is None else f"{value:.1f}")
+        self.table.setVisible(bool(angles))
+        self.notices.setText("\n".join(start.notices))
+
+
+def _gloss(start: MeasuredStart) -> str:
+    readings = start.gloss.readings
+    if not readings:
+        return tr("Glossmeter: no reading; {gloss:g} GU at 20° is set, not measured").format(
+            gloss=start.paint.gloss.gu_20
+        )
+    read = ", ".join(f"{value:.1f} GU {angle}°" for angle, value in readings.items())
+    if start.gloss_used:
+        return tr("Glossmeter: {readings}").format(readings=read)
+    return tr("Glossmeter: {readings}; {gloss:g} GU at 20° is set instead").format(
+        readings=read, gloss=start.paint.gloss.gu_20
+    )
+
+
+def _summary(start: MeasuredStart) -> str:
+    worst, mean = start.worst, start.mean_delta_e
+    if worst is None or mean is None:
+        return tr("The design cannot be compared with the original yet: no such paint can be built.")
+    return tr(
+        "ΔE00 to the original at {count} angles that were not used: mean {mean:.1f}, at most {worst:.1f} "
+        "({angle:g}°, light {light:g}°)"
+    ).format(
+        count=len(start.held_out),
+        mean=mean,
+        worst=worst.delta_e_2000,
+        angle=worst.aspecular_deg,
+        light=worst.illumination_deg,
+    )
+
+
+def _wrapped() -> QLabel:
+    label = PlainLabel()
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    label.setMinimumWidth(80)
+    return label

@@ -1,0 +1,106 @@
+"""The small picture beside the plot, with its light; where nothing can be drawn it says so in its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from brdf_designer.preview.scene import LIGHTS
+from brdf_designer.window.caption import Caption
+
+if TYPE_CHECKING:
+    from brdf_qt.gl.surface import GlSurface
+
+_LIGHT_NAMES = {"booth": mark("Light booth"), "sunny": mark("Sunny"), "overcast": mark("Overcast")}
+_TIP = mark(
+    "The paint on the speed form, drawn by the same renderer as in Viewer. Drag to orbit, wheel to zoom, Alt drag "
+    "(or right drag) to turn the light, F to frame."
+)
+_NO_GL_PLATFORMS = ("offscreen", "minimal", "linuxfb", "vnc")
+
+
+def can_draw() -> bool:
+    """Whether this Qt platform can show OpenGL in a widget at all; whether the driver can is found out by trying."""
+    return QGuiApplication.platformName() not in _NO_GL_PLATFORMS
+
+
+class PreviewPanel(QWidget):
+    """Caption, choice of light and picture; ``light_chosen(name)`` where another light is wanted.
+
+    ``make_surface`` makes the widget that draws; where the platform has no OpenGL it is not asked, and a text stands
+    in the picture's place.
+    """
+
+    light_chosen = Signal(str)
+
+    def __init__(self, make_surface: Callable[[], GlSurface], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("preview")
+        self.setMinimumSize(180, 120)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.caption = Caption("")
+        self.light = QuietComboBox()
+        self.light.setAccessibleName(tr("Light of the small picture"))
+        self.light.setToolTip(tr("The light in which the small picture shows the paint"))
+        for name in LIGHTS:
+            self.light.addItem(tr(_LIGHT_NAMES[name]), name)
+        # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
+        self.light.setFixedHeight(self.fontMetrics().height() + 4)
+        self.light.activated.connect(lambda row: self.light_chosen.emit(self.light.itemData(row)))
+        head = QHBoxLayout()
+        head.setSpacing(8)
+        head.addWidget(self.caption, 1)
+        head.addWidget(self.light)
+        self._box = QVBoxLayout(self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(4)
+        self._box.addLayout(head)
+        self.surface: GlSurface | None = None
+        self.notice: QLabel | None = None
+        if can_draw():
+            self.surface = make_surface()
+            self.surface.setAccessibleName(tr("The paint on the speed form"))
+            self.surface.setToolTip(tr(_TIP))
+            self._box.addWidget(self.surface, 1)
+        else:
+            self._say_why_not()
+        self.show_state(stale=False)
+
+    def show_light(self, name: str) -> None:
+        """Show which light is chosen; nothing is emitted."""
+        self.light.setCurrentIndex(self.light.findData(name))
+
+    def show_state(self, *, stale: bool) -> None:
+        """Say whether the picture is of the paint as it is now."""
+        if stale:
+            self.caption.set_forms(
+                tr("Speed form: of the last paint that can be"), tr("Speed form (earlier)")
+            )
+        else:
+            self.caption.set_forms(tr("On the speed form"), tr("Speed form"))
+
+    def grey(self) -> tuple[float, float, float]:
+        """Return the surround, for the picture while there is nothing to draw."""
+        level = self.palette().window().color().redF()
+        return (level, level, level)
+
+    def _say_why_not(self) -> None:
+        text = tr(
+            "No picture here: this screen has no OpenGL. The numbers, patches and curves are complete; Viewer on "
+            "another computer can show the paint by its file."
+        )
+        self.notice = PlainLabel(text)
+        self.notice.setWordWrap(True)
+        self.notice.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.notice.setFrameShape(QFrame.Shape.StyledPanel)
+        self.notice.setMargin(16)
+        self.notice.setAccessibleName(text)
+        self.light.setEnabled(False)
+        self._box.addWidget(self.notice, 1)

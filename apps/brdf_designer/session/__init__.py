@@ -1,0 +1,1 @@
+"""The paint in front, its edits, and the state that is shown."""

@@ -1,0 +1,276 @@
+"""The paint in front, for every part of the desk: read it, edit it by named steps, hear of what became of it.
+
+A section is a widget (intents out, setters in) and a control that joins it to the :class:`Desk`. No section knows
+which tab is in front, or another section.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, Protocol
+
+from brdf_qt.link.messages import BadMessageError
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message
+from brdf_qt.work.exact_fit import ExactFit
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from brdf_designer.documents.tabs import Documents, OpenDocument
+from brdf_designer.session.idle import IdleWork
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import paint_to_json
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.lobe_fit import LobeFit
+
+
+class Messages(Protocol):
+    """Where messages are shown: the window."""
+
+    def show_message(self, message: Message) -> None:
+        """Show a message in the window."""
+
+    def dismiss_message(self, key: str) -> None:
+        """Take a message away."""
+
+
+class Fitter(Protocol):
+    """What turns a paint into weights: :class:`brdf_suite.pipeline.lobe_fit.PaintFitter`."""
+
+    def fit(self, paint: Paint) -> LobeFit:
+        """Return the fit, or raise :class:`UnreachableError`."""
+
+
+class Desk(QObject):
+    """The document in front, whichever tab it is.
+
+    Signals
+    -------
+    paint_changed(Paint)
+        The paint is another: by an edit, undo, redo, or because another document is in front.
+    fit_changed(LobeFit)
+        Reflectance and weights of it; once more where the exact fit follows a time-limited one.
+    refused(SuiteError)
+        No reflectance or fit can be had of the paint; ``fit`` is ``None``.
+    document_switched()
+        Another document is in front, or another value was put in its place; comes before ``paint_changed``.
+    document_closed(int)
+        The document of that ``document_key`` was closed: what was kept for it can go (it comes back with the
+        same key where its tab is had back).
+    history_changed()
+        Undo or Redo would do something else than before.
+    gesture_ended()
+        A run of edits that is one step is over.
+    """
+
+    paint_changed = Signal(object)
+    fit_changed = Signal(object)
+    refused = Signal(object)
+    document_switched = Signal()
+    document_closed = Signal(int)
+    history_changed = Signal()
+    gesture_ended = Signal()
+
+    def __init__(
+        self,
+        documents: Documents,
+        fitter: Fitter,
+        publish: Callable[[str, dict[str, Any]], None],
+        messages: Messages,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.documents = documents
+        self._fitter, self._publish, self._messages = fitter, publish, messages
+        self._idle = IdleWork(self)
+        self._fit: LobeFit | None = None
+        self._gesture: str | None = None
+        self._told_history: tuple[str, str, bool, bool] | None = None
+        self._reachable = documents.front.store.value
+        self._exact = ExactFit(self)
+        self._exact.arrived.connect(self._take_exact)
+        # The same fit again: it no longer says that an exact one follows.
+        self._exact.failed.connect(lambda fit, _error: self._take_exact(fit))
+        # Several changes in one turn of the event loop are told to the other programs once, the newest.
+        self._publishing = QTimer(self)
+        self._publishing.setSingleShot(True)
+        self._publishing.setInterval(0)
+        self._publishing.timeout.connect(self._publish_now)
+        self._watched: set[int] = set()
+        for document in documents.row:
+            self._watch(document)
+        documents.opened.connect(self._watch)
+        documents.closed.connect(lambda document: self.document_closed.emit(document.key))
+        documents.front_changed.connect(self._switched)
+
+    # What is in front.
+
+    @property
+    def paint(self) -> Paint:
+        """The paint as it is now."""
+        return self.documents.front.store.value
+
+    @property
+    def original(self) -> Paint:
+        """The paint as it was when its tab was opened: what a double click on a number goes back to."""
+        return self.documents.front.original
+
+    @property
+    def fit(self) -> LobeFit | None:
+        """The newest fit of it; ``None`` while no such paint can be."""
+        return self._fit
+
+    @property
+    def title(self) -> str:
+        """What its tab is called."""
+        return self.documents.front.title
+
+    @property
+    def document_key(self) -> int:
+        """A number of the document's own, to keep something for it beside the paint."""
+        return self.documents.front.key
+
+    @property
+    def in_gesture(self) -> bool:
+        """Whether a gesture runs."""
+        return self._gesture is not None
+
+    # Editing.
+
+    def edit(self, paint: Paint, step: str) -> None:
+        """Make ``paint`` the document, undone as ``step``; nothing where it is the same already.
+
+        Part of the running gesture where ``step`` is its name; the edit of anything else ends that gesture first.
+        """
+        if self._gesture is not None and self._gesture != step:
+            self.end_gesture()
+        self.documents.front.store.set(paint, step)
+
+    def begin_gesture(self, step: str) -> None:
+        """Merge the edits that follow into one step of that name, until :meth:`end_gesture`."""
+        self.end_gesture()
+        self._gesture = step
+        self.documents.front.store.begin_gesture(step)
+
+    def end_gesture(self) -> None:
+        """End the gesture; nothing where none runs."""
+        self.documents.front.store.end_gesture()
+        if self._gesture is not None:
+            self._gesture = None
+            self.gesture_ended.emit()
+
+    def undo(self) -> None:
+        """Take the newest step back."""
+        self.end_gesture()
+        self.documents.front.store.undo()
+
+    def redo(self) -> None:
+        """Do again what was taken back last."""
+        self.end_gesture()
+        self.documents.front.store.redo()
+
+    def go_to(self, place: int) -> None:
+        """Go to a state of the history by its place in :meth:`DocumentStore.states`; nothing of it is lost."""
+        self.end_gesture()
+        self.documents.front.store.go_to(place)
+
+    def open_paint(self, paint: Paint, title: str = "", *, clean: bool = False) -> None:
+        """Open ``paint`` in a tab of its own, in front, without a file; ``title`` becomes its name.
+
+        It is unsaved work, which closing asks about, unless ``clean`` says that it can be had again.
+        """
+        self.end_gesture()
+        self.documents.add(replace(paint, name=title) if title else paint, clean=clean)
+
+    # Telling.
+
+    def show_message(self, message: Message) -> None:
+        """Show a message in the window."""
+        self._messages.show_message(message)
+
+    def dismiss_message(self, key: str) -> None:
+        """Take a message away."""
+        self._messages.dismiss_message(key)
+
+    def at_idle(self, key: str, work: Callable[[], None]) -> None:
+        """Do slow ``work`` (some milliseconds) once the edits pause; see :class:`IdleWork`.
+
+        What takes longer than a frame belongs on a thread (:class:`brdf_qt.work.tasks.TaskRunner`), submitted from
+        here.
+        """
+        self._idle.ask(key, work)
+
+    @property
+    def is_quiet(self) -> bool:
+        """Whether all work that was asked for at idle is done."""
+        return not self._idle.waiting
+
+    def refresh(self) -> None:
+        """Tell everything of the paint anew, and the other programs."""
+        paint = self.paint
+        self.paint_changed.emit(paint)
+        if paint is not self.paint:
+            # Who heard of it has changed it: what follows was told of the newer one.
+            return
+        try:
+            fit = self._fitter.fit(paint)
+        except SuiteError as error:
+            self._fit = None
+            self._exact.forget()
+            self.refused.emit(error)
+        else:
+            self._fit = fit
+            self._exact.watch(fit)
+            self._reachable = paint
+            self.fit_changed.emit(fit)
+            self._publishing.start()
+
+    def _take_exact(self, fit: LobeFit) -> None:
+        # The other programs fit the paint themselves.
+        self._fit = fit
+        self.fit_changed.emit(fit)
+
+    def _watch(self, document: OpenDocument) -> None:
+        if document.key in self._watched:
+            return  # it was closed and had back
+        self._watched.add(document.key)
+        store = document.store
+        store.changed.connect(lambda _old, _new: self._changed(document))
+        store.replaced.connect(lambda: self._replaced(document))
+        store.history_changed.connect(lambda: self._history_changed(document))
+
+    def _changed(self, document: OpenDocument) -> None:
+        if document is self.documents.front:
+            self.refresh()
+
+    def _history_changed(self, document: OpenDocument) -> None:
+        if document is not self.documents.front:
+            return
+        # The stack tells of every push by four signals, also where a drag goes on and nothing reads otherwise.
+        stack = document.store.stack
+        told = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
+        if told != self._told_history:
+            self._told_history = told
+            self.history_changed.emit()
+
+    def _replaced(self, document: OpenDocument) -> None:
+        if document is self.documents.front:
+            self._switched()
+
+    def _switched(self) -> None:
+        self._gesture = None
+        self._told_history = None
+        self.document_switched.emit()
+        self.refresh()
+        self.history_changed.emit()
+
+    def _publish_now(self) -> None:
+        try:
+            self._publish("paint", paint_to_json(self._reachable))
+        except BadMessageError as error:
+            what = tr("The paint cannot be told to the other programs: {reason}.").format(reason=error)
+            self.show_message(
+                Message("link", what, todo=tr("They keep the paint before."), severity="warning")
+            )
+        else:
+            self.dismiss_message("link")

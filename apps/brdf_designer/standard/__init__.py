@@ -1,0 +1,1 @@
+"""A standard and the differences from it."""

@@ -1,0 +1,382 @@
+"""Joins the standard to the desk: one for each document, judged again at every edit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.program.translation import moment, tr
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject
+
+from brdf_designer.measured.endings import standard_patterns
+from brdf_designer.session.desk import Desk
+from brdf_designer.standard.keeping import StandardKeeping
+from brdf_designer.standard.kept import Kept, Request, Swap, load_request
+from brdf_designer.standard.memory import Record
+from brdf_designer.standard.section import StandardSection
+from brdf_designer.standard.settings import ToleranceSettings, load, save
+from brdf_designer.standard.state import state_of, verdict_word
+from brdf_designer.standard.words import say
+from brdf_designer.window.window import DesignerWindow
+from brdf_suite.appearance.difference.tolerance import Tolerances
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import SuiteError
+from brdf_suite.paint_design.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
+from brdf_suite.pipeline.material import paint_names
+
+KEY = "standard"
+_BATCHES = "standard batches"
+MOST_BATCHES = 200
+_TAB, _SHIPPED = "tab ", "shipped "
+
+
+class StandardControl(QObject):
+    """The standards of all documents; the one in front is shown, in its section and in the patches."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self._kept: dict[int, Kept] = {}
+        self._settings = load()
+        self._tasks = TaskRunner(self)
+        self._shown = False
+        self.section = StandardSection()
+        self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
+        self._add_commands()
+        section = self.section
+        section.take_asked.connect(self.take_present)
+        section.load_asked.connect(self.ask_standard)
+        section.known_wanted.connect(self._show_known)
+        section.known_asked.connect(self.load_known)
+        section.swap_asked.connect(self.swap)
+        section.remove_asked.connect(self.remove)
+        section.chosen.connect(self.choose)
+        section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
+        section.limit_edited.connect(self._set_limit)
+        section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
+        section.add_batches_asked.connect(self._ask_batch)
+        section.clear_batches_asked.connect(self._clear_batches)
+        section.batch_opened.connect(self._open_batch)
+        section.refused.connect(lambda text: desk.show_message(Message(KEY, text, severity="warning")))
+        section.batch_section.toggled.connect(lambda _on: self._batches_later())
+        self.host.toggled.connect(lambda _on: self.refresh())
+        desk.paint_changed.connect(self._paint_changed)
+        desk.document_switched.connect(self._switched)
+        desk.documents.row_changed.connect(self._batches_later)
+        self._keeping = StandardKeeping(desk, self, self)
+        self._switched()
+
+    # What the user asks for.
+
+    @property
+    def standard(self) -> Standard | None:
+        """The standard of the document in front."""
+        return self._of_front.standard
+
+    @property
+    def tolerances(self) -> Tolerances:
+        """The user's formula and tolerances, as the core takes them."""
+        return self._settings.tolerances()
+
+    def take_present(self) -> None:
+        """Take the paint as it is now as the standard."""
+        time = moment(datetime.now())
+        self.set_standards([standard_of(self._desk.paint, tr("State of {time}").format(time=time))])
+
+    def ask_standard(self) -> None:
+        """Ask for a file and load it."""
+        path = self._ask_path()
+        if path is not None:
+            self.load(path)
+
+    def load(self, name_or_path: str | Path) -> None:
+        """Load the standards in a file, or a shipped paint, beside the desk."""
+        path = Path(name_or_path)
+        source = str(path.absolute()) if path.is_file() else ""
+        self._read(KEY, name_or_path, lambda found: self.set_standards(found, source=source))
+
+    def load_known(self, key: str) -> None:
+        """Take an open tab's paint as it is now, or a shipped one, by its key in the menu of Load."""
+        if key.startswith(_SHIPPED):
+            self.load(key.removeprefix(_SHIPPED))
+            return
+        found = [one for one in self._desk.documents.row if f"{_TAB}{one.key}" == key]
+        if found:
+            self.set_standards([standard_of(found[0].store.value, found[0].title)])
+
+    def _show_known(self) -> None:
+        documents = self._desk.documents
+        tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
+        shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
+        self.section.show_known(tabs, shipped)
+
+    def set_standards(self, standards: Sequence[Standard], chosen: int = 0, source: str = "") -> None:
+        """Give the document in front these standards to choose from; ``source`` is the file that has them."""
+        kept = self._of_front
+        kept.standards, kept.chosen, kept.source, kept.awaited = tuple(standards), chosen, source, None
+        # What is opened next may not take the place of a tab that has a standard.
+        self._desk.documents.front.pristine = False
+        self._show_choices()
+        self.host.set_open(True)
+        self.refresh()
+        self._note()
+
+    def choose(self, index: int) -> None:
+        """Judge against another standard of the same file."""
+        self._of_front.chosen = index
+        self.refresh()
+        self._note()
+
+    def remove(self) -> None:
+        """Judge against nothing."""
+        self._of_front.standards = ()
+        self._of_front.awaited = None
+        self.refresh()
+        self._note()
+
+    def swap(self) -> None:
+        """Edit the standard, and judge it against what was edited; one step, which undo takes back whole."""
+        kept, paint = self._of_front, self._desk.paint
+        standard = kept.standard
+        if standard is None:
+            return
+        try:
+            after = paint_like(standard, paint)
+        except SuiteError as error:
+            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was swapped.")))
+            return
+        turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
+        kept.swaps.append(Swap(paint, standard, after, turned))
+        self._turn(turned)
+        if after == paint:
+            self.refresh()
+        self._desk.edit(after, tr("Swap with Standard"))
+
+    # Showing.
+
+    def refresh(self) -> None:
+        """Judge and show; called at every edit, so it does no more than is seen."""
+        standard, paint = self.standard, self._desk.paint
+        for action in (self.swap_action, self.remove_action):
+            action.setEnabled(standard is not None)
+        if standard is None:
+            if self._shown:
+                self._window.patches.show_standard(None)
+                self._shown = False
+            self.section.show_state(None)
+            return
+        report = self.report(paint, standard)
+        state = state_of(standard, paint, report)
+        self._window.patches.show_standard(state.patches)
+        self._shown = True
+        if self.host.is_open:
+            self.section.show_state(state)
+            self._show_angles(paint)
+        self._batches_later()
+
+    def report(self, paint: Paint, standard: Standard) -> BatchReport:
+        """Return how a paint does against a standard, by the user's formula and tolerances."""
+        return judge_batch(standard, paint, self._settings.tolerances())
+
+    def batches(self) -> list[Paint]:
+        """Return what the table judges: every open tab, the one in front first, then what was added."""
+        documents = self._desk.documents
+        others = [one.store.value for one in documents.row if one is not documents.front]
+        return [self._desk.paint, *others, *self._of_front.batches]
+
+    @property
+    def _of_front(self) -> Kept:
+        return self._kept.setdefault(self._desk.document_key, Kept())
+
+    def _switched(self) -> None:
+        self._angles: list[float] | None = None
+        self._show_choices()
+        self.refresh()
+        self._read_again()
+
+    def _paint_changed(self, paint: Paint) -> None:
+        kept = self._of_front
+        for swap in kept.swaps:
+            # The very objects: what undo and redo put back, and no edit that only looks the same.
+            if paint is swap.paint_before and kept.standard is swap.standard_after:
+                self._turn(swap.standard_before)
+                break
+            if paint is swap.paint_after and kept.standard is swap.standard_before:
+                self._turn(swap.standard_after)
+                break
+        self.refresh()
+
+    def _turn(self, standard: Standard) -> None:
+        kept = self._of_front
+        kept.standards, kept.chosen, kept.source = (standard,), 0, ""
+        self._show_choices()
+        self._note()
+
+    # From run to run.
+
+    def record(self, key: int) -> Record | None:
+        """Return the standard of a document, to be kept for the next run."""
+        return self._kept[key].record() if key in self._kept else None
+
+    def restore(self, key: int, record: Record) -> None:
+        """Give a document the standard that was kept for it; the rest of its file is read where it comes in front."""
+        self._kept[key] = Kept((record.standard,), 0, record.source, record if record.source else None)
+
+    def _read_again(self) -> None:
+        """Read the file of a standard that was kept: what else is in it, and a reflectance that was measured."""
+        key, kept = self._desk.document_key, self._of_front
+        record = kept.awaited
+        if record is None:
+            return
+
+        def take(found: tuple[Standard, ...]) -> None:
+            if kept.awaited is not record:
+                return
+            kept.awaited = None
+            if record.is_of(found):
+                kept.standards, kept.chosen = found, record.chosen
+            else:
+                kept.source = ""
+                self._tell_kept(tr("{file} has changed.").format(file=record.source))
+            if key == self._desk.document_key:
+                self._show_choices()
+                self.refresh()
+
+        def failed(_error: Exception) -> None:
+            if kept.awaited is record:
+                kept.awaited = None
+                self._tell_kept(tr("{file} can no longer be read.").format(file=record.source))
+
+        self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
+
+    def _tell_kept(self, what: str) -> None:
+        todo = tr("The standard stays as it was; load the file again to take what it has now.")
+        self._desk.show_message(Message(KEY, what, todo=todo))
+
+    def _note(self) -> None:
+        self._keeping.note(self._desk.documents.front)
+
+    def _show_choices(self) -> None:
+        kept = self._of_front
+        self.section.show_choices([_title(one) for one in kept.standards], kept.chosen)
+
+    def _show_angles(self, paint: Paint) -> None:
+        angles = sorted({m.aspecular_deg for m in paint.measurements})
+        if angles != self._angles:
+            self._angles = angles
+            self.section.show_settings(angles, self._settings)
+
+    def _show_batches(self) -> None:
+        standard = self.standard
+        if standard is None or not (self.host.is_open and self.section.batch_section.is_open):
+            return
+        rows = []
+        for paint in self.batches():
+            report = self.report(paint, standard)
+            numbers = [_number(report.largest), _number(report.mean)]
+            word = verdict_word(report.passes)
+            cells = (paint.name, *numbers, word)
+            rows.append((cells, report.passes is False, report.sentence(say)))
+        self.section.batches.show_batches(rows)
+        self.section.clear_batches.setEnabled(bool(self._of_front.batches))
+
+    def _batches_later(self) -> None:
+        if self.host.is_open and self.section.batch_section.is_open:
+            self._desk.at_idle(_BATCHES, self._show_batches)
+
+    # Formula and tolerances.
+
+    def _set_limit(self, angle: float | None, part: str, value: float | None) -> None:
+        self._judge_by(self._settings.with_limit(angle, part, value))
+
+    def _judge_by(self, chosen: ToleranceSettings) -> None:
+        self._settings = chosen
+        save(chosen)
+        self._angles = None
+        self.refresh()
+
+    # Files.
+
+    def _ask_path(self) -> Path | None:
+        present = self._desk.documents.front.store.path
+        folder = present.parent if present is not None else Path.home()
+        named = tr("Standards ({patterns})").format(patterns=standard_patterns())
+        filters = ";;".join((named, tr("All files (*)")))
+        return self._desk.documents.dialogs.open_path(folder, filters)
+
+    def _ask_batch(self) -> None:
+        path = self._ask_path()
+        if path is not None:
+            self.add_batches(path)
+
+    def add_batches(self, path: str | Path) -> None:
+        """Judge every paint in a file against the standard too."""
+        self._read(_BATCHES, path, self._take_batches)
+
+    def _take_batches(self, found: Sequence[Standard]) -> None:
+        kept = self._of_front
+        refused: list[str] = []
+        paints = []
+        for one in found:
+            try:
+                paints.append(paint_like(one, self._desk.paint))
+            except SuiteError as error:
+                refused.append(str(error))
+        kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
+        if refused:
+            what = tr("Some paints cannot be judged: {reasons}").format(reasons=" ".join(refused[:3]))
+            self._desk.show_message(Message(_BATCHES, what, severity="warning"))
+        self.section.batch_section.set_open(True)
+        self._show_batches()
+
+    def _clear_batches(self) -> None:
+        self._of_front.batches = ()
+        self._show_batches()
+
+    def _open_batch(self, index: int) -> None:
+        documents = self._desk.documents
+        others = [one for one in documents.row if one is not documents.front]
+        if 1 <= index <= len(others):
+            documents.show(others[index - 1])
+        elif index > len(others):
+            self._desk.open_paint(self._of_front.batches[index - 1 - len(others)], clean=True)
+
+    def _read(self, key: str, name_or_path: str | Path, done: Any) -> None:
+        front = self._desk.document_key
+
+        def take(found: tuple[Standard, ...]) -> None:
+            self._desk.dismiss_message(key)
+            if front == self._desk.document_key:
+                done(found)
+
+        self._tasks.submit(
+            key,
+            load_request,
+            self._request(str(name_or_path)),
+            take,
+            lambda error: self._desk.show_message(message_of(error, key)),
+        )
+
+    def _request(self, name_or_path: str) -> Request:
+        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._desk.paint.measurements)
+        return Request(name_or_path, pairs)
+
+    def _add_commands(self) -> None:
+        add = self._window.add_command
+        add("paint", tr("Use This State as &Standard"), "Ctrl+Shift+D", self.take_present, "take_standard")
+        add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
+        self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
+        self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
+
+
+def _title(standard: Standard) -> str:
+    return f"{standard.name}  ({standard.origin})" if standard.origin else standard.name
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.2f}"

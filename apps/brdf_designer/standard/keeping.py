@@ -1,0 +1,74 @@
+"""Keeps the standard of every open paint: with the file it is in, and with the autosave of what no file has yet."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from brdf_qt.window.message_bar import message_of
+from PySide6.QtCore import QObject
+
+from brdf_designer.documents.tabs import OpenDocument
+from brdf_designer.session.desk import Desk
+from brdf_designer.standard.memory import Record, keep, kept, record_from_json
+from brdf_suite.errors import FileError
+
+_KEY = "standard kept"
+
+
+class Holder(Protocol):
+    """Who has the standards: :class:`brdf_designer.standard.control.StandardControl`."""
+
+    def record(self, key: int) -> Record | None:
+        """Return the standard of a document, to be kept."""
+
+    def restore(self, key: int, record: Record) -> None:
+        """Give a document the standard that was kept for it."""
+
+
+class StandardKeeping(QObject):
+    """Gives documents that are opened the standard that they had, and keeps what becomes of it."""
+
+    def __init__(self, desk: Desk, holder: Holder, parent: QObject) -> None:
+        super().__init__(parent)
+        self._desk, self._holder = desk, holder
+        self._known: set[int] = set()
+        for document in desk.documents.row:
+            self._take(document)
+        desk.documents.opened.connect(self._take)
+
+    def note(self, document: OpenDocument) -> None:
+        """The standard of a document is another: keep it."""
+        document.recovery.note()
+        path = document.store.path
+        if path is None:
+            return
+        try:
+            keep(path, self._holder.record(document.key))
+        except OSError as error:
+            reason = f"its standard cannot be kept for the next start ({error.strerror})"
+            self._desk.show_message(message_of(FileError(path, reason), _KEY))
+        else:
+            self._desk.dismiss_message(_KEY)
+
+    def _take(self, document: OpenDocument) -> None:
+        document.recovery.beside = self._told(document.key)
+        if document.key in self._known:
+            # It was closed and had back, with an autosave that is new.
+            document.recovery.note()
+            return
+        self._known.add(document.key)
+        document.store.path_changed.connect(lambda _path: self.note(document))
+        record = record_from_json(document.beside)
+        if record is None and document.beside is None and document.store.path is not None:
+            record = kept(document.store.path)
+        if record is not None:
+            self._holder.restore(document.key, record)
+            document.recovery.note()
+
+    def _told(self, key: int) -> Callable[[], object]:
+        def told() -> object:
+            record = self._holder.record(key)
+            return None if record is None else record.to_json()
+
+        return told

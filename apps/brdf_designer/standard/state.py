@@ -1,0 +1,183 @@
+"""What the desk shows of a comparison with a standard, worked out at once as frozen values; widgets only draw it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from brdf_qt.program.translation import mark, tr
+
+from brdf_designer.colour.display import lab_to_codes
+from brdf_designer.session.fields import by_angle
+from brdf_designer.standard.patch import StandardPatch
+from brdf_designer.standard.words import say
+from brdf_suite.appearance.difference.tolerance import difference_title
+from brdf_suite.appearance.difference.words import words_text
+from brdf_suite.documents.paint import Paint
+from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard
+
+LIMIT_NAMES = {
+    "difference": "ΔE",
+    "lightness": "ΔL*",
+    "chroma": "ΔC*",
+    "hue": "ΔH*",
+    "ellipsoid": mark("ellipsoid"),
+}
+
+
+_COLUMNS = {
+    "difference": (1,),
+    "lightness": (2,),
+    "chroma": (3,),
+    "hue": (4,),
+    "ellipsoid": (2, 3, 4),
+}
+"""Where in a line of the table the parts stand."""
+
+
+@dataclass(frozen=True)
+class ResultRow:
+    """One line of the table: texts of angle, ΔE, ΔL*, ΔC*, ΔH* and verdict; ``bold`` are what fails in it."""
+
+    cells: tuple[str, str, str, str, str, str]
+    bold: frozenset[int]
+    tip: str
+
+
+@dataclass(frozen=True)
+class StandardState:
+    """A comparison as the desk shows it; ``patches`` and ``rows`` in the order of the patches."""
+
+    name: str
+    origin: str
+    title: str
+    verdict: str
+    passes: bool | None
+    sentence: str
+    more: str
+    patches: tuple[StandardPatch, ...]
+    rows: tuple[ResultRow, ...]
+    notices: tuple[str, ...]
+
+
+def state_of(standard: Standard, paint: Paint, report: BatchReport) -> StandardState:
+    """Return what is shown of ``paint`` against ``standard``."""
+    title = difference_title(report.difference)
+    order = by_angle(paint)
+    rows = [report.rows[index] for index in order]
+    return StandardState(
+        name=standard.name,
+        origin=standard.origin,
+        title=title,
+        verdict=_verdict(report, title),
+        passes=report.passes,
+        sentence=report.sentence(say),
+        more=_more(report),
+        patches=_patches(rows, title),
+        rows=tuple(_row(row) for row in rows),
+        notices=standard.notices,
+    )
+
+
+def verdict_word(passes: bool | None) -> str:
+    """Return the word of a verdict."""
+    if passes is None:
+        return tr("not judged")
+    return tr("pass") if passes else tr("FAIL")
+
+
+def signed(value: float, decimals: int = 2) -> str:
+    """Return a difference with its sign, a true minus, and no sign where it rounds to nothing."""
+    text = f"{value:+.{decimals}f}"
+    return text[1:] if float(text) == 0.0 else text.replace("-", "−")
+
+
+def _verdict(report: BatchReport, title: str) -> str:
+    largest, mean = report.largest, report.mean
+    if largest is None or mean is None:
+        return tr("Nothing to compare: no angle in common")
+    return tr("{verdict}: {difference} up to {largest:.2f}, mean {mean:.2f}").format(
+        verdict=verdict_word(report.passes), difference=title, largest=largest, mean=mean
+    )
+
+
+def _more(report: BatchReport) -> str:
+    parts = []
+    if report.flop is not None:
+        parts.append(
+            tr("flop index {standard:.1f} → {batch:.1f}").format(
+                standard=report.flop[0], batch=report.flop[1]
+            )
+        )
+    parts += [
+        tr("gloss {angle}° {change} GU").format(angle=angle, change=signed(value, 1))
+        for angle, value in report.gloss.items()
+        if abs(value) >= 0.05
+    ]
+    return "   ".join(parts)
+
+
+def _patches(rows: list[AngleRow], title: str) -> tuple[StandardPatch, ...]:
+    known = [row.standard for row in rows if row.standard is not None]
+    codes, inside = lab_to_codes(known) if known else ([], [])
+    colours = iter(zip(codes, inside, strict=True))
+    found = []
+    for row in rows:
+        verdict = row.verdict
+        if verdict is None:
+            text = tr("standard: no reading")
+            found.append(StandardPatch(None, True, (text, "–"), ("",), None, text))
+            continue
+        code, in_gamut = next(colours)
+        value = f"{title} {verdict.difference:.2f}"
+        word = "" if verdict.passes is None else verdict_word(verdict.passes)
+        words = words_text(row.words, say)
+        first = row.words[0].text(say) if row.words else words
+        found.append(
+            StandardPatch(
+                (int(code[0]), int(code[1]), int(code[2])),
+                bool(in_gamut),
+                (f"{value}  {word}".rstrip(), f"{verdict.difference:.2f} {word}".rstrip()),
+                (words, first) if first != words else (words,),
+                verdict.passes,
+                _tip(row, words),
+            )
+        )
+    return tuple(found)
+
+
+def _row(row: AngleRow) -> ResultRow:
+    verdict = row.verdict
+    if verdict is None:
+        return ResultRow(
+            (row.angle, "–", "–", "–", "–", ""), frozenset(), tr("The standard has no reading here.")
+        )
+    word = "" if verdict.passes is None else verdict_word(verdict.passes)
+    cells = (
+        row.angle + ("*" if row.computed else ""),
+        f"{verdict.difference:.2f}",
+        signed(verdict.lightness),
+        signed(verdict.chroma),
+        signed(verdict.hue),
+        word,
+    )
+    tip = _tip(row, words_text(row.words, say))
+    if verdict.exceeded:
+        parts = " ".join(_limit_name(name) for name in verdict.exceeded)
+        tip += "\n" + tr("Beyond the tolerance: {parts}").format(parts=parts)
+    bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
+    return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
+
+
+def _limit_name(name: str) -> str:
+    text = LIMIT_NAMES[name]
+    return tr(text) if text.isascii() else text
+
+
+def _tip(row: AngleRow, words: str) -> str:
+    lines = [words]
+    if row.standard is not None:
+        lab = ", ".join(f"{value:.2f}" for value in row.standard).replace("-", "−")
+        lines.append(tr("Standard L*a*b* {lab}").format(lab=lab))
+    if row.computed:
+        lines.append(tr("* Read from the standard's reflectance by the virtual spectrophotometer."))
+    return "\n".join(lines)

@@ -1,0 +1,1 @@
+"""Neighbours of a paint and paints between two."""

@@ -1,0 +1,222 @@
+"""Joins the neighbours to the desk: worked out when the edits pause, fitted on a thread, drawn by another process."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject
+
+from brdf_designer.preview.thumbnails import ThumbnailScene, thumbnails_of
+from brdf_designer.session.desk import Desk
+from brdf_designer.standard.words import say
+from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
+from brdf_designer.window.window import DesignerWindow
+from brdf_suite.documents.paint import Paint
+from brdf_suite.paint_design.variations import (
+    LEAST_STEP,
+    MOST_STEP,
+    USUAL_STEP,
+    Variation,
+    examined,
+    variations,
+)
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
+from brdf_suite.progress import Progress, report
+
+KEY = "variations"
+_STEP, _LIGHT, _FORM = "variations/step", "variations/environment", "variations/surface"
+_NAMES = {
+    "lighter": mark("Lighter"),
+    "darker": mark("Darker"),
+    "cleaner": mark("Cleaner"),
+    "dirtier": mark("Dirtier"),
+    "more flop": mark("More Flop"),
+    "less flop": mark("Less Flop"),
+    "redder": mark("Redder"),
+    "yellower": mark("Yellower"),
+    "greener": mark("Greener"),
+    "bluer": mark("Bluer"),
+}
+"""What Undo calls the step; a test holds that every word has one."""
+
+
+@dataclass(frozen=True)
+class _Request:
+    paint: Paint
+    step: float
+
+
+class VariationsControl(QObject):
+    """The neighbours of the paint in front; nothing is done while the section is closed."""
+
+    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+        super().__init__(window)
+        self._desk = desk
+        self._pictures = thumbnails_of(window)
+        self._tasks = TaskRunner(self, threads=1)
+        self._fitter: PaintFitter | None = None
+        self._found: tuple[Variation, ...] = ()
+        self._of: _Request | None = None
+        self._step, self._scene = _kept_step(), _kept_scene()
+        self.section = VariationsSection()
+        self.section.show_step(self._step)
+        self.section.show_scene(self._scene.environment, self._scene.surface)
+        self.host = window.add_section(KEY, tr("Variations"), self.section, after="standard", is_open=False)
+        self.section.taken.connect(self.take)
+        self.section.step_edited.connect(self.set_step)
+        self.section.scene_chosen.connect(self.set_scene)
+        self.host.toggled.connect(lambda _on: self._later())
+        desk.paint_changed.connect(self._later)
+        desk.gesture_ended.connect(self._later)
+        self._pictures.ready.connect(lambda _key, _image: self._show_pictures())
+        self._pictures.unavailable.connect(self._no_pictures)
+
+    @property
+    def neighbours(self) -> tuple[Variation, ...]:
+        """The neighbours that are shown."""
+        return self._found
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every picture that is wanted is there, or never will be."""
+        if not self.host.is_open or self._pictures.problem:
+            return True
+        wanted = [self._desk.paint, *(one.paint for one in self._found if one.paint is not None)]
+        present = self._of is not None and self._of.paint is self._desk.paint
+        return present and all(
+            self._pictures.is_drawn(paint, self._scene) or self._pictures.refusal(paint, self._scene)
+            for paint in wanted
+        )
+
+    def take(self, direction: str) -> None:
+        """Make a neighbour the paint, as one step."""
+        paint = self._desk.paint
+        known = self._found
+        if self._of is None or self._of.paint is not paint:
+            # An edit came just before the click: the neighbour of what is there now is meant.
+            known = variations(paint, self._step)
+        chosen = next(one for one in known if one.direction == direction)
+        if chosen.paint is not None:
+            self._desk.edit(chosen.paint, tr(_NAMES[chosen.word]))
+
+    def set_step(self, step: float) -> None:
+        """Look at neighbours nearer or farther away."""
+        self._step = step
+        settings().setValue(_STEP, step)
+        self.refresh()
+
+    def set_scene(self, environment: str, surface: str) -> None:
+        """Have the pictures drawn in another light, on another form."""
+        self._scene = ThumbnailScene(environment, surface)
+        settings().setValue(_LIGHT, environment)
+        settings().setValue(_FORM, surface)
+        self._request_pictures()
+        self._show_pictures()
+
+    def refresh(self) -> None:
+        """Work out the neighbours of the paint as it is now."""
+        request = _Request(self._desk.paint, self._step)
+        if not self.host.is_open or (request == self._of and self._of.paint is request.paint):
+            return
+        self._of = request
+        self._found = variations(request.paint, request.step)
+        self._show_words()
+        self._show_pictures()
+        if not self._desk.in_gesture:
+            self._request_pictures()
+            self._tasks.submit(KEY, self._examine, request, self._examined, self._failed)
+
+    def close(self) -> None:
+        """End the thread."""
+        self._tasks.stop()
+        if self._fitter is not None:
+            self._fitter.close()
+
+    def _later(self, *_: object) -> None:
+        if self.host.is_open:
+            if not self._desk.in_gesture:
+                # The states of a drag are not drawn; the one that it ends with is.
+                self._of = None
+            self._desk.at_idle(KEY, self.refresh)
+
+    # On the thread.
+
+    def _examine(self, request: _Request, progress: Progress) -> tuple[_Request, tuple[Variation, ...]]:
+        if self._fitter is None:
+            self._fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
+        found = []
+        for number, one in enumerate(variations(request.paint, request.step)):
+            report(progress, number / 8.0, one.word)
+            found.append(examined(one, self._fitter))
+        return request, tuple(found)
+
+    def _examined(self, answer: tuple[_Request, tuple[Variation, ...]]) -> None:
+        request, found = answer
+        if self._of is not None and request.paint is self._of.paint and request.step == self._of.step:
+            self._found = found
+            self._show_words()
+
+    def _failed(self, error: Exception) -> None:
+        raise error  # no file and no user's value is met there: a fault of ours, which the program tells
+
+    # Showing.
+
+    def _show_words(self) -> None:
+        self.section.show_neighbours([_state(one) for one in self._found])
+
+    def _request_pictures(self) -> None:
+        if not self.host.is_open or self._of is None:
+            return
+        paints = [self._of.paint, *(one.paint for one in self._found if one.paint is not None)]
+        self._pictures.request(KEY, paints, self._scene)
+
+    def _show_pictures(self) -> None:
+        if not self.host.is_open or self._of is None:
+            return
+        present = self._of.paint
+        self.section.show_picture(None, self._pictures.picture(present, self._scene))
+        for one in self._found:
+            picture = self._pictures.picture(one.paint or present, self._scene)
+            self.section.show_picture(one.direction, picture)
+        self.section.show_note(self._pictures.problem)
+
+    def _no_pictures(self, why: str) -> None:
+        text = tr("{reason} The discs show the readings instead.").format(reason=why)
+        self.section.show_note(text)
+
+
+def _state(one: Variation) -> NeighbourState:
+    word = say(one.word)
+    if one.paint is None:
+        return NeighbourState(one.direction, tr("{word}: none").format(word=word), one.reason, False)
+    colours = "\n".join(
+        f"{m.aspecular_deg:g}°: " + ", ".join(f"{value:.1f}" for value in m.lab).replace("-", "−")
+        for m in one.paint.measurements
+    )
+    if one.is_missed:
+        assert one.missed is not None
+        tip = tr(
+            "No paint of this kind quite gives these colours: ΔE00 {missed:.1f} at most. L*a*b*:"
+        ).format(missed=one.missed)
+        return NeighbourState(one.direction, f"{word} ≈", f"{tip}\n{colours}", True)
+    return NeighbourState(one.direction, word, tr("Click to take it. L*a*b*:") + "\n" + colours, True)
+
+
+def _kept_step() -> float:
+    try:
+        step = float(settings().value(_STEP, USUAL_STEP))
+    except (TypeError, ValueError):  # edited by hand
+        return USUAL_STEP
+    return step if LEAST_STEP <= step <= MOST_STEP else USUAL_STEP
+
+
+def _kept_scene() -> ThumbnailScene:
+    light, form = (settings().value(key, "", type=str) for key in (_LIGHT, _FORM))
+    usual = ThumbnailScene()
+    return ThumbnailScene(
+        light if light in dict(ENVIRONMENTS) else usual.environment,
+        form if form in dict(SURFACES) else usual.surface,
+    )

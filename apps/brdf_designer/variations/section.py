@@ -1,0 +1,165 @@
+"""The Variations section: the paint in the middle of its eight neighbours, as small pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QImage, QPixmap
+from PySide6.QtWidgets import QComboBox, QGridLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from brdf_suite.paint_design.variations import LEAST_STEP, MOST_STEP, USUAL_STEP, Direction
+
+PICTURE = 72
+"""Width and height of a picture on the screen, points."""
+
+PLACES: dict[Direction, tuple[int, int]] = {
+    "more_flop": (0, 0),
+    "lighter": (0, 1),
+    "hue_forward": (0, 2),
+    "dirtier": (1, 0),
+    "cleaner": (1, 2),
+    "hue_back": (2, 0),
+    "darker": (2, 1),
+    "less_flop": (2, 2),
+}
+ENVIRONMENTS = (
+    ("booth", mark("Light booth")),
+    ("sunny", mark("Sunny")),
+    ("overcast", mark("Overcast")),
+)
+SURFACES = (("sphere", mark("Sphere")), ("speed_form", mark("Speed form")))
+
+
+@dataclass(frozen=True)
+class NeighbourState:
+    """What is shown of a neighbour; ``there`` is false where it cannot be taken."""
+
+    direction: Direction
+    text: str
+    tip: str
+    there: bool
+
+
+class PictureButton(QToolButton):
+    """A small picture with a word below, to be clicked or taken by the keyboard."""
+
+    def __init__(self, name: str, points: int = PICTURE, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        self.setIconSize(QSize(points, points))
+        self.setAutoRaise(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setObjectName(name)
+        self._image = QImage()
+
+    def show_picture(self, image: QImage) -> None:
+        """Show a picture; nothing where it is shown already."""
+        if image.cacheKey() != self._image.cacheKey():
+            self._image = image
+            pixmap = QPixmap.fromImage(image)
+            icon = QIcon(pixmap)
+            # What cannot be taken is still seen as what it would be; the words say so.
+            icon.addPixmap(pixmap, QIcon.Mode.Disabled)
+            self.setIcon(icon)
+
+    @property
+    def image(self) -> QImage:
+        """What is shown."""
+        return self._image
+
+
+class VariationsSection(QWidget):
+    """The body of the section.
+
+    Intents: ``taken(direction)``, ``step_edited(value)``, ``scene_chosen(environment, surface)``.
+    """
+
+    taken = Signal(str)
+    step_edited = Signal(float)
+    scene_chosen = Signal(str, str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        grid = QGridLayout()
+        grid.setSpacing(2)
+        self.present = PictureButton("variation_present")
+        self.present.setText(tr("present"))
+        self.present.setToolTip(tr("The paint as it is now, among its neighbours"))
+        self.present.setEnabled(False)
+        grid.addWidget(self.present, 1, 1)
+        self.buttons: dict[Direction, PictureButton] = {}
+        for direction, (row, column) in PLACES.items():
+            button = PictureButton(f"variation_{direction}")
+            button.clicked.connect(lambda _=False, direction=direction: self.taken.emit(direction))
+            grid.addWidget(button, row, column)
+            self.buttons[direction] = button
+        for column in range(3):
+            grid.setColumnStretch(column, 1)
+        box.addLayout(grid)
+        self.note = PlainLabel()
+        self.note.setWordWrap(True)
+        self.note.hide()
+        box.addWidget(self.note)
+        form = Form()
+        self.step = NumberField(tr("Step"), "", LEAST_STEP, MOST_STEP, 0.5, 1, USUAL_STEP)
+        self.step.edited.connect(self.step_edited)
+        form.add_row(
+            tr("Step"), self.step, tr("Distance of the neighbours in ΔL*, ΔC* or ΔH*, about as in ΔE*ab")
+        )
+        self.environment, self.surface = _combo(ENVIRONMENTS), _combo(SURFACES)
+        form.add_row(tr("Light"), self.environment, tr("The light of the small pictures"))
+        form.add_row(tr("Form"), self.surface, tr("What the small pictures show the paint on"))
+        for combo in (self.environment, self.surface):
+            combo.activated.connect(lambda _index: self._choose_scene())
+        box.addWidget(form)
+
+    def show_step(self, step: float) -> None:
+        """Show the step."""
+        self.step.set_value(step)
+
+    def show_scene(self, environment: str, surface: str) -> None:
+        """Show which light and form are chosen."""
+        self.environment.setCurrentIndex(max(0, self.environment.findData(environment)))
+        self.surface.setCurrentIndex(max(0, self.surface.findData(surface)))
+
+    def show_neighbours(self, states: Sequence[NeighbourState]) -> None:
+        """Show words, and whether each neighbour can be taken."""
+        for state in states:
+            button = self.buttons[state.direction]
+            button.setText(state.text)
+            button.setToolTip(plain_tip(state.tip))
+            button.setAccessibleName(state.text)
+            button.setAccessibleDescription(state.tip)
+            button.setEnabled(state.there)
+
+    def show_picture(self, direction: Direction | None, image: QImage) -> None:
+        """Show the picture of a neighbour, or of the paint itself."""
+        button = self.present if direction is None else self.buttons[direction]
+        button.show_picture(image)
+
+    def show_note(self, text: str) -> None:
+        """Say something of all the pictures; an empty text says nothing."""
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
+
+    def _choose_scene(self) -> None:
+        self.scene_chosen.emit(str(self.environment.currentData()), str(self.surface.currentData()))
+
+
+def _combo(choices: Sequence[tuple[str, str]]) -> QComboBox:
+    combo = QuietComboBox()
+    for key, title in choices:
+        combo.addItem(tr(title), key)
+    combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    return combo

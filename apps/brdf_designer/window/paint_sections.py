@@ -1,0 +1,199 @@
+"""What the sections of a paint share; the model between the readings, and what is written about the paint."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.parameters import Parameter, ParameterPanel
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.fields.text import TextLine, TextNotes
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+
+from brdf_designer.session.fields import Key
+from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
+
+_STEPS = {
+    "gloss.gu_20": (0.5, 1),
+    "gloss.gu_60": (0.5, 1),
+    "orange_peel.amplitude_um": (0.05, 2),
+    "orange_peel.wavelength_mm": (0.5, 1),
+    "flakes.density_per_mm2": (5.0, 0),
+    "flakes.size_um": (1.0, 1),
+    "flakes.roughness": (0.005, 3),
+    "flakes.colour_spread": (0.01, 2),
+    "near_specular": (0.05, 2),
+}
+_LABELS = {
+    "gloss.gu_20": mark("Gloss 20°"),
+    "gloss.gu_60": mark("Gloss 60°"),
+    "orange_peel.amplitude_um": mark("Height"),
+    "orange_peel.wavelength_mm": mark("Wavelength"),
+    "flakes.density_per_mm2": mark("Density"),
+    "flakes.size_um": mark("Size"),
+    "flakes.roughness": mark("Roughness"),
+    "flakes.colour_spread": mark("Colour spread"),
+    "near_specular": mark("Near-specular"),
+}
+_TIPS = {
+    "gloss.gu_20": mark(
+        "Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 reads 100. Coat and base "
+        "together. The narrow 20° receptor tells glossy coats apart."
+    ),
+    "gloss.gu_60": mark(
+        "Gloss units at 60°, coat and base together: the wide receptor, for coats of every gloss. With both readings "
+        "index and roughness of the coat are solved."
+    ),
+    "orange_peel.amplitude_um": mark(
+        "Root mean square height of the coat's waviness, µm. A good finish has some tenths of a micrometre."
+    ),
+    "orange_peel.wavelength_mm": mark(
+        "Typical distance from crest to crest, mm. Waves of 1 to 10 mm are seen from arm's length as orange peel; they "
+        "blur the edges of what is mirrored, which lowers the distinctness of image (DOI)."
+    ),
+    "flakes.density_per_mm2": mark(
+        "How many flakes of a square millimetre can be seen one by one; most flakes of a paint lie too deep for that."
+    ),
+    "flakes.size_um": mark(
+        "Mean diameter of a flake, µm; larger flakes are brighter and sparkle more coarsely."
+    ),
+    "flakes.roughness": mark(
+        "Spread of the flakes' tilts, as the root mean square slope m: about 0.15 to 0.19 for metallic paints. Wider "
+        "spreads sparkle at more angles, and less at each."
+    ),
+    "flakes.colour_spread": mark("How differently the flakes are coloured: 0 all alike, 1 every hue."),
+    "near_specular": mark(
+        "Scales the base in the mirror direction, where no instrument looks; not measured."
+    ),
+}
+_RULES = {
+    "flake": mark("Flake tilts (bell)"),
+    "monotone": mark("Monotone (PCHIP)"),
+    "polynomial": mark("Polynomial (2nd order)"),
+}
+
+
+def _parameter(key: str) -> Parameter:
+    known = PARAMETERS[key]
+    step, decimals = _STEPS[key]
+    unit = "×" if key == "near_specular" else known.unit
+    return Parameter(
+        key, tr(_LABELS[key]), unit, known.low, known.high, step, decimals, known.default, tr(_TIPS[key])
+    )
+
+
+def computed() -> QLabel:
+    """Return a label for a computed value: italic, as everywhere."""
+    label = PlainLabel("–")
+    font = label.font()
+    font.setItalic(True)
+    label.setFont(font)
+    return label
+
+
+class PaintSection(QWidget):
+    """What the sections share: intents out by field key."""
+
+    edited = Signal(object, object)
+    gesture_started = Signal(object)
+    gesture_finished = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.box = QVBoxLayout(self)
+        self.box.setContentsMargins(0, 0, 0, 0)
+        self.box.setSpacing(8)
+
+    def add_panel(self, *keys: str) -> ParameterPanel:
+        """Add numbers of the document by their names in ``PARAMETERS``."""
+        panel = ParameterPanel([_parameter(key) for key in keys])
+        panel.edited.connect(lambda key, value: self.edited.emit(_key(key), value))
+        panel.gesture_started.connect(lambda key: self.gesture_started.emit(_key(key)))
+        panel.gesture_finished.connect(lambda _key: self.gesture_finished.emit())
+        self.box.addWidget(panel)
+        return panel
+
+
+def _key(name: str) -> Key:
+    return tuple(name.split("."))
+
+
+class ModelSection(PaintSection):
+    """How colours between and beyond the readings are found."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        form = Form()
+        self.rule = QuietComboBox()
+        for name in INTERPOLATIONS:
+            self.rule.addItem(tr(_RULES[name]), name)
+        self.rule.activated.connect(lambda row: self.edited.emit(("interpolation",), self.rule.itemData(row)))
+        form.add_row(
+            tr("Between angles"),
+            self.rule,
+            tr(
+                "The rule between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a "
+                "parabola."
+            ),
+        )
+        self.box.addWidget(form)
+        self.panel = self.add_panel("near_specular")
+        self.note = PlainLabel(tr("Not measured: no instrument of three angles looks below 15°."))
+        self.notices = PlainLabel()
+        for label in (self.note, self.notices):
+            label.setWordWrap(True)
+            self.box.addWidget(label)
+        self.notices.hide()
+
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.interpolation, paint.near_specular, [m.aspecular_deg for m in paint.measurements]
+
+    def show_paint(self, paint: Paint) -> None:
+        """Show the rule and the factor."""
+        self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
+        self.panel.set_values({"near_specular": paint.near_specular})
+        nearest = min(abs(m.aspecular_deg) for m in paint.measurements)
+        note = tr("Not measured: no reading lies nearer to the mirror direction than {angle:g}°.")
+        self.note.setText(note.format(angle=nearest))
+
+    def show_notices(self, notices: tuple[str, ...]) -> None:
+        """Show what the model has to say about this paint."""
+        self.notices.setText("\n".join(f"{text[:1].upper()}{text[1:].rstrip('.')}." for text in notices))
+        self.notices.setVisible(bool(notices))
+
+
+class TextSection(PaintSection):
+    """Name, source and notes."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        form = Form()
+        self.name = TextLine(tr("Name"), 200)
+        self.source = TextNotes(tr("Source"), 2)
+        self.notes = TextNotes(tr("Notes"))
+        self.illuminant = PlainLabel()
+        for field, key, label, tip in (
+            (self.name, "name", tr("Name"), tr("What the paint is called")),
+            (self.source, "source", tr("Source"), tr("Where the readings come from")),
+            (self.notes, "notes", tr("Notes"), ""),
+        ):
+            field.edited.connect(lambda text, key=key: self.edited.emit((key,), text))
+            field.gesture_started.connect(lambda key=key: self.gesture_started.emit((key,)))
+            field.gesture_finished.connect(self.gesture_finished)
+            form.add_row(label, field, tip)
+        form.add_row(tr("Readings"), self.illuminant, tr("Illuminant and observer of all L*a*b* values"))
+        self.box.addWidget(form)
+
+    def part_of(self, paint: Paint) -> object:
+        """Return what of a paint is shown here."""
+        return paint.name, paint.source, paint.notes, paint.illuminant, paint.observer_deg
+
+    def show_paint(self, paint: Paint) -> None:
+        """Show the texts."""
+        self.name.set_text(paint.name)
+        self.source.set_text(paint.source)
+        self.notes.set_text(paint.notes)
+        text = tr("{illuminant}, {observer}° observer")
+        self.illuminant.setText(text.format(illuminant=paint.illuminant, observer=paint.observer_deg))

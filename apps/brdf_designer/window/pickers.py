@@ -1,0 +1,118 @@
+"""The colour pickers beside the desk, and the menus that name readings, files and steps."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QAction, QColor, QKeySequence
+from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
+
+from brdf_designer.session.fields import Key
+from brdf_designer.session.state import AngleColour
+from brdf_suite.appearance.colour.colorimetry import display_to_lab
+
+
+class ColourPickers(QObject):
+    """One picker for a reading at most, each a single step however long it is used.
+
+    Signals: ``started(key)``, ``picked(key, L*a*b*)`` and ``finished()``.
+    """
+
+    started = Signal(object)
+    picked = Signal(object, object)
+    finished = Signal()
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+        self.dialogs: dict[int, QColorDialog] = {}
+
+    def open(self, colour: AngleColour) -> None:
+        """Open the picker of a measurement, or bring it to the front."""
+        index = colour.index
+        if index in self.dialogs:
+            self.dialogs[index].activateWindow()
+            return
+        key: Key = ("colour", index)
+        dialog = QColorDialog(QColor(*colour.rgb), self._window)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.setWindowTitle(tr("Colour at {angle}").format(angle=colour.text))
+        dialog.setOptions(
+            QColorDialog.ColorDialogOption.NoButtons | QColorDialog.ColorDialogOption.DontUseNativeDialog
+        )
+        self.dialogs[index] = dialog
+
+        def picked(code: QColor) -> None:
+            lab = display_to_lab([code.redF(), code.greenF(), code.blueF()])
+            # An sRGB code has a step of about 0.4 units; two decimals keep all of it.
+            self.picked.emit(key, tuple(round(float(value), 2) + 0.0 for value in lab))
+
+        def ended() -> None:
+            self.dialogs.pop(index, None)
+            self.finished.emit()
+
+        self.started.emit(key)
+        dialog.currentColorChanged.connect(picked)
+        dialog.finished.connect(ended)
+        dialog.show()
+
+    def close(self) -> None:
+        """Close every one."""
+        for dialog in tuple(self.dialogs.values()):
+            dialog.close()
+
+
+class ReadingMenus(QObject):
+    """Paint ▸ Pick Colour and Make Solid From, an entry for each reading.
+
+    Signals: ``pick_asked(index)``, ``solid_asked(index)`` of the measurement in the document.
+    """
+
+    pick_asked = Signal(int)
+    solid_asked = Signal(int)
+
+    def __init__(self, menu: QMenu, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._pick, self._solid = menu.addMenu(tr("&Pick Colour")), menu.addMenu(tr("Make S&olid From"))
+        self._shown: list[tuple[int, str]] | None = None
+
+    def show_angles(self, angles: Sequence[AngleColour]) -> bool:
+        """Name these readings; True where they are others than before."""
+        texts = [(angle.index, angle.text) for angle in angles]
+        if texts == self._shown:
+            return False
+        self._shown = texts
+        self._pick.clear()
+        self._solid.clear()
+        for number, (index, text) in enumerate(texts, 1):
+            name = tr("At {angle}…").format(angle=text)
+            pick = self._pick.addAction(name, lambda index=index: self.pick_asked.emit(index))
+            pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
+            self._solid.addAction(text, lambda index=index: self.solid_asked.emit(index))
+        return True
+
+
+def fill_recent(
+    menu: QMenu, paths: Sequence[Path], open_path: Callable[[Path], object], clear: Callable[[], object]
+) -> None:
+    """Fill the menu of the files that were open lately."""
+    menu.clear()
+    for number, path in enumerate(paths, 1):
+        action = menu.addAction(f"&{number % 10} {path.name}")
+        action.setToolTip(plain_tip(str(path)))
+        action.triggered.connect(lambda _=False, path=path: open_path(path))
+    menu.addSeparator()
+    menu.addAction(tr("&Clear"), clear)
+    menu.setEnabled(bool(paths))
+
+
+def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:
+    """Let Undo or Redo say what it would do."""
+    action.setText(f"{word} {name}".rstrip())
+    action.setIconText(word.replace("&", ""))
+    action.setToolTip(plain_tip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})"))
+    action.setEnabled(can)

@@ -1,0 +1,128 @@
+"""The status bar of the desk: flop asked and reached, what the fit gives, gamut and link, as they are now."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.status_line import StatusLine
+from brdf_qt.work.fit_error import fit_tips, is_large, marked
+
+from brdf_designer.colour.patches import one_decimal
+from brdf_designer.session.state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
+from brdf_suite.appearance.flop.index import FlopIndex, flop_index
+from brdf_suite.documents.paint import Lab
+
+
+class DeskStatus:
+    """Writes what the desk knows into the cells of a status line."""
+
+    def __init__(self, line: StatusLine) -> None:
+        self._flop = line.cell(
+            "Flop index",
+            tr(
+                "Flop: how much darker the paint is from the face to the flop, as the index\n"
+                "2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop.\n"
+                "First what is asked, then what the fitted lobes reach."
+            ),
+        )
+        self._fit = line.cell(
+            "Fit",
+            tr(
+                "The largest colour difference CIEDE2000 between what is asked and what the fitted lobes give: at the "
+                "measured angles, and between them; then the time from the paint to its weights, and whether they "
+                "are exact or the best at the time limit."
+            ),
+        )
+        self._gamut = line.cell(
+            "Gamut", tr("Whether this screen, taken as sRGB, can show the measured colours.")
+        )
+        self._link = line.cell("Link", tr("Programs that follow this paint while it is edited."), right=True)
+        self._colours: Colours | None = None
+        self._fitted: tuple[Colours | None, FitState] | None = None
+        self._fit_text = ""
+        self.show_peers(())
+
+    def show_colours(self, colours: Colours) -> None:
+        """Show the gamut; the flop, asked and reached, comes with the fit, or alone where there is none."""
+        self._colours = colours
+        outside = [angle.text for angle in colours.angles if not angle.in_gamut]
+        self._gamut.set(
+            tr("Outside sRGB: {angles}").format(angles=", ".join(outside)) if outside else tr("In sRGB")
+        )
+
+    def show_fit(self, state: FitState) -> None:
+        """Show the flop that is reached; what the fit gives is told with what it gives between the angles."""
+        self._fitted = (self._colours, state)
+        if self._colours is not None:
+            self._show_flop(self._colours.flop, _reached_flop(self._colours, state))
+
+    def show_curves(self, curves: Curves) -> None:
+        """Show the worst differences, the time, and whether the time limit came first; after :meth:`show_fit`."""
+        if self._fitted is None:
+            return
+        colours, state = self._fitted
+        worst = state.worst_delta_e
+        text = tr("Fit ΔE00 ≤ {worst}, between ≤ {between}, {time} ms, {kind}").format(
+            worst=_upward(worst),
+            between=_upward(curves.between_delta_e),
+            time=f"{state.milliseconds:.1f}",
+            kind=tr("time-limited") if state.time_limited else tr("exact"),
+        )
+        self._fit_text = marked(text, worst)
+        large = is_large(worst)
+        tip = fit_tips(worst, state.time_limited, state.exact_follows)
+        rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
+        told = "\n".join((*rows, tip) if tip else rows)
+        self._fit.set(self._fit_text, told, "warning" if large or state.time_limited else "fresh")
+
+    def mark_stale(self) -> None:
+        """Say that the fit is of an earlier paint."""
+        if self._colours is not None:
+            self._show_flop(self._colours.flop, None)
+        self._fit.set(self._fit_text or tr("No fit"), tr("This is of the last paint that can be."), "stale")
+
+    def show_peers(self, roles: Sequence[str]) -> None:
+        """Show who is linked."""
+        names = ", ".join(role.capitalize() for role in roles)
+        self._link.set(tr("Linked: {programs}").format(programs=names) if roles else tr("Not linked"))
+
+    def _show_flop(self, asked: FlopIndex | None, reached: FlopIndex | None) -> None:
+        if asked is None:
+            self._flop.set(tr("Flop –"), tr("The flop index needs readings at 15, 45 and 110°."))
+            return
+        text = tr("Flop {asked}").format(asked=_one_decimal(asked.value))
+        if reached is not None:
+            text = tr("{flop}, reached {reached}").format(flop=text, reached=_one_decimal(reached.value))
+        notice = f"{asked.notice[:1].upper()}{asked.notice[1:]}." if asked.notice else None
+        self._flop.set(f"{text} ?" if asked.notice else text, notice, "warning" if asked.notice else "fresh")
+
+
+def _reached_flop(colours: Colours, state: FitState) -> FlopIndex | None:
+    given = {angle.aspecular_deg: state.given[angle.index].lab[0] for angle in reversed(colours.angles)}
+    if any(angle not in given for angle in FLOP_ANGLES_DEG):
+        return None
+    return flop_index(*(given[angle] for angle in FLOP_ANGLES_DEG))
+
+
+def _row(angle: AngleColour, state: FitState) -> str:
+    return tr("{angle}: asked {asked}, fit {given}, ΔE00 {difference}").format(
+        angle=angle.text,
+        asked=_lab(angle.lab),
+        given=_lab(state.given[angle.index].lab),
+        difference=f"{state.delta_e[angle.index]:.2f}",
+    )
+
+
+def _lab(lab: Lab) -> str:
+    return " / ".join(map(one_decimal, lab))
+
+
+def _one_decimal(value: float) -> str:
+    """One decimal; a dash for what is no number."""
+    return "–" if value != value else f"{value:.1f}"
+
+
+def _upward(value: float) -> str:
+    """Two decimals, rounded up: the bound that is shown always holds."""
+    return f"{-(-value * 100 // 1) / 100 if value > 1e-6 else 0.0:.2f}"

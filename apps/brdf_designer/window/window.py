@@ -1,0 +1,398 @@
+"""The desk: patches, strip and plot in the middle, the numbers at the right. Intents out, setters in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.main_window import Shortcut, SuiteWindow
+from brdf_qt.window.message_bar import Message
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
+from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
+
+from brdf_designer.coat_flakes.coat_section import CoatSection
+from brdf_designer.coat_flakes.flakes_section import FlakesSection
+from brdf_designer.colour.angle_plot import AnglePlot
+from brdf_designer.colour.editors import ColourEditors
+from brdf_designer.colour.flop_strip import FlopStrip
+from brdf_designer.colour.patches import PatchRow
+from brdf_designer.documents.tabs_bar import DocumentTabs
+from brdf_designer.session.state import Colours, Curves, FitState, TabState
+from brdf_designer.window.focus import order_focus
+from brdf_designer.window.letters import give_letters
+from brdf_designer.window.paint_sections import ModelSection, TextSection
+from brdf_designer.window.pickers import ColourPickers, ReadingMenus, fill_recent, name_step
+from brdf_designer.window.status import DeskStatus
+from brdf_suite.documents.paint import Paint
+
+
+class DesignerWindow(SuiteWindow):
+    """The window of Designer.
+
+    Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
+    :mod:`brdf_designer.session.fields` names them; ``new_asked``, ``open_asked(Path | None)``, ``shipped_asked(name)``,
+    ``save_asked``, ``save_as_asked``, ``undo_asked``, ``redo_asked``, ``viewer_asked``, ``recent_cleared``;
+    of the tabs ``tab_chosen(place)``, ``tab_close_asked(place)``, ``close_front_asked``,
+    ``tab_moved(before, after)``, ``tab_step_asked(by)``, ``reopen_asked``; ``close_asked(QCloseEvent)``, to be
+    ignored where the window must stay.
+    """
+
+    edited = Signal(object, object)
+    gesture_started = Signal(object)
+    gesture_finished = Signal()
+    new_asked = Signal()
+    open_asked = Signal(object)
+    shipped_asked = Signal(str)
+    save_asked = Signal()
+    save_as_asked = Signal()
+    tab_chosen = Signal(int)
+    tab_close_asked = Signal(int)
+    close_front_asked = Signal()
+    tab_moved = Signal(int, int)
+    tab_step_asked = Signal(int)
+    reopen_asked = Signal()
+    undo_asked = Signal()
+    redo_asked = Signal()
+    viewer_asked = Signal()
+    recent_cleared = Signal()
+    close_asked = Signal(QCloseEvent)
+
+    def __init__(self, shipped: Sequence[str]) -> None:
+        super().__init__("Designer")
+        self.setAcceptDrops(True)
+        self._colours: Colours | None = None
+        self._whole: Paint | None = None
+        """The paint that all fields show; ``None`` where one of them may show something else."""
+        self.pickers = ColourPickers(self)
+        self.pickers.started.connect(self.gesture_started)
+        self.pickers.picked.connect(self.edited)
+        self.pickers.finished.connect(self.gesture_finished)
+        self.strip, self.patches, self.plot = FlopStrip(), PatchRow(), AnglePlot()
+        self.tabs = DocumentTabs()
+        self._sections: dict[str, Section] = {}
+        self._below: list[QWidget] = []
+        self._build_centre()
+        self._build_inspector()
+        self.desk_status = DeskStatus(self.status)
+        self._build_menus(shipped)
+
+    # What a part of the desk adds.
+
+    def add_section(
+        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
+    ) -> Section:
+        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
+
+        ``is_open`` is how a first start shows it; later starts show it as the user left it.
+        """
+        section = Section(title, key, is_open=is_open)
+        section.add(widget)
+        self.inspector.add_section(section, after=self._sections[after] if after else None)
+        self._sections[key] = section
+        return section
+
+    def section(self, key: str) -> Section:
+        """Return the section of that key: ``colour``, ``coat``, ``flakes``, ``model``, ``paint``, or one added."""
+        return self._sections[key]
+
+    def add_dock(
+        self,
+        key: str,
+        title: str,
+        widget: QWidget,
+        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
+        *,
+        visible: bool = False,
+    ) -> QDockWidget:
+        """Add a panel that docks, floats and hides; listed in View ▸ Panels."""
+        dock = self.add_panel(title, widget, area)
+        dock.setObjectName(f"panel_{key}")
+        dock.setVisible(visible)
+        return dock
+
+    def add_history(self, strip: QWidget) -> None:
+        """Put the strip of states under the desk."""
+        self._centre_box.addWidget(strip)
+        self._below.append(strip)
+
+    def add_preview(self, preview: QWidget) -> None:
+        """Put the picture beside the plot."""
+        self.lower_split.addWidget(preview)
+        self.lower_split.setStretchFactor(1, 2)
+        self.lower_split.setSizes([560, 400])
+
+    def add_command(
+        self,
+        menu: str,
+        text: str,
+        shortcut: Shortcut | None,
+        slot: Callable[[], object],
+        key: str,
+        *,
+        icon: str | None = None,
+        tip: str = "",
+    ) -> QAction:
+        """Add a command to a menu: ``file``, ``edit``, ``view``, ``paint``, ``window`` or ``help``.
+
+        ``key`` is its object name after ``action_``; Ctrl+K finds it by its text. Quit stays last in File.
+        """
+        menus = {
+            "file": self.file_menu,
+            "edit": self.edit_menu,
+            "view": self.view_menu,
+            "paint": self.paint_menu,
+            "window": self.window_menu,
+            "help": self.help_menu,
+        }
+        before = self._file_end if menu == "file" else None
+        action = self.add_action(menus[menu], text, slot, shortcut, icon, tip)
+        action.setObjectName(f"action_{key}")
+        if before is not None:
+            self.file_menu.removeAction(action)
+            self.file_menu.insertAction(before, action)
+        return action
+
+    def complete(self) -> None:
+        """Settle what depends on every part: letters of the menus, order of the focus, size and place of the panels."""
+        top = (
+            self.file_menu,
+            self.edit_menu,
+            self.view_menu,
+            self.paint_menu,
+            self.window_menu,
+            self.help_menu,
+        )
+        give_letters(top)
+        self.order_focus()
+        self.restore_layout()
+
+    # What the controller shows.
+
+    def show_colours(self, colours: Colours) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        before, self._whole = self._whole, colours.paint
+        self._colours = colours
+        self.strip.show_colours(colours)
+        self.patches.show_colours(colours)
+        self.editors.show_colours(colours)
+        for section in (self.coat, self.flakes, self.model, self.texts):
+            # A drag of a colour leaves the rest as it is; what is shown anew is shown whole.
+            part = section.part_of(colours.paint)
+            if before is None or before is colours.paint or section.part_of(before) != part:
+                section.show_paint(colours.paint)
+        self.plot.show_colours(colours)
+        self.desk_status.show_colours(colours)
+        if self.reading_menus.show_angles(colours.angles):
+            # Fields have come or gone with the angles.
+            QTimer.singleShot(0, self, self.order_focus)
+
+    def show_fit(self, state: FitState) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        assert self._colours is not None
+        shown = [angle.index for angle in self._colours.angles]
+        self.patches.show_differences(
+            [state.delta_e[index] for index in shown],
+            [state.given[index] for index in shown],
+            time_limited=state.time_limited,
+            exact_follows=state.exact_follows,
+        )
+        self.coat.show_fit(state)
+        self.model.show_notices(state.notices)
+        self.desk_status.show_fit(state)
+
+    def show_curves(self, curves: Curves) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        for part in (self.strip, self.plot, self.desk_status):
+            part.show_curves(curves)
+
+    def mark_fit_stale(self) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        for part in (self.strip, self.plot, self.coat, self.desk_status):
+            part.mark_stale()
+        self.patches.show_differences(None)
+
+    def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        self.tabs.show_tabs(tabs, front)
+        shown = tabs[front]
+        self.setWindowTitle(f"{shown.title}[*]")
+        self.setWindowFilePath(str(shown.path) if shown.path else "")
+        self.setWindowModified(not shown.clean)
+        for action in self._step_actions:
+            action.setEnabled(len(tabs) > 1)
+
+    def show_reopen(self, can: bool) -> None:
+        """Show whether a closed tab can be had back."""
+        self.reopen_action.setEnabled(can)
+
+    def show_message(self, message: Message) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        if message.key == "edit":
+            self._whole = None  # a field holds what was refused
+        self.messages.show_message(message)
+
+    def dismiss_message(self, key: str) -> None:
+        """See :class:`brdf_designer.controller.View`."""
+        self.messages.dismiss(key)
+
+    def show_recent(self, paths: Sequence[Path]) -> None:
+        """Fill File ▸ Open Recent."""
+        fill_recent(self.recent_menu, paths, self.open_asked.emit, self.recent_cleared.emit)
+
+    def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
+        """Show what Undo and Redo would do, by name."""
+        name_step(self.undo_action, tr("&Undo"), undo, can=can_undo)
+        name_step(self.redo_action, tr("&Redo"), redo, can=can_redo)
+
+    # How it is built.
+
+    def _build_centre(self) -> None:
+        top = QWidget()
+        box = QVBoxLayout(top)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        box.addWidget(self.strip)
+        box.addWidget(self.patches, 1)
+        split = QSplitter(Qt.Orientation.Vertical)
+        split.setHandleWidth(8)
+        split.addWidget(top)
+        self.lower_split = QSplitter(Qt.Orientation.Horizontal)
+        self.lower_split.setHandleWidth(8)
+        self.lower_split.setChildrenCollapsible(False)
+        self.lower_split.setObjectName("lower_split")
+        self.lower_split.addWidget(self.plot)
+        self.lower_split.setStretchFactor(0, 3)
+        split.addWidget(self.lower_split)
+        split.setStretchFactor(0, 1)
+        split.setStretchFactor(1, 1)
+        split.setChildrenCollapsible(False)
+        split.setSizes([500, 420])
+        split.setObjectName("centre_split")
+        centre = QWidget()
+        self._centre_box = outer = QVBoxLayout(centre)
+        outer.setContentsMargins(8, 4, 8, 8)
+        outer.setSpacing(8)
+        outer.addWidget(self.tabs)
+        outer.addWidget(split, 1)
+        self.set_centre(centre)
+        self.tabs.chosen.connect(self.tab_chosen)
+        self.tabs.close_asked.connect(self.tab_close_asked)
+        self.tabs.dragged.connect(self.tab_moved)
+        self.tabs.new_asked.connect(self.new_asked)
+
+    def _build_inspector(self) -> None:
+        self.editors = ColourEditors()
+        self.strip.gesture_started.connect(self.editors.begin_flop)
+        self.strip.edited.connect(self.editors.edit_flop)
+        self.strip.gesture_finished.connect(self.editors.end)
+        self.plot.drag_started.connect(self.editors.begin_in_lch)
+        self.plot.edited.connect(self.editors.edit_in_lch)
+        self.plot.drag_finished.connect(self.editors.end)
+        self.editors.pick_asked.connect(self.pick_colour)
+        self.coat, self.flakes = CoatSection(), FlakesSection()
+        self.model, self.texts = ModelSection(), TextSection()
+        self.add_section("colour", tr("Colour"), self.editors)
+        self.add_section("coat", tr("Coat"), self.coat)
+        self.add_section("flakes", tr("Flakes"), self.flakes)
+        self.add_section("model", tr("Model"), self.model)
+        self.add_section("paint", tr("Paint"), self.texts)
+        for body in (self.editors, self.coat, self.flakes, self.model, self.texts):
+            body.edited.connect(self.edited)
+            body.gesture_started.connect(self.gesture_started)
+            body.gesture_finished.connect(self.gesture_finished)
+
+    def _build_menus(self, shipped: Sequence[str]) -> None:
+        keys = QKeySequence.StandardKey
+        file = self.file_menu
+        new = self.add_action(file, mark("&New"), self.new_asked.emit, keys.New, "file-plus")
+        opened = self.add_action(
+            file, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+        )
+        shipped_menu = file.addMenu(tr("Open S&hipped Paint"))
+        for name in shipped:
+            action = shipped_menu.addAction(name.replace("_", " ").capitalize())
+            action.triggered.connect(lambda _=False, name=name: self.shipped_asked.emit(name))
+        self.recent_menu: QMenu = file.addMenu(tr("Open &Recent"))
+        self.recent_menu.setToolTipsVisible(True)
+        file.addSeparator()
+        save = self.add_action(file, mark("&Save"), self.save_asked.emit, keys.Save, "floppy-disk")
+        self.add_action(file, mark("Save &As…"), self.save_as_asked.emit, "Ctrl+Shift+S")
+        file.addSeparator()
+        self.add_action(file, mark("&Close Tab"), self.close_front_asked.emit, "Ctrl+W", "x")
+        self.reopen_action = self.add_action(
+            file, mark("Reopen Closed &Tab"), self.reopen_asked.emit, "Ctrl+Shift+T"
+        )
+        self.reopen_action.setEnabled(False)
+        self.add_quit()
+        self._file_end = file.actions()[-2]
+        self.undo_action = self.add_action(
+            self.edit_menu, mark("&Undo"), self.undo_asked.emit, keys.Undo, "arrow-counter-clockwise"
+        )
+        self.redo_action = self.add_action(
+            self.edit_menu, mark("&Redo"), self.redo_asked.emit, "Ctrl+Shift+Z", "arrow-clockwise"
+        )
+        self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
+        self.reading_menus = ReadingMenus(self.paint_menu, self)
+        self.reading_menus.pick_asked.connect(self.pick_colour)
+        self.reading_menus.solid_asked.connect(lambda index: self.edited.emit(("solid",), index))
+        self._step_actions = [
+            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_asked.emit(by), keys)
+            for text, by, keys in (
+                (mark("&Next Tab"), 1, "Ctrl+Tab"),
+                (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
+            )
+        ]
+        for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
+            step.setShortcuts([step.shortcut(), QKeySequence(second)])
+        viewer = self.add_action(
+            self.window_menu, mark("Open &Viewer"), self.viewer_asked.emit, icon="monitor"
+        )
+        for action in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
+            if action is None:
+                self.toolbar.addSeparator()
+            else:
+                self.toolbar.addAction(action)
+
+    # The picker, drops and the end.
+
+    def pick_colour(self, index: int) -> None:
+        """Open the colour picker of a measurement beside the desk; all its changes are one step."""
+        assert self._colours is not None
+        self.pickers.open(next(angle for angle in self._colours.angles if angle.index == index))
+
+    def keep_opened(self) -> None:
+        """Take what is shown for what the document had when it was opened: a double click goes back to it."""
+        assert self._colours is not None
+        self._whole = None
+        self.strip.keep_opened()
+        self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
+        for part in (self.editors, self.coat, self.flakes, self.model):
+            for field in part.findChildren(NumberField):
+                field.set_default(field.value())
+
+    def order_focus(self) -> None:
+        """Let Tab go through the desk as it is seen: tabs, colours, plots, picture and history, then the inspector."""
+        parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
+        order_focus([*parts, *self.inspector.sections])
+
+    def close_pickers(self) -> None:
+        """Close every picker: another document has come, and its readings are others."""
+        self.pickers.close()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if len(event.mimeData().urls()) == 1 and event.mimeData().urls()[0].isLocalFile():
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.open_asked.emit(Path(event.mimeData().urls()[0].toLocalFile()))
+
+    def may_close(self) -> bool:
+        """See :meth:`SuiteWindow.may_close`: the controller answers through ``close_asked``."""
+        question = QCloseEvent()
+        self.close_asked.emit(question)
+        return question.isAccepted()

@@ -1,0 +1,1 @@
+"""The lobe basis: exponents, errors, search."""

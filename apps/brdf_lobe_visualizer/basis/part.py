@@ -1,0 +1,366 @@
+"""The part of the window that shows the lobes' basis: which exponents for how many lobes, and what they are worth.
+
+It shows a search: that of the shipped paints, of a folder of the user's, or one in a file, also while it runs; a search
+of a folder can be started here. Beside the search's errors stands that of the selected reflectance, live.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from brdf_qt.documents.watch import FileWatch
+from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.settings import settings, state_folder
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.message_bar import message_of
+from brdf_qt.window.progress_strip import ProgressStrip
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
+from brdf_lobe_visualizer.basis.plots import BasisPlots
+from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.fitting.lobes.basis import STORED_NAME
+from brdf_suite.resources import resource, resource_root
+
+# The search is much to import for a start, and this plot is often hidden: what is of it is imported where it is used.
+if TYPE_CHECKING:
+    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
+
+BASIS = "basis"
+_FOLDER_KEY = "lobes/basis_folder"
+_TASK = "basis/own"
+
+
+class BasisView(QWidget):
+    """The plots with their buttons, a note, and the progress of a search."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("basis_view")
+        self.setMinimumSize(260, 140)
+        self.plots = BasisPlots()
+        self.note = ElidedLabel()
+        self.progress = ProgressStrip()
+        self.search = QPushButton(tr("Search"))
+        self.search.setObjectName("basis_search")
+        self.search.setToolTip(tr("Search the exponents that fit these paints best; it takes minutes."))
+        self.database = QToolButton()
+        self.database.setObjectName("basis_database")
+        self.database.setText(tr("Database"))
+        self.database.setToolTip(tr("Which paints the lobes are searched for."))
+        self.database.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.database)
+        menu.setToolTipsVisible(True)
+        self.choose = menu.addAction(tr("Folder of Paints…"))
+        self.choose.setToolTip(tr("Take another folder of paints as the database."))
+        self.open = menu.addAction(tr("Open a Search…"))
+        self.open.setToolTip(tr("Show a search from a file, also while it is still running."))
+        menu.addSeparator()
+        self.reset = menu.addAction(tr("Shipped Paints"))
+        self.reset.setToolTip(tr("Back to the shipped paints and their search."))
+        self.database.setMenu(menu)
+        head = QHBoxLayout()
+        head.setSpacing(4)
+        head.addWidget(self.note, 1)
+        for button in (self.search, self.database):
+            head.addWidget(button)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(4)
+        box.addLayout(head)
+        box.addWidget(self.plots, 1)
+        box.addWidget(self.progress)
+
+
+class Basis(QObject):
+    """Shows a search and the selected reflectance's errors; starts searches."""
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self.view = BasisView()
+        self.folder = _remembered_folder()
+        self.search: StoredSearch | None = None
+        self.run: BasisRun | None = None
+        self._source: Path | None = None
+        self._own_of: tuple[Any, Any] | None = None
+        self._working = self._built = self._follows_run = False
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(lambda _path: self._read())
+        self._paints = FolderPaints(desk, self)
+        self._paints.changed.connect(self._tell)
+        self._output_of: tuple[Path, Path] | None = None
+        window.add_plot(BASIS, tr("Basis"), self.view)
+        self.view.search.clicked.connect(self.start_search)
+        self.view.choose.triggered.connect(self._choose_folder)
+        self.view.open.triggered.connect(self._choose_file)
+        self.view.reset.triggered.connect(self.show_shipped)
+        window.add_command("view", mark("Show the Basis"), None, self._show)
+        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self._refresh)
+        for signal in (desk.subjects_changed, desk.front_changed):
+            signal.connect(self._timer.start)
+        window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())
+        window.first_painted.connect(self._timer.start)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all that is shown is there; a search that the user has started is not waited for."""
+        waits = self._working or self._paints.busy or self._timer.isActive()
+        return not self._is_shown() or (self._built and not waits)
+
+    def close(self) -> None:
+        """End a search that runs; what it found is kept."""
+        if self.run is not None:
+            self.run.stop()
+
+    def show_shipped(self) -> None:
+        """Show the shipped paints and their search."""
+        self.show_folder(_shipped())
+
+    def show_folder(self, folder: Path) -> None:
+        """Take a folder of paints as the database; its search is shown where there is one."""
+        if self.run is not None:
+            self.run.cancel()
+        elif not self.view.search.isEnabled():
+            self._drop_search()
+        self._follows_run = False
+        self.folder = folder
+        settings().setValue(_FOLDER_KEY, "" if folder == _shipped() else str(folder))
+        self._follow_folder()
+
+    def show_file(self, path: Path) -> None:
+        """Show the search in a file, and what becomes of it while it runs."""
+        self._source = path
+        self._watch.watch(str(path))
+        self._read()
+
+    def start_search(self) -> None:
+        """Search the exponents for the present folder, in a process of its own."""
+        if self.run is not None or not self.view.search.isEnabled():
+            return
+        self.view.search.setEnabled(False)
+        self.view.progress.set_job(BASIS, 0.0, tr("Looking for paints"), self._drop_search)
+        self._paints.look(self._begin_search)
+
+    def _drop_search(self) -> None:
+        self._paints.forget_wishes()
+        self.view.progress.end_job(BASIS)
+        self.view.search.setEnabled(True)
+
+    def _begin_search(self, paints: PaintsIn) -> None:
+        if not paints.count:
+            self._drop_search()
+            error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
+            self._desk.show_message(message_of(error, BASIS))
+            return
+        run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
+        self.run = run
+        self._follows_run = True
+        words = tr("Searching the basis of {count} paints").format(count=paints.count)
+        run.moved.connect(lambda fraction, what: self._moved(fraction, f"{words}: {what}"))
+        run.done.connect(self._done)
+        run.failed.connect(self._failed)
+        run.cancelled.connect(self._ended)
+        self.view.progress.set_job(BASIS, 0.0, words, run.cancel)
+        run.start()
+
+    # What is shown.
+
+    def _is_shown(self) -> bool:
+        return BASIS in self._window.plots.shown()
+
+    def _show(self) -> None:
+        self._window.plots.set_shown(BASIS, True)
+
+    def _refresh(self) -> None:
+        if not self._is_shown():
+            return
+        if not self._built:
+            self._built = True
+            self.view.plots.build()
+            self._follow_folder()
+        self._ask_own()
+
+    def _follow_folder(self) -> None:
+        self._paints.follow(self.folder)
+        if self.folder == _shipped():
+            self.show_file(Path(str(resource("basis", STORED_NAME))))
+            return
+        output = self._output()
+        state = output.with_name(output.name + ".part")
+        self._source = output if output.exists() else state if state.exists() else None
+        self._watch.watch("" if self._source is None else str(self._source))
+        self._read()
+
+    def _read(self) -> None:
+        """Read the search that is shown; where that cannot be, a message tells and the old one stays."""
+        from brdf_suite.fitting.basis_search.stored import load_search
+
+        if self._source is None:
+            self.search = None
+        else:
+            try:
+                self.search = load_search(self._source)
+                self._desk.dismiss_message(BASIS)
+            except SuiteError as error:
+                self._desk.show_message(message_of(error, BASIS))
+        if self._built:
+            self.view.plots.show_search(self.search)
+            self._tell()
+            self._ask_own()
+
+    def _tell(self) -> None:
+        search, words = self.search, [self._name()]
+        if search is None or not search.results:
+            words.append(tr("not searched yet: press Search"))
+        else:
+            words.append(tr("{count} targets").format(count=len(search.paints)))
+            if search.default_count is None:
+                words.append(tr("{count} counts so far").format(count=len(search.results)))
+            else:
+                words.append(tr("default: {count} lobes").format(count=search.default_count))
+            if search.date:
+                words.append(search.date)
+            if self._is_stale(search):
+                words.append(tr("the paints have changed since: search again"))
+        own = self.view.plots.own
+        if own is not None and not own[1].whole:
+            words.append(tr("{name}: colour alone, nothing divides it").format(name=own[0].title))
+        self.view.note.setText(" · ".join(words))
+
+    def _name(self) -> str:
+        if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
+            return self._source.name
+        return tr("Shipped paints") if self.folder == _shipped() else self.folder.name
+
+    def _is_stale(self, search: StoredSearch) -> bool:
+        if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
+            return False  # a file of its own: of which paints nobody knows
+        paints = self._paints.known
+        # Until the folder has been looked at nothing is said; without a sum the paints have gone.
+        return paints is not None and paints.sha256 != search.sha256
+
+    def _output(self) -> Path:
+        """Return where a search of the present folder is kept: by the folder's place."""
+        import hashlib
+
+        if self._output_of is None or self._output_of[0] != self.folder:
+            place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
+            self._output_of = self.folder, state_folder("basis") / f"{place}.json"
+        return self._output_of[1]
+
+    # The selected reflectance.
+
+    def _ask_own(self) -> None:
+        """Ask a thread for the errors of the front subject; one at a time, the newest next."""
+        front, search = self._desk.front, self.search
+        if not self._built or not self._is_shown():
+            return
+        if front is None or search is None or not search.results:
+            self._own_of = None
+            self.view.plots.show_own(None, None)
+            return
+        wanted = (front.reflectance, search.results)
+        if self._working or (
+            self._own_of is not None and self._own_of[0] is wanted[0] and self._own_of[1] == wanted[1]
+        ):
+            return
+        self._working = True
+        bases = {result.count: result.exponents for result in search.results}
+        self._desk.tasks.submit(
+            _TASK,
+            _errors,
+            (front.reflectance, bases),
+            lambda errors: self._own_arrived(front, wanted, errors),
+            lambda error: self._own_failed(wanted, error),
+        )
+
+    def _own_arrived(
+        self, subject: PlottedMaterial, wanted: tuple[Any, Any], errors: ErrorsOverCount
+    ) -> None:
+        self._working = False
+        self._own_of = wanted
+        front = self._desk.front
+        if front is not None and front.key == subject.key:
+            self.view.plots.show_own(front, errors)
+            self._desk.dismiss_message(_TASK)
+        self._tell()
+        self._ask_own()
+
+    def _own_failed(self, wanted: tuple[Any, Any], error: Exception) -> None:
+        self._working = False
+        self._own_of = wanted
+        self.view.plots.show_own(None, None)
+        self._desk.show_message(message_of(error, _TASK))
+        self._ask_own()
+
+    # The search.
+
+    def _moved(self, fraction: float, words: str) -> None:
+        run = self.run
+        if run is None:
+            return
+        self.view.progress.set_job(BASIS, fraction, words, run.cancel)
+        if self._follows_run and self._source != run.state and run.state.exists():
+            self.show_file(run.state)
+
+    def _done(self) -> None:
+        run = self.run
+        self._ended()
+        if run is not None and self._follows_run:
+            self.show_file(run.output)
+
+    def _failed(self, words: str) -> None:
+        self._ended()
+        self._desk.show_message(message_of(SuiteError(words), BASIS))
+
+    def _ended(self) -> None:
+        self.view.progress.end_job(BASIS)
+        self.view.search.setEnabled(True)
+        if self.run is not None:
+            self.run.deleteLater()
+            self.run = None
+        self._tell()
+        self._paints.look()  # in folders below, no change was told
+
+    # What the user chooses.
+
+    def _choose_folder(self) -> None:
+        name = QFileDialog.getExistingDirectory(self._window, tr("Folder of Paints"), str(self.folder))
+        if name:
+            self.show_folder(Path(name))
+
+    def _choose_file(self) -> None:
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
+        )
+        if name:
+            self._follows_run = False
+            self.show_file(Path(name))
+
+
+def _errors(request: tuple[Any, dict[int, tuple[float, ...]]], progress: Any) -> ErrorsOverCount:
+    from brdf_suite.inspection.basis_of_paint import errors_over_count
+
+    return errors_over_count(*request, progress)
+
+
+def _shipped() -> Path:
+    return Path(str(resource_root() / "paints"))
+
+
+def _stored() -> Path:
+    return Path(str(resource("basis", STORED_NAME)))
+
+
+def _remembered_folder() -> Path:
+    kept = str(settings().value(_FOLDER_KEY, "") or "")
+    return Path(kept) if kept and Path(kept).is_dir() else _shipped()

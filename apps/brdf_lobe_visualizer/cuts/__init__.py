@@ -1,0 +1,1 @@
+"""Slices as curves, polar plots and images."""

@@ -1,0 +1,136 @@
+"""The readout of a plot: the angle under the mouse and the value of each line there, with its unit."""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QLabel, QWidget
+
+from brdf_lobe_visualizer.cuts.lines import Kind, Lines
+from brdf_lobe_visualizer.cuts.pens import colour_of
+from brdf_lobe_visualizer.subjects.subjects import Srgb
+
+_MOST_ROWS = 12
+_MARGIN = 6
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line at the crosshair: ``value`` is NaN where there is none."""
+
+    title: str
+    colour: Srgb
+    kind: Kind
+    value: float
+    filled: bool = False
+
+
+def rows_at(lines: Lines, angle_deg: float) -> tuple[float, tuple[Row, ...]]:
+    """Return the angle of the cut that is nearest to ``angle_deg``, and the values of all lines there."""
+    angles = lines.cut.angle_deg
+    place = int(np.argmin(np.abs(angles - angle_deg)))
+    rows = tuple(
+        Row(
+            line.title,
+            line.colour,
+            line.kind,
+            float(line.value[place]),
+            line.filled is not None and bool(line.filled[place]),
+        )
+        for line in sorted(lines.lines, key=lambda line: not line.is_front)
+    )
+    return float(angles[place]), rows
+
+
+def number(value: float) -> str:
+    """Return ``value`` with four digits, which keep their width; a dash where there is none.
+
+    >>> number(0.123456), number(1234567.0), number(float("nan"))
+    ('0.1235', '1.235e6', '–')
+    """
+    if not math.isfinite(value):
+        return "–"
+    if value == 0.0:
+        return "0"
+    size = abs(value)
+    if 1e-3 <= size < 1e5:
+        text = f"{value:.{max(0, 3 - math.floor(math.log10(size)))}f}"
+    else:
+        digits, power = f"{value:.3e}".split("e")
+        text = f"{digits}e{int(power)}"
+    return text.replace("-", "−")
+
+
+def plain(value: float) -> str:
+    """Return a round ``value`` as an axis has it: no exponent between a thousandth and a hundred thousand.
+
+    >>> plain(2000.0), plain(0.015), plain(1.5e-7)
+    ('2000', '0.015', '1.5e−7')
+    """
+    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
+        return f"{float(f'{value:.3g}'):g}".replace("-", "−")
+    digits, power = f"{value:.2e}".split("e")
+    return f"{float(digits):g}e{int(power)}".replace("-", "−")
+
+
+class Readout(QLabel):
+    """Lies over a plot, in the corner away from the mouse; the mouse goes through it."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setObjectName("readout")
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setMargin(_MARGIN)
+        self.hide()
+
+    def show_rows(self, head: str, rows: Sequence[Row], unit: str, *, at_right: bool) -> None:
+        """Show ``head``, the angle, and a row for each line; ``at_right``: in the right corner."""
+        base = self.palette().color(QPalette.ColorRole.Base)
+        shown = rows[:_MOST_ROWS]
+        cells = []
+        for row in shown:
+            mark = f'<span style="color:{colour_of(row.colour, base).name()}">━</span>'
+            value = number(row.value) + (f" {tr('(filled in)')}" if row.filled else "")
+            name = (
+                html.escape(_short(row.title))
+                + {
+                    "fit": f" · {html.escape(tr('fit'))}",
+                    "difference": f" · {html.escape(tr('difference'))}",
+                    "target": "",
+                }[row.kind]
+            )
+            cells.append(
+                f"<tr><td>{mark}&nbsp;{name}&nbsp;&nbsp;</td><td align='right'>{html.escape(value)}</td></tr>"
+            )
+        if len(rows) > len(shown):
+            more = tr("and {count} more").format(count=len(rows) - len(shown))
+            cells.append(f"<tr><td>{html.escape(more)}</td><td></td></tr>")
+        self.setText(
+            f"<b>{html.escape(head)}</b>&nbsp;&nbsp;<span>{html.escape(unit)}</span><table>{''.join(cells)}</table>"
+        )
+        self.adjustSize()
+        area = self.parentWidget().rect()
+        left = area.right() - self.width() - _MARGIN if at_right else area.left() + 56
+        self.move(max(0, left), area.top() + _MARGIN)
+        self.show()
+        self.raise_()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        back = QColor(self.palette().color(QPalette.ColorRole.Base))
+        back.setAlphaF(0.88)
+        painter.fillRect(self.rect(), back)
+        painter.end()
+        super().paintEvent(event)
+
+
+def _short(title: str) -> str:
+    return title if len(title) <= 28 else title[:27] + "…"

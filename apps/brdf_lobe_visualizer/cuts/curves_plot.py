@@ -1,0 +1,341 @@
+"""Values over an angle: all visible subjects as lines, a crosshair with a readout, log axes, samples and holes."""
+
+from __future__ import annotations
+
+from typing import Any, get_args
+
+import numpy as np
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QKeyEvent, QPalette
+from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.cuts.crosshair import Readout, number, rows_at
+from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
+from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
+from brdf_lobe_visualizer.cuts.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, quantity
+from brdf_lobe_visualizer.options import Options
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.inspection.slices.cuts import FINEST_DEG, Axis
+from brdf_suite.inspection.slices.values import SliceError, nice_above
+
+_DECADES = 7.0
+"""A logarithmic axis reaches no further down than this below its top."""
+
+
+class CurvesPlot(QWidget):
+    """The curves; :meth:`build` makes the plot, which takes pyqtgraph a quarter of a second the first time."""
+
+    def __init__(self, state: SliceState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("curves_plot")
+        self.setMinimumSize(220, 140)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName(tr("Curves: values over an angle"))
+        self._state = state
+        self._lines: Lines | None = None
+        self._theta_deg = 0.0
+        self._options = Options()
+        self._free = False
+        self._named: tuple[Any, ...] | None = None
+        self._view: tuple[Any, ...] | None = None
+        self.plot: Any = None
+        self._box = QVBoxLayout(self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(4)
+        head = QHBoxLayout()
+        head.setSpacing(4)
+        self.axis_buttons: dict[Axis, ChoiceButton] = {}
+        for axis in get_args(Axis):
+            button = ChoiceButton(AXIS_LETTERS[axis])
+            button.setObjectName(f"axis_{axis}")
+            button.setToolTip(plain_tip(f"{tr(AXIS_TITLES[axis])}\n{tr(AXIS_TIPS[axis])}"))
+            button.setAccessibleName(tr(AXIS_TITLES[axis]))
+            button.clicked.connect(lambda _on=False, axis=axis: self._choose(axis))
+            self.axis_buttons[axis] = button
+            head.addWidget(button)
+        head.addSpacing(8)
+        self.log_value = ChoiceButton(tr("log y"))
+        self.log_value.setToolTip(
+            tr("A logarithmic axis of values; differences, which have a sign, stay linear.")
+        )
+        self.log_value.clicked.connect(lambda on: state.set(log_value=on))
+        self.log_angle = ChoiceButton(tr("log x"))
+        self.log_angle.setToolTip(
+            tr("A logarithmic axis of angles, for peaks; of γ the side towards the normal is shown.")
+        )
+        self.log_angle.clicked.connect(lambda on: state.set(log_angle=on))
+        head.addWidget(self.log_value)
+        head.addWidget(self.log_angle)
+        head.addStretch(1)
+        self._box.addLayout(head)
+        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.empty.setWordWrap(True)
+        self._box.addWidget(self.empty, 1)
+        self.note = ElidedLabel()
+        self._box.addWidget(self.note)
+        self.show_options(state.options)
+
+    def build(self) -> None:
+        """Make the plot and show what was set so far."""
+        if self.plot is not None:
+            return
+        from brdf_lobe_visualizer.cuts.marks import HoleBands
+        from brdf_lobe_visualizer.cuts.pens import grey_pen
+        from brdf_lobe_visualizer.cuts.plot_items import SlicePlot, upright
+
+        self.plot = SlicePlot(with_axes=True)
+        self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.plot.setAccessibleName(self.accessibleName())
+        self._bands = HoleBands()
+        self.plot.addItem(self._bands, ignoreBounds=True)
+        self._mirror, self._normal, self._cross = (
+            upright(grey_pen(self.palette(), alpha)) for alpha in (0.5, 0.3, 0.8)
+        )
+        for item in (self._mirror, self._normal, self._cross):
+            self.plot.addItem(item, ignoreBounds=True)
+        self._cross.setVisible(False)
+        self._cross.setZValue(10)
+        self.readout = Readout(self.plot)
+        self.plot.moved_over.connect(self._read)
+        self.plot.left.connect(self._leave)
+        self.plot.framed.connect(self.frame)
+        self.plot.zoomed.connect(self._set_free)
+        self._box.insertWidget(1, self.plot, 1)
+        self._dress()
+        self._draw()
+
+    def show_options(self, options: SliceOptions) -> None:
+        """Show which axes are chosen."""
+        for axis, button in self.axis_buttons.items():
+            button.setChecked(axis == options.axis)
+        self.log_value.setChecked(options.log_value)
+        self.log_angle.setChecked(options.log_angle)
+        self.log_angle.setEnabled(options.axis != "theta_o")
+
+    def show_lines(self, lines: Lines, theta_deg: float, options: Options) -> None:
+        """Draw the lines of the chosen axis; the light is at ``theta_deg``."""
+        self._lines, self._theta_deg, self._options = lines, theta_deg, options
+        if self.plot is not None:
+            self._draw()
+
+    def frame(self) -> None:
+        """Show all of the lines again."""
+        self._free = False
+        if self.plot is not None:
+            self._draw()
+
+    @property
+    def lines(self) -> Lines | None:
+        """What is drawn."""
+        return self._lines
+
+    @property
+    def logs(self) -> tuple[bool, bool]:
+        """Whether the axes of angle and of value are logarithmic."""
+        signed = self._lines is not None and self._lines.signed
+        options = self._state.options
+        return options.log_angle and options.axis != "theta_o", options.log_value and not signed
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_F:
+            self.frame()
+        else:
+            super().keyPressEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self.plot is not None:
+            self._dress()
+            self._draw()
+
+    def _choose(self, axis: Axis) -> None:
+        self._free = False
+        self._state.set(axis=axis)
+        self.show_options(self._state.options)
+
+    def _draw(self) -> None:
+        lines = self._lines
+        there = lines is not None and bool(lines.lines)
+        self.plot.setVisible(there)
+        self.empty.setVisible(not there)
+        if lines is None or not there:
+            self.note.setText("")
+            return
+        log_x, log_y = self.logs
+        self.plot.show_lines([(line, *self._placed(line, lines, log_x, log_y)) for line in lines.lines])
+        self._draw_points(lines, log_x, log_y)
+        front = next((line for line in lines.lines if line.is_front and line.filled is not None), None)
+        bands = [] if front is None else _bands(lines.cut.angle_deg, front.filled, log_x)
+        self._bands.show_bands(bands, self.palette())
+        self._name_axes(lines, log_x, log_y)
+        self._place_marks(lines.cut.axis, log_x)
+        if not self._free:
+            self._frame(lines, log_x, log_y)
+        self._tell(lines, bool(bands))
+
+    def _placed(self, line: Line, lines: Lines, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
+        x, y = lines.cut.angle_deg, line.value
+        if line.filled is not None:
+            y = np.where(line.filled, np.nan, y)
+        return _logs(x, y, log_x, log_y)
+
+    def _draw_points(self, lines: Lines, log_x: bool, log_y: bool) -> None:
+        drawn = []
+        for line in lines.lines:
+            points = lines.points.get(line.key)
+            if points is not None and (line.kind == "target" or self._options.shown == "fit"):
+                x, y = _logs(points.angle_deg, points.value, log_x, log_y)
+                known = np.isfinite(x) & np.isfinite(y)
+                drawn.append((line, x[known], y[known]))
+        self.plot.show_points(drawn)
+
+    def _name_axes(self, lines: Lines, log_x: bool, log_y: bool) -> None:
+        named = (lines.cut.axis, quantity(self._options), log_x, log_y)
+        if self._named == named:
+            return
+        self._named = named
+        self.plot.setLabel("bottom", tr(AXIS_TITLES[lines.cut.axis]))
+        self.plot.setLabel("left", quantity(self._options))
+        self.plot.getAxis("bottom").setLogMode(x=log_x)
+        self.plot.getAxis("left").setLogMode(y=log_y)
+        self.plot.showGrid(x=True, y=True, alpha=0.12)
+
+    def _place_marks(self, axis: Axis, log_x: bool) -> None:
+        theta = self._theta_deg
+        places = {
+            "gamma": (0.0, theta),
+            "theta_o": (theta, 0.0),
+            "theta_h": (0.0, None),
+            "theta_d": (None, None),
+        }[axis]
+        for item, place in zip((self._mirror, self._normal), places, strict=True):
+            shown = place is not None and (not log_x or place >= FINEST_DEG)
+            item.setVisible(shown)
+            if shown and place is not None:
+                item.setPos(np.log10(place) if log_x else place)
+
+    def _frame(self, lines: Lines, log_x: bool, log_y: bool) -> None:
+        angles = lines.cut.angle_deg
+        if log_x:
+            x = (np.log10(FINEST_DEG), np.log10(max(90.0, float(angles[-1]))))
+        else:
+            x = (15.0 * np.floor(angles[0] / 15.0 + 1e-9), 15.0 * np.ceil(angles[-1] / 15.0 - 1e-9))
+        y = _value_range(lines, log_y)
+        view = (x, y)
+        if self._view != view or self.plot.viewRange() != [list(x), list(y)]:
+            self._view = view
+            self.plot.setRange(xRange=x, yRange=y, padding=0.0, disableAutoRange=True)
+
+    def _tell(self, lines: Lines, holes: bool) -> None:
+        """Say how far the selected fit is from its target, and what is not to be seen; the tip tells of all fits."""
+        errors: dict[str, str] = {}
+        for line in lines.lines:
+            error = lines.errors.get(line.key)
+            if error is not None and line.key not in errors:
+                errors[line.key] = tr(
+                    "{name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
+                ).format(
+                    name=line.title,
+                    rms=number(error.rms),
+                    unit=UNIT,
+                    share=f"{100.0 * error.relative:.1f}" if np.isfinite(error.relative) else "–",
+                    worst=number(error.worst),
+                    angle=degrees(lines.cut.axis, error.worst_deg),
+                )
+        rest = [tr("hatched: not measured")] if holes else []
+        silent = {line.title for line in lines.lines if not np.isfinite(line.value).any()}
+        rest.extend(tr("{name}: nothing to draw here").format(name=name) for name in sorted(silent))
+        black = {line.title for line in lines.lines if line.kind != "difference" and _is_zero(line.value)}
+        rest.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
+        front = next((line for line in lines.lines if line.is_front), lines.lines[-1])
+        # In few words, for there is little room; the tip has all figures.
+        shown = [_short(lines, lines.errors[front.key])] if front.key in errors else []
+        self.note.setText(" · ".join([*shown, *rest]))
+        self.note.setToolTip(plain_tip("\n".join([*errors.values(), *rest])))
+
+    def _read(self, x: float, _y: float) -> None:
+        if self._lines is None or not self._lines.lines:
+            return
+        angle, rows = rows_at(self._lines, 10.0**x if self.logs[0] else x)
+        self._cross.setPos(np.log10(max(angle, FINEST_DEG)) if self.logs[0] else angle)
+        self._cross.setVisible(True)
+        low, high = self.plot.viewRange()[0]
+        self.readout.show_rows(
+            degrees(self._lines.cut.axis, angle),
+            rows,
+            quantity(self._options),
+            at_right=x < 0.5 * (low + high),
+        )
+
+    def _leave(self) -> None:
+        self._cross.setVisible(False)
+        self.readout.hide()
+
+    def _set_free(self) -> None:
+        self._free = True
+
+    def _dress(self) -> None:
+        from brdf_lobe_visualizer.cuts.pens import grey_pen
+
+        self.plot.dress()
+        dashes = (Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.SolidLine)
+        for item, alpha, style in zip(
+            (self._mirror, self._normal, self._cross), (0.5, 0.4, 0.8), dashes, strict=True
+        ):
+            pen = grey_pen(self.palette(), alpha)
+            pen.setStyle(style)
+            item.setPen(pen)
+        self._named = None
+        self.readout.setPalette(QPalette(self.palette()))
+
+
+def _is_zero(value: Floats) -> bool:
+    known = value[np.isfinite(value)]
+    return bool(known.size and not known.any())
+
+
+def _logs(x: Floats, y: Floats, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
+    with np.errstate(divide="ignore", invalid="ignore"):
+        if log_x:
+            x, y = np.log10(np.where(x > 0.0, x, FINEST_DEG)), np.where(x > 0.0, y, np.nan)
+        if log_y:
+            y = np.where(y > 0.0, np.log10(np.where(y > 0.0, y, 1.0)), np.nan)
+    return x, y
+
+
+def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, float]]:
+    from brdf_lobe_visualizer.cuts.marks import bands_of
+
+    bands = bands_of(angle_deg, holes)
+    if not log_x:
+        return bands
+    return [
+        (float(np.log10(max(low, FINEST_DEG))), float(np.log10(high)))
+        for low, high in bands
+        if high > FINEST_DEG
+    ]
+
+
+def _short(lines: Lines, error: SliceError) -> str:
+    size = f"{100.0 * error.relative:.1f} %" if np.isfinite(error.relative) else f"{number(error.rms)} {UNIT}"
+    return tr("Fit: RMS {rms}, worst {worst} {unit} at {angle}").format(
+        rms=size, worst=number(error.worst), unit=UNIT, angle=degrees(lines.cut.axis, error.worst_deg)
+    )
+
+
+def _value_range(lines: Lines, log_y: bool) -> tuple[float, float]:
+    top = largest(lines.lines)
+    if lines.signed:
+        end = nice_above(top)
+        return -end, end
+    if not log_y:
+        return 0.0, nice_above(1.02 * top)
+    values = np.concatenate([line.value for line in lines.lines])
+    least = values[(values > 0.0) & np.isfinite(values)]
+    high = np.ceil(2.0 * np.log10(1.02 * top)) / 2.0
+    low = np.floor(np.log10(least.min())) if least.size else high - _DECADES
+    return float(max(low, high - _DECADES)), float(high)

@@ -1,0 +1,213 @@
+"""The images of the slices, made from one subject: a frozen request in, a grid of pictures out; runs on a thread.
+
+The first row is the target, the second its fit (figure 4 of the paper); a third the difference, where differences are
+shown: of the fit, or against the subject that differences are taken against.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from brdf_qt.program.translation import tr
+
+from brdf_lobe_visualizer.cuts.crosshair import plain
+from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
+from brdf_lobe_visualizer.cuts.words import UNIT
+from brdf_lobe_visualizer.options import Channel, Cosine
+from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
+from brdf_suite.inspection.slices.images import Pairs, image_error, image_of
+from brdf_suite.inspection.slices.tone import DECADES, Bytes, Tone, colour_codes, mapped_codes, share_of
+from brdf_suite.inspection.slices.values import channel_of, nice_above
+from brdf_suite.progress import Progress, report
+
+_BAR_STEPS = 128
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """What is wanted: pictures of ``reflectance`` for each of ``pairs``, a column each.
+
+    ``weights`` are its fit's, None where it has none; ``other`` is what differences are taken against, with its title.
+    ``places`` gives the shares (k, 2) of width and height at which samples lie in a column, None where there are none.
+    """
+
+    title: str
+    reflectance: Any
+    weights: Any | None
+    other: tuple[str, Any] | None
+    difference: bool
+    measured: Measured | None
+    samples: SamplePoints | None
+    pairs: tuple[Pairs, ...]
+    columns: tuple[str, ...]
+    channel: Channel
+    cosine: Cosine
+    tone: Tone
+    ev: float
+    quantity: str
+    axes: Axes
+    places: Callable[[SamplePoints, int], Floats] | None = None
+
+    def gives_same(self, other: Request) -> bool:
+        """Whether the pictures of ``other`` are the same."""
+        plain = ("title", "difference", "columns", "channel", "cosine", "tone", "ev", "quantity", "axes")
+        same = ("reflectance", "measured", "samples")
+        return (
+            all(getattr(self, name) == getattr(other, name) for name in plain)
+            and all(getattr(self, name) is getattr(other, name) for name in same)
+            and len(self.pairs) == len(other.pairs)
+            and all(a is b for a, b in zip(self.pairs, other.pairs, strict=True))
+            and _same_weights(self.weights, other.weights)
+            and (self.other is None) == (other.other is None)
+            and (self.other is None or other.other is None or self.other[1] is other.other[1])
+        )
+
+
+def _same_weights(first: Any, second: Any) -> bool:
+    # With lobes switched off they are made anew each time.
+    if first is None or second is None or first is second:
+        return first is second
+    names = ("exponents", "kd", "kdd", "kg")
+    return all(np.array_equal(getattr(first, name), getattr(second, name)) for name in names)
+
+
+def make_grid(request: Request, progress: Progress | None = None) -> Grid:
+    """Return the pictures; raises :class:`Cancelled` where the progress callback asks for it."""
+    columns = range(len(request.pairs))
+    targets = []
+    for column in columns:
+        report(progress, column / len(columns), request.title)
+        targets.append(image_of(request.reflectance, request.pairs[column], cosine=request.cosine))
+    fits = None
+    if request.weights is not None:
+        report(progress, 0.5, request.title)
+        fits = [image_of(request.weights, pairs, cosine=request.cosine) for pairs in request.pairs]
+    white = _white(targets, request)
+    holes = [_holes(request, pairs) for pairs in request.pairs]
+    rows = [tr("target")]
+    pictures = {
+        (0, column): _picture(targets[column], request, white, column, holes[column], first=True)
+        for column in columns
+    }
+    if fits is not None:
+        rows.append(tr("fit"))
+        for column in columns:
+            error = image_error(targets[column], fits[column])
+            notes: tuple[str, ...] = ()
+            if error is not None:
+                share = _percent(error.relative)
+                notes = (tr("RMS {share} %").format(share=share), f"{share} %")
+            pictures[1, column] = _picture(fits[column], request, white, column, None, notes=notes)
+    if request.difference:
+        title, pictures_of = _differences(request, targets, fits, len(rows))
+        if pictures_of:
+            rows.append(title)
+            pictures |= pictures_of
+    bar = _bar(request, white)
+    return Grid(tuple(rows), request.columns, pictures, bar, request.axes)
+
+
+def _percent(share: float) -> str:
+    if not np.isfinite(share):
+        return "–"
+    return f"{100.0 * share:.{0 if share >= 0.1 else 1}f}"
+
+
+def _differences(
+    request: Request, targets: list[Floats], fits: list[Floats] | None, row: int
+) -> tuple[str, dict[tuple[int, int], Picture]]:
+    if request.other is not None:
+        name, reflectance = request.other
+        others = [image_of(reflectance, pairs, cosine=request.cosine) for pairs in request.pairs]
+        values = [channel_of(a - b, request.channel) for a, b in zip(targets, others, strict=True)]
+        title = tr("− {name}").format(name=name)
+    elif fits is not None:
+        values = [channel_of(b - a, request.channel) for a, b in zip(targets, fits, strict=True)]
+        title = tr("fit − target")
+    else:
+        return "", {}
+    known = np.concatenate([np.abs(value[np.isfinite(value)]) for value in values])
+    # Half of the pixels in a hundred may end beyond the map: one spike would leave all else grey.
+    end = float(np.quantile(known, 0.995)) if known.size else 0.0
+    end = nice_above(end) if end > 0.0 else 1.0
+    pictures = {
+        (row, column): Picture(
+            mapped_codes(np.clip(0.5 + 0.5 * value / end, 0.0, 1.0), difference_map()),
+            value,
+            ~request.pairs[column].above,
+            _not_finite(value, request.pairs[column]),
+        )
+        for column, value in enumerate(values)
+    }
+    return f"{title}  (±{plain(end)})", pictures
+
+
+def _picture(
+    value: Floats,
+    request: Request,
+    white: float,
+    column: int,
+    holes: np.ndarray[Any, np.dtype[np.bool_]] | None,
+    *,
+    notes: tuple[str, ...] = (),
+    first: bool = False,
+) -> Picture:
+    one = channel_of(value, request.channel)
+    if request.channel == "colour":
+        codes = colour_codes(value, request.tone, white)
+    else:
+        codes = mapped_codes(share_of(one, request.tone, white), value_map())
+    pairs = request.pairs[column]
+    gone = _not_finite(one, pairs)
+    if holes is not None:
+        gone = holes if gone is None else gone | holes
+    points = None
+    if first and request.samples is not None and request.places is not None:
+        points = request.places(request.samples, column)
+    if first and gone is not None and gone.any():
+        notes = (tr("hatched: not measured"), tr("holes"))
+    return Picture(codes, one, ~pairs.above, gone, points, notes)
+
+
+def _not_finite(value: Floats, pairs: Pairs) -> np.ndarray[Any, np.dtype[np.bool_]] | None:
+    gone = ~np.isfinite(value) & pairs.above
+    return gone if gone.any() else None
+
+
+def _holes(request: Request, pairs: Pairs) -> np.ndarray[Any, np.dtype[np.bool_]] | None:
+    if request.measured is None:
+        return None
+    wi = np.broadcast_to(pairs.wi, pairs.wo.shape)
+    return np.asarray(~request.measured(wi, pairs.wo)) & pairs.above
+
+
+def _white(targets: list[Floats], request: Request) -> float:
+    """Return the value that is white: so that the flank of a highlight is seen, and not the highlight alone."""
+    values = np.concatenate([channel_of(target, request.channel).ravel() for target in targets])
+    lit = values[np.isfinite(values) & (values > 0.0)]
+    if not lit.size:
+        return 1.0
+    top = float(lit.max())
+    usual = float(np.median(lit)) * 100.0 if request.tone == "log" else float(np.quantile(lit, 0.9))
+    return float(nice_above(min(top, usual)) * 2.0**-request.ev)
+
+
+def _bar(request: Request, white: float) -> ScaleBar:
+    places = np.linspace(0.0, 1.0, _BAR_STEPS)
+    codes: Bytes = (
+        np.repeat(np.rint(255.0 * places).astype(np.uint8)[:, None], 3, axis=1)
+        if request.channel == "colour"
+        else value_map()
+    )
+    if request.tone == "log":
+        values = [white * 10.0 ** (-k) for k in range(int(DECADES) + 1)]
+    else:
+        values = [white * share for share in (1.0, 0.5, 0.2, 0.05, 0.0)]
+    ticks = tuple((float(share_of(value, request.tone, white)), plain(value)) for value in values)
+    title = request.quantity if request.quantity.endswith(f"({UNIT})") else f"{request.quantity} ({UNIT})"
+    return ScaleBar(codes, ticks, title)

@@ -1,0 +1,276 @@
+"""Joins the legend to the desk: its intents are edits of the desk, and it shows what the desk has."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QColorDialog, QMenu
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.legend.errors import LegendErrors
+from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
+from brdf_lobe_visualizer.legend.line import colour_of, line_icon
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial, Srgb
+from brdf_lobe_visualizer.window import LobeWindow
+
+LONGEST_TITLE = 200
+_COLOUR_NAMES = (
+    mark("Sky blue"),
+    mark("Orange"),
+    mark("Green"),
+    mark("Pink"),
+    mark("Vermilion"),
+    mark("Blue"),
+    mark("Yellow"),
+)
+_DASH_NAMES = {
+    "solid": mark("Solid"),
+    "dash": mark("Dashes"),
+    "dot": mark("Dots"),
+    "dash dot": mark("Dash and dot"),
+    "long dash": mark("Long dashes"),
+}
+
+
+class LegendControl(QObject):
+    """The legend, its commands in the menu Reflectance, and the errors beside the rows.
+
+    Signals: ``open_asked()``, ``list_asked()``.
+    """
+
+    open_asked = Signal()
+    list_asked = Signal()
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self.errors = LegendErrors(desk, self)
+        self.legend = Legend()
+        window.add_beside(self.legend)
+        self._build_commands()
+        legend = self.legend
+        legend.front_asked.connect(desk.set_front)
+        legend.shown_asked.connect(lambda key, shown: desk.set_hidden(key, not shown))
+        legend.solo_asked.connect(desk.set_solo)
+        legend.reference_asked.connect(lambda key, on: desk.set_compared(key if on else None))
+        legend.renamed.connect(self.rename)
+        legend.removed.connect(desk.remove)
+        legend.moved.connect(desk.move)
+        legend.colour_asked.connect(self.next_colour)
+        legend.dash_asked.connect(self.next_dash)
+        legend.menu_asked.connect(lambda at: window.paint_menu.popup(at))
+        legend.open_asked.connect(self.open_asked)
+        legend.list_asked.connect(self.list_asked)
+        legend.all_asked.connect(desk.show_all)
+        for signal in (
+            desk.subjects_changed,
+            desk.front_changed,
+            desk.visibility_changed,
+            self.errors.changed,
+        ):
+            signal.connect(self._show)
+        self._show()
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the errors are there."""
+        return self.errors.is_complete
+
+    def close(self) -> None:
+        """End the work on errors."""
+        self.errors.close()
+
+    def rename(self, key: str, title: str) -> None:
+        """Give a subject another title; an empty one is not taken."""
+        title = " ".join(title.split())[:LONGEST_TITLE]
+        if title:
+            self._desk.change(key, title=title)
+        self._show()
+
+    def set_colour(self, key: str, colour: Srgb) -> None:
+        """Give a subject's line a colour."""
+        self._desk.change(key, colour=colour)
+
+    def next_colour(self, key: str) -> None:
+        """Give a subject's line the next of the colours."""
+        subject = self._desk.subject(key)
+        if subject is not None:
+            place = LINE_COLOURS.index(subject.colour) if subject.colour in LINE_COLOURS else -1
+            self.set_colour(key, LINE_COLOURS[(place + 1) % len(LINE_COLOURS)])
+
+    def next_dash(self, key: str) -> None:
+        """Give a subject's line the next dash."""
+        subject = self._desk.subject(key)
+        if subject is not None:
+            place = DASHES.index(subject.dash)
+            self._desk.change(key, dash=DASHES[(place + 1) % len(DASHES)])
+
+    def blink(self) -> None:
+        """Show the front alone, then the reference alone, in turn."""
+        front, other = self._desk.front, self._desk.compared
+        if front is None or other is None or front is other:
+            return
+        shown = other if self._desk.is_solo(front.key) else front
+        for subject in self._desk.subjects:
+            self._desk.set_solo(subject.key, subject is shown)
+
+    def _show(self) -> None:
+        front = self._desk.front
+        rows = [self._row(subject) for subject in self._desk.subjects]
+        self.legend.show_rows(rows, "" if front is None else front.key)
+        for action in self._of_front:
+            action.setEnabled(front is not None)
+        self._solo.setChecked(front is not None and self._desk.is_solo(front.key))
+        self._shown.setChecked(front is not None and not self._desk.is_hidden(front.key))
+        self._reference.setChecked(front is not None and front is self._desk.compared)
+        self._blink.setEnabled(self._desk.compared not in (None, front))
+
+    def _row(self, subject: PlottedMaterial) -> LegendRow:
+        desk = self._desk
+        found = self.errors.error(subject.key)
+        error, told = "", []
+        if found is not None:
+            error = f"{100.0 * found.errors.away.relative_rms:.3g} %"
+            error = f"({error})" if self.errors.is_stale(subject.key) else error
+            told.append(
+                tr(
+                    "Against the reference: {rms} of its root mean square away from the mirror, {all} in all"
+                ).format(
+                    rms=f"{100.0 * found.errors.away.relative_rms:.3g} %",
+                    all=f"{100.0 * found.errors.whole.relative_rms:.3g} %",
+                )
+            )
+            if found.delta_e is not None:
+                told.append(tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}"))
+        if subject.fit is not None and subject.fit.worst_delta_e is not None:
+            told.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
+        tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *told])
+        return LegendRow(
+            subject.key,
+            subject.title,
+            subject.colour,
+            subject.dash,
+            shown=not desk.is_hidden(subject.key),
+            solo=desk.is_solo(subject.key),
+            reference=desk.compared is subject,
+            error=error,
+            tip=tip,
+        )
+
+    # Commands.
+
+    def _build_commands(self) -> None:
+        add, menu = self._window.add_command, "reflectance"
+        self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
+        self._solo = add(menu, mark("Show A&lone"), "Ctrl+Shift+H", None)
+        self._reference = add(
+            menu,
+            mark("Take as &Reference"),
+            "Ctrl+R",
+            None,
+            tip=mark("Differences and errors are taken against it"),
+        )
+        for action, slot in (
+            (self._shown, lambda on: self._for_front(lambda key: self._desk.set_hidden(key, not on))),
+            (self._solo, lambda on: self._for_front(lambda key: self._desk.set_solo(key, on))),
+            (
+                self._reference,
+                lambda on: self._for_front(lambda key: self._desk.set_compared(key if on else None)),
+            ),
+        ):
+            action.setCheckable(True)
+            # Not toggled: the ticks follow the front, and that is nobody's wish.
+            action.triggered.connect(slot)
+        rename = add(menu, mark("Re&name"), None, lambda: self._for_front(self.legend.edit_title))
+        self._build_line_menu()
+        up = add(menu, mark("Move &Up"), "Ctrl+Shift+Up", lambda: self._move(-1))
+        down = add(menu, mark("Move &Down"), "Ctrl+Shift+Down", lambda: self._move(1))
+        gone = add(
+            menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._desk.remove), icon="x"
+        )
+        self._of_front: list[QAction] = [
+            self._shown,
+            self._solo,
+            self._reference,
+            rename,
+            self._line.menuAction(),
+            up,
+            down,
+            gone,
+        ]
+        self._window.paint_menu.addSeparator()
+        add(menu, mark("Show &All"), "Ctrl+Shift+A", self._desk.show_all, icon="eye")
+        add(menu, mark("Remove All &Others"), None, self._remove_others)
+        add(menu, mark("Ne&xt Reflectance"), "Ctrl+Tab", lambda: self._step(1))
+        add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
+        self._blink = add(
+            menu,
+            mark("&Blink with the Reference"),
+            "B",
+            self.blink,
+            tip=mark("Show the selected reflectance and the reference in turn"),
+        )
+
+    def _build_line_menu(self) -> None:
+        self._line = QMenu(tr("L&ine"), self._window.paint_menu)
+        self._window.paint_menu.addMenu(self._line)
+        for name, colour in zip(_COLOUR_NAMES, LINE_COLOURS, strict=True):
+            action = self._line.addAction(line_icon(colour, "solid"), tr(name))
+            action.triggered.connect(
+                lambda _=False, colour=colour: self._for_front(lambda key: self.set_colour(key, colour))
+            )
+        self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self._ask_colour))
+        self._line.addSeparator()
+        for dash, title in _DASH_NAMES.items():
+            action = self._line.addAction(line_icon((0.5, 0.5, 0.5), dash), tr(title))
+            action.triggered.connect(
+                lambda _=False, dash=dash: self._for_front(lambda key: self._desk.change(key, dash=dash))
+            )
+        self._line.addSeparator()
+        self._line.addAction(tr("Reset All Lines"), self.reset_lines)
+
+    def reset_lines(self) -> None:
+        """Give the lines the colours and dashes of a first start, in the legend's order."""
+        count = len(LINE_COLOURS)
+        self._desk.set_subjects(
+            [
+                replace(
+                    subject,
+                    colour=LINE_COLOURS[place % count],
+                    dash=DASHES[(place + place // count) % len(DASHES)],
+                )
+                for place, subject in enumerate(self._desk.subjects)
+            ]
+        )
+
+    def _ask_colour(self, key: str) -> None:
+        subject = self._desk.subject(key)
+        if subject is None:
+            return
+        dialog = QColorDialog(colour_of(subject.colour), self._window)
+        dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
+        dialog.currentColorChanged.connect(lambda c: self.set_colour(key, (c.redF(), c.greenF(), c.blueF())))
+        dialog.rejected.connect(lambda: self.set_colour(key, subject.colour))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _for_front(self, act) -> None:
+        front = self._desk.front
+        if front is not None:
+            act(front.key)
+
+    def _move(self, by: int) -> None:
+        keys = [s.key for s in self._desk.subjects]
+        self._for_front(lambda key: self._desk.move(key, keys.index(key) + by))
+
+    def _step(self, by: int) -> None:
+        keys = [s.key for s in self._desk.subjects]
+        self._for_front(lambda key: self._desk.set_front(keys[(keys.index(key) + by) % len(keys)]))
+
+    def _remove_others(self) -> None:
+        front = self._desk.front
+        if front is not None:
+            self._desk.set_subjects((front,))

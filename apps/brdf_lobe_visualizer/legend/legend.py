@@ -1,0 +1,355 @@
+"""The legend: a row per subject, with what can be done to it by mouse and by key. Intents out, rows in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QHBoxLayout,
+    QHeaderView,
+    QPushButton,
+    QStackedWidget,
+    QToolButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_lobe_visualizer.legend.line import LINE_SIZE, line_icon
+from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
+
+TITLE, SOLO, REFERENCE, ERROR = range(4)
+_KEY = Qt.ItemDataRole.UserRole
+_OF_COLUMN = {SOLO: "solo_asked", REFERENCE: "reference_asked"}
+
+
+@dataclass(frozen=True)
+class LegendRow:
+    """What a row shows. ``error`` is a short text; ``tip`` tells all that is known of the subject."""
+
+    key: str
+    title: str
+    colour: Srgb
+    dash: Dash
+    shown: bool
+    solo: bool
+    reference: bool
+    error: str
+    tip: str
+
+    @property
+    def spoken(self) -> str:
+        """What a screen reader says of it."""
+        words = [self.title, tr("shown") if self.shown else tr("hidden")]
+        if self.solo:
+            words.append(tr("alone"))
+        if self.reference:
+            words.append(tr("reference"))
+        if self.error:
+            words.append(tr("error {error}").format(error=self.error))
+        return ", ".join(words)
+
+
+_KEYS = {
+    Qt.Key.Key_Space: "shown",
+    Qt.Key.Key_S: "solo",
+    Qt.Key.Key_R: "reference",
+    Qt.Key.Key_C: "colour",
+    Qt.Key.Key_D: "dash",
+    Qt.Key.Key_F2: "rename",
+    Qt.Key.Key_Delete: "remove",
+    Qt.Key.Key_Backspace: "remove",
+}
+
+
+class _Rows(QTreeWidget):
+    """The rows; keys and drags that a tree does not know."""
+
+    key_pressed = Signal(str)
+    dropped = Signal(str, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._dress()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ApplicationPaletteChange:
+            self._dress()
+
+    def _dress(self) -> None:
+        # Fusion frames the boxes of rows with a darker shade of the window, which is not seen on a dark one.
+        shown = QApplication.palette()
+        palette = QPalette()
+        palette.setColor(QPalette.ColorRole.Window, shown.color(QPalette.ColorRole.PlaceholderText))
+        self.setPalette(palette)
+        self.header().setPalette(shown)
+
+    def event(self, event: QEvent) -> bool:
+        """Keep the legend's keys from commands of the window that have the same one, as Space has."""
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            plain = event.modifiers() in (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.KeypadModifier)
+            if plain and Qt.Key(event.key()) in _KEYS:
+                event.accept()
+                return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        modifiers = event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        key = Qt.Key(event.key())
+        if modifiers == Qt.KeyboardModifier.NoModifier and key in _KEYS:
+            self.key_pressed.emit(_KEYS[key])
+        elif modifiers == Qt.KeyboardModifier.AltModifier and key in (Qt.Key.Key_Up, Qt.Key.Key_Down):
+            self.key_pressed.emit("up" if key == Qt.Key.Key_Up else "down")
+        else:
+            super().keyPressEvent(event)
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Tell which row was dropped where; the rows themselves follow the desk."""
+        row = self.currentItem()
+        under = self.itemAt(event.position().toPoint())
+        place = self.topLevelItemCount() if under is None else self.indexOfTopLevelItem(under)
+        if under is not None and self.dropIndicatorPosition() == self.DropIndicatorPosition.BelowItem:
+            place += 1
+        event.setDropAction(Qt.DropAction.IgnoreAction)
+        event.accept()
+        if row is not None:
+            before = self.indexOfTopLevelItem(row)
+            self.dropped.emit(row.data(0, _KEY), place - 1 if before < place else place)
+
+
+class Legend(QWidget):
+    """All subjects. Signals carry the key of the subject that they are about.
+
+    ``front_asked``, ``shown_asked(key, bool)``, ``solo_asked(key, bool)``, ``reference_asked(key, bool)``,
+    ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``, ``dash_asked(key)``, ``menu_asked(QPoint)``,
+    ``colour_asked(key)``; without one ``open_asked``, ``list_asked``, ``all_asked``.
+    """
+
+    front_asked = Signal(str)
+    shown_asked = Signal(str, bool)
+    solo_asked = Signal(str, bool)
+    reference_asked = Signal(str, bool)
+    renamed = Signal(str, str)
+    removed = Signal(str)
+    moved = Signal(str, int)
+    colour_asked = Signal(str)
+    dash_asked = Signal(str)
+    menu_asked = Signal(QPoint)
+    open_asked = Signal()
+    list_asked = Signal()
+    all_asked = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("legend")
+        self._keys: list[str] = []
+        self._shown: tuple[LegendRow, ...] = ()
+        self._filling = False
+        self.rows = _Rows()
+        self._build_rows()
+        self.pages = QStackedWidget()
+        self.pages.addWidget(self.rows)
+        self.pages.addWidget(self._empty())
+        self.pages.setCurrentIndex(1)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(4)
+        box.addLayout(self._head())
+        box.addWidget(self.pages, 1)
+        self.setMinimumWidth(170)
+
+    def show_rows(self, rows: Sequence[LegendRow], front: str) -> None:
+        """Show these rows, of which that of key ``front`` is selected."""
+        self._filling = True
+        try:
+            if [row.key for row in rows] != self._keys:
+                self._keys = [row.key for row in rows]
+                self.rows.clear()
+                for _row in rows:
+                    self.rows.addTopLevelItem(QTreeWidgetItem())
+                self._shown = ()
+            old = self._shown if len(self._shown) == len(rows) else (None,) * len(rows)
+            for place, (row, before) in enumerate(zip(rows, old, strict=True)):
+                item = self.rows.topLevelItem(place)
+                if row != before:
+                    _fill(item, row, before, self.devicePixelRatioF())
+                if row.key == front and self.rows.currentItem() is not item:
+                    self.rows.setCurrentItem(item)
+            self._shown = tuple(rows)
+        finally:
+            self._filling = False
+        self.pages.setCurrentIndex(0 if rows else 1)
+        self.rows.setColumnHidden(ERROR, not any(row.error for row in rows))
+
+    def edit_title(self, key: str) -> None:
+        """Let the user type another title for a row."""
+        for place, row in enumerate(self._shown):
+            if row.key == key:
+                self.rows.setFocus()
+                self.rows.editItem(self.rows.topLevelItem(place), TITLE)
+
+    def sizeHint(self) -> QSize:
+        return QSize(252, 240)
+
+    def _build_rows(self) -> None:
+        rows = self.rows
+        rows.setAccessibleName(tr("Legend of the reflectances"))
+        rows.setToolTip(
+            tr(
+                "Space shows or hides, S alone, R takes as reference, C colour, D dash, F2 renames, Delete removes, "
+                "Alt+Up and Alt+Down move"
+            )
+        )
+        rows.setHeaderLabels([tr("Reflectance"), tr("Solo"), tr("Ref."), tr("Error")])
+        tips = (
+            tr("Tick to show; the line is how plots draw it"),
+            tr("Tick to show it alone, with the others that are ticked so"),
+            tr("Tick to take differences and errors against it"),
+            tr(
+                "Root mean square of the differences over that of the reference, away from the mirror direction"
+            ),
+        )
+        for column, tip in enumerate(tips):
+            rows.headerItem().setToolTip(column, plain_tip(tip))
+        header = rows.header()
+        header.setStretchLastSection(False)
+        header.setMinimumSectionSize(24)
+        header.setSectionResizeMode(TITLE, QHeaderView.ResizeMode.Stretch)
+        for column in (SOLO, REFERENCE, ERROR):
+            header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        rows.setRootIsDecorated(False)
+        rows.setUniformRowHeights(True)
+        rows.setIconSize(LINE_SIZE)
+        rows.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        rows.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        rows.customContextMenuRequested.connect(
+            lambda at: self.menu_asked.emit(rows.viewport().mapToGlobal(at))
+        )
+        rows.currentItemChanged.connect(self._selected)
+        rows.itemChanged.connect(self._changed)
+        rows.itemDoubleClicked.connect(self._double_clicked)
+        rows.key_pressed.connect(self._key)
+        rows.dropped.connect(self.moved)
+
+    def _head(self) -> QHBoxLayout:
+        head = QHBoxLayout()
+        head.setSpacing(4)
+        title = PlainLabel(tr("Legend"))
+        font = title.font()
+        font.setBold(True)
+        title.setFont(font)
+        head.addWidget(title)
+        head.addStretch(1)
+        for name, text, signal in (
+            ("folder-open", tr("Open a file"), self.open_asked),
+            ("list-plus", tr("Choose from the list of reflectances"), self.list_asked),
+            ("eye", tr("Show all"), self.all_asked),
+        ):
+            button = QToolButton()
+            button.setIcon(icon(name))
+            button.setAutoRaise(True)
+            button.setToolTip(plain_tip(text))
+            button.setAccessibleName(text)
+            button.clicked.connect(signal)
+            head.addWidget(button)
+        return head
+
+    def _empty(self) -> QWidget:
+        page = QWidget()
+        box = QVBoxLayout(page)
+        text = PlainLabel(tr("Nothing is shown. Drop files here, or"))
+        text.setWordWrap(True)
+        text.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        box.addStretch(1)
+        box.addWidget(text)
+        for title, signal in (
+            (tr("Open a File…"), self.open_asked),
+            (tr("Choose from the List"), self.list_asked),
+        ):
+            button = QPushButton(title)
+            button.clicked.connect(signal)
+            box.addWidget(button)
+        box.addStretch(1)
+        return page
+
+    # What the user does.
+
+    def _selected(self, item: QTreeWidgetItem | None) -> None:
+        if item is not None and not self._filling:
+            self.front_asked.emit(item.data(0, _KEY))
+
+    def _changed(self, item: QTreeWidgetItem, column: int) -> None:
+        if self._filling:
+            return
+        key = item.data(0, _KEY)
+        row = self._row(key)
+        if row is None:
+            return
+        checked = item.checkState(column) == Qt.CheckState.Checked
+        if column in _OF_COLUMN:
+            getattr(self, _OF_COLUMN[column]).emit(key, checked)
+        elif checked != row.shown:
+            self.shown_asked.emit(key, checked)
+        elif item.text(TITLE) != row.title:
+            self._shown = ()  # the row shows what was typed, also where it is refused
+            self.renamed.emit(key, item.text(TITLE))
+
+    def _double_clicked(self, item: QTreeWidgetItem, column: int) -> None:
+        if column == TITLE:
+            self.rows.editItem(item, TITLE)
+
+    def _key(self, what: str) -> None:
+        item = self.rows.currentItem()
+        row = None if item is None else self._row(item.data(0, _KEY))
+        if row is None:
+            return
+        place = self.rows.indexOfTopLevelItem(item)
+        acts = {
+            "shown": lambda: self.shown_asked.emit(row.key, not row.shown),
+            "solo": lambda: self.solo_asked.emit(row.key, not row.solo),
+            "reference": lambda: self.reference_asked.emit(row.key, not row.reference),
+            "colour": lambda: self.colour_asked.emit(row.key),
+            "dash": lambda: self.dash_asked.emit(row.key),
+            "rename": lambda: self.rows.editItem(item, TITLE),
+            "remove": lambda: self.removed.emit(row.key),
+            "up": lambda: self.moved.emit(row.key, place - 1),
+            "down": lambda: self.moved.emit(row.key, place + 1),
+        }
+        acts[what]()
+
+    def _row(self, key: str) -> LegendRow | None:
+        return next((row for row in self._shown if row.key == key), None)
+
+
+def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio: float) -> None:
+    flags = Qt.ItemFlag
+    item.setFlags(
+        flags.ItemIsEnabled
+        | flags.ItemIsSelectable
+        | flags.ItemIsUserCheckable
+        | flags.ItemIsEditable
+        | flags.ItemIsDragEnabled
+    )
+    states = {False: Qt.CheckState.Unchecked, True: Qt.CheckState.Checked}
+    item.setData(0, _KEY, row.key)
+    item.setText(TITLE, row.title)
+    item.setToolTip(TITLE, plain_tip(row.tip))
+    item.setCheckState(TITLE, states[row.shown])
+    item.setCheckState(SOLO, states[row.solo])
+    item.setCheckState(REFERENCE, states[row.reference])
+    item.setText(ERROR, row.error)
+    item.setTextAlignment(ERROR, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    item.setData(TITLE, Qt.ItemDataRole.AccessibleTextRole, row.spoken)
+    if before is None or (row.colour, row.dash) != (before.colour, before.dash):
+        item.setIcon(TITLE, line_icon(row.colour, row.dash, ratio))

@@ -1,0 +1,1 @@
+"""Figures of the subjects and the plot of the albedo."""

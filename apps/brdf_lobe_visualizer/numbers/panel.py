@@ -1,0 +1,291 @@
+"""The panel of figures and the plot of the albedo: what is shown of :mod:`numbers_work`, copied, and exported."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.icons import icon
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.dialogs import QtDialogs
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.legend.line import line_icon
+from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
+from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
+from brdf_lobe_visualizer.numbers.work import FiguresWork
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
+from brdf_suite.errors import SuiteError
+
+_GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
+_GROUPS = {
+    "overview": mark("Overview"),
+    "albedo": mark("Albedo"),
+    "colours": mark("Colours"),
+    "errors": mark("Errors"),
+}
+_ANGLES = {
+    "e2194": mark("three angles, ASTM E2194"),
+    "five": mark("five angles"),
+    "six": mark("six angles"),
+    "e2539": mark("two lights, ASTM E2539"),
+}
+
+AskPath = Callable[[Path], Path | None]
+"""Asks where to write a file of that suggested name; None where nowhere."""
+
+
+class NumbersPanel(QWidget):
+    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_asked()``,
+    ``export_asked()``, ``seen(bool)``.
+    """
+
+    group_chosen = Signal(str)
+    angles_chosen = Signal(str)
+    copy_asked = Signal()
+    export_asked = Signal()
+    seen = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("numbers")
+        self.table = FiguresTable()
+        self.note = PlainLabel()
+        self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
+        self.angles = QuietComboBox()
+        self.angles.setAccessibleName(tr("Angles of the colours"))
+        self.angles.setToolTip(tr("At which geometries the colours are read, D65 and 10°"))
+        for key, title in _ANGLES.items():
+            self.angles.addItem(tr(title), key)
+        self.angles.activated.connect(lambda place: self.angles_chosen.emit(self.angles.itemData(place)))
+        head = QHBoxLayout()
+        head.setSpacing(8)
+        for key, button in self.buttons.items():
+            button.setAccessibleName(tr("Show the figures {name}").format(name=button.text()))
+            button.clicked.connect(lambda _=False, key=key: self.group_chosen.emit(key))
+            head.addWidget(button)
+        head.addWidget(self.angles)
+        head.addWidget(self.note)
+        head.addStretch(1)
+        for name, text, signal in (
+            ("copy", tr("Copy the table"), self.copy_asked),
+            ("export", tr("Export all figures as CSV"), self.export_asked),
+        ):
+            button = QToolButton()
+            button.setIcon(icon(name))
+            button.setAutoRaise(True)
+            button.setToolTip(plain_tip(text))
+            button.setAccessibleName(text)
+            button.clicked.connect(signal)
+            head.addWidget(button)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(8, 4, 8, 8)
+        box.setSpacing(4)
+        box.addLayout(head)
+        box.addWidget(self.table, 1)
+
+    def show_choices(self, group: str, angles: str) -> None:
+        """Show which group and which angles are chosen."""
+        for key, button in self.buttons.items():
+            button.setChecked(key == group)
+        self.angles.setCurrentIndex(self.angles.findData(angles))
+        self.angles.setVisible(group == "colours")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.seen.emit(True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.seen.emit(False)
+
+
+class Numbers(QObject):
+    """A part of the window: the panel Numbers at the bottom, and the plot Albedo in the row of plots."""
+
+    def __init__(self, desk: Desk, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self._ask_path = ask_path or _asks(window)
+        # Nothing is worked out or imported before the window is painted, also where the panel was left open.
+        self._ready = self._closed = False
+        self.work = FiguresWork(desk, window)
+        self.panel, self.plot = NumbersPanel(), AlbedoPlot()
+        self.dock = window.add_dock(
+            "numbers", mark("Numbers"), self.panel, Qt.DockWidgetArea.BottomDockWidgetArea
+        )
+        window.add_plot("albedo", tr("Albedo"), self.plot)
+        group = str(settings().value(_GROUP_KEY, "overview"))
+        self._group = group if group in _GROUPS else "overview"
+        angles = str(settings().value(_ANGLES_KEY, DEFAULT_SET))
+        self.work.set_angles(angles if angles in _ANGLES else DEFAULT_SET)
+        self.panel.show_choices(self._group, self.work.angles.name)
+        self.panel.group_chosen.connect(self.choose_group)
+        self.panel.angles_chosen.connect(self.choose_angles)
+        self.panel.copy_asked.connect(self.copy)
+        self.panel.export_asked.connect(self.export)
+        self.panel.seen.connect(lambda _seen: self._look())
+        self.plot.seen.connect(lambda _seen: self._look())
+        self.work.changed.connect(self._show)
+        desk.subjects_changed.connect(self._show_lines)
+        desk.front_changed.connect(self._show_lines)
+        desk.visibility_changed.connect(self._show)
+        window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
+        self.action = window.add_command(
+            "view",
+            mark("&Numbers"),
+            "Ctrl+N",
+            self._toggle,
+            icon="table",
+            tip=mark("Show or hide the figures"),
+        )
+        window.add_command(
+            "edit",
+            mark("&Copy Figures"),
+            "Ctrl+Shift+N",
+            self.copy,
+            icon="copy",
+            tip=mark("Copy the table shown"),
+        )
+        window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether the figures that are looked at are there."""
+        return self._ready and self.work.is_complete
+
+    def close(self) -> None:
+        """End the work; what is hidden while the window goes is shown no more."""
+        self._closed = True
+        self.work.close()
+
+    def set_from_script(self, key: str, value: str) -> bool:
+        """Take ``figures=GROUP`` and ``angles=SET`` from the command line."""
+        if key == "figures" and value in _GROUPS:
+            self.choose_group(value)
+        elif key == "angles" and value in GEOMETRY_SETS:
+            self.choose_angles(value)
+        else:
+            return False
+        return True
+
+    def choose_group(self, group: str) -> None:
+        """Show the figures of a group, and remember it."""
+        self._group = group
+        settings().setValue(_GROUP_KEY, group)
+        self.panel.show_choices(group, self.work.angles.name)
+        self._show()
+
+    def choose_angles(self, name: str) -> None:
+        """Read the colours at another set of geometries, and remember it."""
+        settings().setValue(_ANGLES_KEY, name)
+        self.work.set_angles(name)
+        self.panel.show_choices(self._group, name)
+        self._show()
+
+    def copy(self) -> None:
+        """Copy the table that is shown, as text with tabs."""
+        from brdf_suite.inspection.figures.text import figures_text
+
+        named = self._named()
+        if named:
+            QGuiApplication.clipboard().setText(figures_text(named, (self._group,)))
+
+    def export(self) -> None:
+        """Write all figures of the visible subjects as CSV."""
+        from brdf_suite.inspection.figures.text import save_figures
+
+        named = self._named()
+        if not named:
+            self._window.show_message(
+                Message(
+                    "figures",
+                    tr("There are no figures to export yet."),
+                    todo=tr("Show the panel Numbers (Ctrl+N) and wait for them."),
+                )
+            )
+            return
+        path = self._ask_path(Path(str(settings().value(_FOLDER_KEY, ""))) / "reflectances.csv")
+        if path is None:
+            return
+        settings().setValue(_FOLDER_KEY, str(path.parent))
+        try:
+            save_figures(named, path)
+        except SuiteError as error:
+            self._window.show_message(message_of(error, "figures"))
+        else:
+            text = tr("The figures of {count} reflectances are in {path}.").format(
+                count=len(named), path=path
+            )
+            self._window.show_message(Message("figures", text))
+
+    def _toggle(self) -> None:
+        self.dock.setVisible(self.dock.isHidden())
+
+    def _begin(self) -> None:
+        self._ready = True
+        self._look()
+
+    def _look(self) -> None:
+        if self._closed or not self._ready:
+            return
+        self.work.set_wanted(self.panel.isVisible() or self.plot.isVisible())
+        self._show()
+
+    def _named(self) -> list[tuple[str, object]]:
+        found = [(s.title, self.work.figures(s.key)) for s in self._desk.visible]
+        return [(title, figures) for title, figures in found if figures is not None]
+
+    def _show(self) -> None:
+        if self._closed or not self._ready:
+            return
+        self._show_lines()
+        if not self.panel.isVisible():
+            return
+        from brdf_suite.inspection.figures.text import figure_rows
+
+        shown = [s for s in self._desk.visible if self.work.figures(s.key) is not None]
+        rows = [row for row in figure_rows(self._named()) if row.group == self._group]
+        ratio = self.panel.devicePixelRatioF()
+        columns = [
+            Column(s.title, line_icon(s.colour, s.dash, ratio), self.work.is_stale(s.key)) for s in shown
+        ]
+        self.panel.table.figures.show(columns, rows)
+        self.panel.note.setText(self._told())
+
+    def _told(self) -> str:
+        visible = self._desk.visible
+        if not visible:
+            return tr("Nothing is shown.")
+        if not self.work.is_complete:
+            fresh = sum(not self.work.is_stale(s.key) for s in visible)
+            return tr("{fresh} of {count} worked out").format(fresh=fresh, count=len(visible))
+        if self._group == "errors" and self._desk.compared is None:
+            return tr("Take a reference in the legend (R) to have differences.")
+        return ""
+
+    def _show_lines(self) -> None:
+        front = self._desk.front
+        lines = []
+        for subject in self._desk.visible:
+            figures = self.work.figures(subject.key)
+            if figures is not None:
+                curve = figures.curve
+                stale = self.work.is_stale(subject.key)
+                lines.append(
+                    AlbedoLine(subject, curve.incidence_deg, curve.luminous, stale, subject is front)
+                )
+        self.plot.show_lines(lines)
+
+
+def _asks(window: LobeWindow) -> AskPath:
+    return lambda suggested: QtDialogs(window).save_path(suggested, tr("Comma-separated values (*.csv)"))

@@ -1,0 +1,180 @@
+"""Figures of the visible subjects: worked out one after another on a thread, kept while nothing of them changes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.late_progress import LateProgress
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
+
+_PAUSE_MS = 200
+"""A drag changes a paint sixty times a second; its figures follow once it rests."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Wanted:
+    """What figures depend on, compared by identity where it is large."""
+
+    reflectance: object
+    weights: object
+    reference: object
+    azimuth_deg: float
+    isotropic: bool
+    angles: GeometrySet
+
+    def is_same(self, other: _Wanted | None) -> bool:
+        return (
+            other is not None
+            and self.reflectance is other.reflectance
+            and self.weights is other.weights
+            and self.reference is other.reference
+            and (self.azimuth_deg, self.angles) == (other.azimuth_deg, other.angles)
+        )
+
+
+class FiguresWork(QObject):
+    """Keeps figures in step with the desk while :attr:`wanted` says that somebody looks at them.
+
+    Signals: ``changed()`` when figures are there, have gone, or are stale.
+    """
+
+    changed = Signal()
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self._tasks = TaskRunner(self, threads=1)
+        self._progress = LateProgress(window.progress, self)
+        self.angles = GEOMETRY_SETS[DEFAULT_SET]
+        self._wanted = False
+        self._of: dict[str, _Wanted] = {}
+        self._found: dict[str, tuple[_Wanted, ReflectanceFigures]] = {}
+        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
+        for signal in (desk.subjects_changed, desk.visibility_changed, desk.options_changed):
+            signal.connect(self._touch)
+        desk.incidence_changed.connect(lambda _theta, _phi: self._touch())
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all figures that are looked at are there."""
+        return not self._wanted or not (self._pause.isActive() or self._tasks.busy)
+
+    def set_wanted(self, wanted: bool) -> None:
+        """Say whether somebody looks at the figures; only then are any worked out."""
+        if wanted != self._wanted:
+            self._wanted = wanted
+            if wanted:
+                self._look()
+            else:
+                self._pause.stop()
+                for key in [key for key in self._of if not self._is_fresh(key)]:
+                    self._cancel(key)
+
+    def set_angles(self, name: str) -> None:
+        """Read the colours at the geometries of a set of :data:`GEOMETRY_SETS`."""
+        self.angles = GEOMETRY_SETS[name]
+        self._touch()
+
+    def figures(self, key: str) -> ReflectanceFigures | None:
+        """Return the newest figures of a subject, maybe of what it was before; None where there are none."""
+        found = self._found.get(key)
+        return None if found is None or found[1].geometry_set is not self.angles else found[1]
+
+    def is_stale(self, key: str) -> bool:
+        """Whether the subject is another since its figures were worked out."""
+        return not self._is_fresh(key) or self._pause.isActive()
+
+    def close(self) -> None:
+        """End what runs."""
+        self._wanted = False
+        self._pause.stop()
+        self._tasks.stop()
+
+    def _is_fresh(self, key: str) -> bool:
+        found = self._found.get(key)
+        return found is not None and found[0].is_same(self._of.get(key))
+
+    def _touch(self) -> None:
+        if self._wanted:
+            self._pause.start()
+
+    def _look(self) -> None:
+        visible = self._desk.visible
+        for key in set(self._of) - {s.key for s in visible}:
+            self._cancel(key)
+        for key in set(self._found) - {s.key for s in self._desk.subjects}:
+            del self._found[key]
+        for subject in visible:
+            wanted = self._wanted_of(subject)
+            if not wanted.is_same(self._of.get(subject.key)):
+                self._of[subject.key] = wanted
+                if not self._is_fresh(subject.key):
+                    self._submit(subject, wanted)
+        self.changed.emit()
+
+    def _wanted_of(self, subject: PlottedMaterial) -> _Wanted:
+        reference = self._desk.compared
+        other = None if reference is None or reference.key == subject.key else reference
+        # Switching a lobe makes new weights; those of a whole fit are always the same object.
+        weights = self._desk.weights_of(subject)
+        turned = not subject.isotropic or (other is not None and not other.isotropic)
+        azimuth = self._desk.incidence[1] if turned else 0.0
+        return _Wanted(
+            subject.reflectance,
+            weights,
+            None if other is None else other.reflectance,
+            azimuth,
+            subject.isotropic,
+            self.angles,
+        )
+
+    def _submit(self, subject: PlottedMaterial, wanted: _Wanted) -> None:
+        key, job = subject.key, f"figures {subject.key}"
+        text = tr("Working out the figures of {name}").format(name=subject.title)
+        moved = self._progress.begin(job, text, lambda: self._cancel(key))
+
+        def done(found: ReflectanceFigures) -> None:
+            self._progress.end(job)
+            self._window.dismiss_message(job)
+            self._found[key] = (wanted, found)
+            self.changed.emit()
+
+        def failed(error: Exception) -> None:
+            self._progress.end(job)
+            self._window.show_message(message_of(error, job, todo=tr("It has no figures.")))
+            self.changed.emit()
+
+        self._tasks.submit(key, _figures, wanted, done, failed, moved)
+
+    def _cancel(self, key: str) -> None:
+        self._tasks.cancel(key)
+        self._progress.end(f"figures {key}")
+        self._of.pop(key, None)
+
+
+def _figures(wanted: _Wanted, progress: Progress) -> ReflectanceFigures:
+    # Deferred: what measures is much to import, and the panel is not there at a first start.
+    from brdf_suite.inspection.figures.figures import FiguresRequest, reflectance_figures
+
+    request = FiguresRequest(
+        wanted.reflectance,
+        fit=wanted.weights,
+        reference=wanted.reference,
+        azimuth_deg=wanted.azimuth_deg,
+        isotropic=wanted.isotropic,
+        geometry_set=wanted.angles,
+    )
+    return reflectance_figures(request, progress)

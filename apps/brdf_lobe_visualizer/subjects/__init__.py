@@ -1,0 +1,1 @@
+"""What is looked at: sources, subjects and their fits."""

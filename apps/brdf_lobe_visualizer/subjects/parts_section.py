@@ -1,0 +1,154 @@
+"""The section Parts of the inspector: target and fit, and the fit's lobes, each with a switch."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QPixmap
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.choice_field import ChoiceField
+from brdf_lobe_visualizer.cuts.crosshair import number
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.view3d.options import SpaceOptions, SpaceState
+from brdf_lobe_visualizer.view3d.words import PART_TITLES, lobe_weight
+from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
+
+_SHOWN = {
+    "target": mark("Target"),
+    "fit": mark("Fit"),
+    "both": mark("Fit over target"),
+    "side by side": mark("Target beside fit"),
+    "difference": mark("Difference"),
+}
+_STYLES = {"lines": mark("As lines"), "glass": mark("Like glass"), "solid": mark("Solid")}
+_VIEWS = {
+    "sum": mark("Their sum"),
+    "parts": mark("The three parts"),
+    "stacked": mark("Stacked"),
+    "apart": mark("Each lobe alone"),
+}
+
+
+class PartsSection(QWidget):
+    """Sets what is shown of target and fit, and which lobes are on."""
+
+    def __init__(self, desk: Desk, state: SpaceState, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("parts_section")
+        self._desk, self._state = desk, state
+        self._listed: tuple[FitLobe, ...] | None = None
+        shared, plain = Options(), SpaceOptions()
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        form = Form()
+        box.addWidget(form)
+        self.shown = ChoiceField(_SHOWN, shared.shown)
+        self.shown.chosen.connect(lambda key: desk.set_options(shown=key))
+        form.add_row(
+            tr("Show"),
+            self.shown,
+            tr(
+                "Of each reflectance, in all views. A difference is against the reference of the legend, or of the fit."
+            ),
+        )
+        self.style_ = ChoiceField(_STYLES, plain.fit_style)
+        self.style_.chosen.connect(lambda key: state.set(fit_style=key))
+        form.add_row(tr("Fit drawn"), self.style_, tr("Where it lies over its target."))
+        self.lobes = ChoiceField(_VIEWS, plain.lobes)
+        self.lobes.chosen.connect(self._choose_lobes)
+        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown where the fit is."))
+        self.switches: dict[tuple[FitPart, int], QCheckBox] = {}
+        self._list = QWidget()
+        self._grid = QGridLayout(self._list)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(8)
+        self._grid.setVerticalSpacing(4)
+        self._grid.setColumnStretch(1, 1)
+        box.addWidget(self._list)
+        self.none = PlainLabel(tr("The selected reflectance has no fit."))
+        self.none.setWordWrap(True)
+        box.addWidget(self.none)
+        self.reset = QPushButton(tr("Reset parts"))
+        self.reset.setToolTip(tr("All lobes on, the sum of them, and what a first start shows"))
+        self.reset.clicked.connect(self._reset)
+        box.addWidget(self.reset)
+        for signal in (desk.options_changed, desk.subjects_changed, desk.front_changed, state.changed):
+            signal.connect(self.show_now)
+        self.show_now()
+
+    def show_now(self) -> None:
+        """Show what is set, without a signal."""
+        shared, own = self._desk.options, self._state.options
+        self.shown.set_choice(shared.shown)
+        self.style_.set_choice(own.fit_style)
+        self.style_.setEnabled(shared.shown == "both")
+        self.lobes.set_choice(own.lobes)
+        front = self._desk.front
+        lobes = () if front is None or front.fit is None else fit_lobes(front.fit.weights)
+        if lobes != self._listed:
+            self._list_lobes(lobes)
+        for key, switch in self.switches.items():
+            switch.setChecked(key not in shared.lobes_off)
+        self.none.setVisible(not lobes)
+        self._list.setVisible(bool(lobes))
+
+    def _list_lobes(self, lobes: tuple[FitLobe, ...]) -> None:
+        while self._grid.count():
+            widget = self._grid.takeAt(0).widget()
+            if widget is not None:
+                widget.deleteLater()
+        self.switches = {}
+        self._listed = lobes
+        row = 0
+        for part in FIT_PARTS:
+            of_part = [lobe for lobe in lobes if lobe.part == part]
+            if not of_part:
+                continue
+            whole = QPushButton(_swatch(part), tr(PART_TITLES[part]))
+            whole.setFlat(True)
+            whole.setToolTip(tr("All of this part on or off"))
+            whole.clicked.connect(lambda _on=False, rows=tuple(of_part): self._switch_part(rows))
+            self._grid.addWidget(whole, row, 0, 1, 2, Qt.AlignmentFlag.AlignLeft)
+            row += 1
+            for lobe in of_part:
+                text = (
+                    tr("KD")
+                    if lobe.exponent is None
+                    else tr("E = {exponent}").format(exponent=number(lobe.exponent))
+                )
+                switch = self.switches[lobe.key] = QCheckBox(text)
+                switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
+                switch.clicked.connect(lambda on, key=lobe.key: self._desk.switch_lobe(*key, on))
+                weight = ElidedLabel(lobe_weight(lobe))
+                weight.setToolTip(
+                    plain_tip(f"{weight.text()}\n{tr('Weight: red, green, blue of linear Rec. 2020')}")
+                )
+                self._grid.addWidget(switch, row, 0)
+                self._grid.addWidget(weight, row, 1)
+                row += 1
+
+    def _switch_part(self, lobes: tuple[FitLobe, ...]) -> None:
+        off = self._desk.options.lobes_off
+        keys = frozenset(lobe.key for lobe in lobes)
+        self._desk.set_options(lobes_off=off - keys if keys & off else off | keys)
+
+    def _choose_lobes(self, key: str) -> None:
+        self._state.set(lobes=key)
+        # Lobes are of the fit: who wants to see them wants to see it.
+        if key != "sum" and self._desk.options.shown not in ("fit", "side by side"):
+            self._desk.set_options(shown="fit")
+
+    def _reset(self) -> None:
+        self._state.reset("fit_style", "lobes")
+        self._desk.reset_options("shown", "lobes_off")
+
+
+def _swatch(part: FitPart) -> QIcon:
+    pixmap = QPixmap(QSize(12, 12))
+    pixmap.fill(QColor(*PART_CODES[part]))
+    return QIcon(pixmap)

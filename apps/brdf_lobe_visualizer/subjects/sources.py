@@ -1,0 +1,171 @@
+"""What can be looked at, by name or by file, and how it is read: found by content, on any thread, without Qt.
+
+:mod:`brdf_suite.pipeline.material` decides what a name or a file is; of a palette the first entries are shown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.pipeline.material import (
+    ENTRY_MARK,
+    Material,
+    file_kind,
+    is_file,
+    load_material,
+    load_palette_file,
+    material_of_entry,
+    paint_names,
+)
+from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.protocol import Reflectance
+
+MOST_AT_ONCE = 8
+"""So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
+_SPIKE = 0.1
+"""Share of the directions with light below which a reflectance is one narrow lobe."""
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """What was read: subjects, without keys and lines, and of a palette the entries that are not among them."""
+
+    subjects: tuple[PlottedMaterial, ...]
+    title: str
+    entries: tuple[tuple[str, str], ...] = ()
+    """Name and origin of every entry of a palette."""
+    refused: tuple[str, ...] = ()
+    """Why entries of a palette cannot be shown, one sentence each."""
+    notes: tuple[str, ...] = ()
+    """What was repaired, assumed or left out where a palette was read."""
+
+
+def open_source(asked: str, progress: Progress | None = None) -> Opened:
+    """Return what ``asked`` names: all that :func:`load_material` takes, or a palette, whose first entries are shown.
+
+    Raises
+    ------
+    SuiteError
+        There is no such thing, or it cannot be read or built; the message says what and where.
+    Cancelled
+        The progress callback asked for it.
+    """
+    report(progress, 0.0, "reading")
+    if is_file(asked) and asked not in paint_names() and file_kind(asked) == "palette":
+        return _of_palette(asked, progress)
+    material = load_material(asked)
+    report(progress, 0.7, "looking at the values")
+    return Opened((_described(material),), material.name)
+
+
+def _of_palette(path: str, progress: Progress | None) -> Opened:
+    read = load_palette_file(path)
+    palette = read.palette
+    entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
+    if not entries:
+        raise FileError(path, "is a palette without a paint")
+    subjects, refused = [], []
+    for place, entry in enumerate(palette):
+        if len(subjects) == MOST_AT_ONCE:
+            break
+        report(progress, 0.2 + 0.8 * place / min(len(palette), MOST_AT_ONCE), "building paints")
+        try:
+            subjects.append(_described(material_of_entry(entry, entries[place][1])))
+        except SuiteError as error:
+            refused.append(str(error))
+    return Opened(tuple(subjects), palette.name, entries, tuple(refused), read.notes)
+
+
+def _described(material: Material) -> PlottedMaterial:
+    """Add what the reflectance itself tells: whether it is isotropic, where its samples and holes are, and notes."""
+    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+    subject = PlottedMaterial("", material.name, material, notes=material.notices)
+    value = material.reflectance
+    if isinstance(value, ScatteredSamples):
+        samples = SamplePoints(value.wi, value.wo, value.values, value.isotropic)
+        return replace(subject, samples=samples, isotropic=value.isotropic)
+    if isinstance(value, IsotropicTable):
+        holes = value.holes_above_horizon()
+        measured = MeasuredBins(value) if holes else None
+        return _noted(replace(subject, measured=measured, isotropic=True))
+    known = getattr(value, "isotropic", None)
+    if not isinstance(known, bool):
+        from brdf_suite.inspection.figures.figures import is_isotropic
+
+        known = material.document is not None or is_isotropic(value)
+    return _noted(replace(subject, isotropic=known))
+
+
+def _noted(subject: PlottedMaterial) -> PlottedMaterial:
+    """Say what makes a picture look empty or strange: nothing, one spike, no numbers."""
+    values = _look(subject.reflectance)
+    numbers = np.isfinite(values).all(axis=-1)
+    notes = list(subject.notes)
+    if not numbers.all():
+        notes.append(
+            f"{100.0 * np.mean(~numbers):.0f} % of the directions have no number; they are drawn as holes."
+        )
+    known = values[numbers]
+    if known.size and not known.any():
+        notes.append("It reflects nothing in any direction that was looked at.")
+    elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
+        notes.append(
+            "It reflects into one narrow lobe and nowhere else; a view that misses the lobe is dark."
+        )
+    return replace(subject, notes=tuple(notes))
+
+
+def _look(reflectance: Reflectance) -> np.ndarray:
+    """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
+    from brdf_suite.geometry.directions import illumination, mirror, spherical
+
+    theta, phi = np.meshgrid(np.radians(np.arange(2.0, 90.0, 8.0)), np.radians(np.arange(0.0, 360.0, 30.0)))
+    views = spherical(theta.ravel(), phi.ravel())
+    found = []
+    for light in illumination([0.0, 45.0, 75.0]):
+        found.append(np.asarray(reflectance.eval(light, np.concatenate((views, mirror(light)[None])))))
+    return np.concatenate(found)
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredBins:
+    """Which pairs of directions fall into bins of a table that were measured: ``(wi, wo) -> (...)`` bool."""
+
+    table: object
+
+    def __call__(self, wi: object, wo: object) -> np.ndarray:
+        table = self.table
+        light, view = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        shape = light.shape[:-1]
+        flat_light, flat_view = (np.ascontiguousarray(w.reshape(-1, 3).T) for w in (light, view))
+        above = (flat_light[2] > 0.0) & (flat_view[2] > 0.0)
+        if table.coverage is not None:
+            # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
+            from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
+
+            return (above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape)
+        places = table.grid.index_of(flat_light, flat_view)
+        h, d, p = (
+            np.minimum(place.astype(np.intp), size - 1)
+            for place, size in zip(places, table.grid.shape, strict=True)
+        )
+        return (above & ~np.asarray(table.holes)[h, d, p]).reshape(shape)
+
+
+def names() -> dict[str, Sequence[tuple[str, str]]]:
+    """Return what comes with the program: title and name of every shipped paint, paint of Table 1, and model."""
+    from brdf_suite.reflectance.models.table_1 import TABLE_1
+    from brdf_suite.reflectance.registry import MODELS
+
+    return {
+        "paints": [(name.replace("_", " ").capitalize(), name) for name in paint_names()],
+        "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],
+        "models": [(entry.title, name) for name, entry in MODELS.items()],
+    }

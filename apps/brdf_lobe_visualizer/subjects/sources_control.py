@@ -1,0 +1,207 @@
+"""Opening what is looked at: read on a thread, with progress and cancel, shown in the legend, remembered as recent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from itertools import count
+from pathlib import Path
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject, Signal
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.late_progress import LateProgress
+from brdf_lobe_visualizer.subjects.sources import Opened, open_source
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.pipeline.material import ENTRY_MARK
+from brdf_suite.progress import Progress
+
+RECENT_KEY = "recent/files"
+MOST_RECENT = 10
+
+
+class Sources(QObject):
+    """Opens names and files, any number at a time.
+
+    Signals
+    -------
+    opened(asked, keys)
+        What was asked is on the desk, as subjects of these keys.
+    failed(asked)
+        It could not be opened; the message is shown.
+    recent_changed()
+        The recent files are others.
+    idle()
+        All that was asked for is on the desk, or has failed.
+    palette_opened(title, entries)
+        A palette was read; ``entries`` are pairs of name and origin, each of which can be opened.
+    """
+
+    opened = Signal(str, object)
+    failed = Signal(str)
+    recent_changed = Signal()
+    idle = Signal()
+    palette_opened = Signal(str, object)
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        # Its own, so that a long fit keeps no file waiting; files are read at once, two at a time.
+        self.tasks = TaskRunner(self)
+        self._progress = LateProgress(window.progress, self)
+        self._numbers = count(1)
+        self._waiting: dict[str, str] = {}
+        self._turn: dict[str, int] = {}
+        self._lines: dict[int, tuple[Srgb, Dash]] = {}
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything is being read."""
+        return self.tasks.busy
+
+    def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
+        """Begin to open a name or a file, to come after the subjects that are there; return the key of the job.
+
+        With ``select`` it is the one in front then.
+        """
+        name = str(asked)
+        turn = next(self._numbers)
+        job = f"open {turn}"
+        self._waiting[job] = name
+        # Chosen now, so that lines follow the order of what was asked for and not that of what was read first.
+        self._lines[turn] = self.next_line()
+        shown = Path(name.partition(ENTRY_MARK)[0]).name
+        text = tr("Reading {name}").format(name=shown)
+        moved = self._progress.begin(job, text, lambda: self._cancelled(job))
+
+        def done(found: Opened) -> None:
+            self._ended(job)
+            self._take(name, found, turn, remember=remember, select=select)
+
+        def failed(error: Exception) -> None:
+            self._ended(job)
+            self._window.show_message(message_of(error, f"open {name}", todo=tr("What was shown stays.")))
+            self.failed.emit(name)
+            self._look_idle()
+
+        self.tasks.submit(job, _read, name, done, failed, moved)
+        return job
+
+    def open_many(self, asked: Iterable[str | Path]) -> None:
+        """Begin to open several; the first of them is in front where nothing was."""
+        names = list(asked)
+        nothing = not self._desk.subjects
+        for place, one in enumerate(names):
+            self.open(one, select=len(names) == 1 or (nothing and place == 0))
+
+    def add(self, subject: PlottedMaterial, turn: int | None = None) -> str:
+        """Put a subject on the desk, with a key and a line of its own; return the key.
+
+        It comes last, or, with the ``turn`` in which it was asked for, before those that were asked for later: a large
+        file that is read for longer keeps its place.
+        """
+        key = f"subject {next(self._numbers)}"
+        colour, dash = self._lines.pop(turn, None) or self.next_line()
+        subjects = list(self._desk.subjects)
+        place = len(subjects)
+        if turn is not None:
+            self._turn[key] = turn
+            later = [i for i, s in enumerate(subjects) if self._turn.get(s.key, 0) > turn]
+            place = later[0] if later else place
+        subjects.insert(place, replace(subject, key=key, colour=colour, dash=dash))
+        self._desk.set_subjects(subjects)
+        return key
+
+    def next_line(self) -> tuple[Srgb, Dash]:
+        """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
+        used = [(s.colour, s.dash) for s in self._desk.subjects] + list(self._lines.values())
+        lines = [
+            (colour, DASHES[(place + turn) % len(DASHES)])
+            for turn in range(len(DASHES))
+            for place, colour in enumerate(LINE_COLOURS)
+        ]
+        return min(lines, key=used.count)
+
+    # Recent files.
+
+    def recent(self) -> Sequence[Path]:
+        """Return the files that were opened last and are still there, newest first."""
+        stored = settings().value(RECENT_KEY, [])
+        stored = [stored] if isinstance(stored, str) else list(stored or [])
+        return [Path(path) for path in stored if isinstance(path, str) and Path(path).is_file()]
+
+    def clear_recent(self) -> None:
+        """Forget them."""
+        settings().remove(RECENT_KEY)
+        self.recent_changed.emit()
+
+    def close(self) -> None:
+        """End what is being read."""
+        self.tasks.stop()
+
+    def _take(self, name: str, found: Opened, turn: int, *, remember: bool, select: bool) -> None:
+        keys = [self.add(subject, turn) for subject in found.subjects]
+        if keys and select:
+            self._desk.set_front(keys[0])
+        if remember:
+            self._remember(name)
+        if found.entries:
+            self.palette_opened.emit(found.title, found.entries)
+        self._tell(name, found, len(keys))
+        self.opened.emit(name, keys)
+        self._look_idle()
+
+    def _tell(self, name: str, found: Opened, shown: int) -> None:
+        key = f"open {name}"
+        self._window.dismiss_message(key)
+        noted = " ".join(found.notes)
+        more = ""
+        if shown + len(found.refused) < len(found.entries):
+            more = tr("The others stand in the panel Reflectances (Ctrl+L).")
+        if found.refused:
+            what = tr("{count} entries of {title} cannot be shown.").format(
+                count=len(found.refused), title=found.title
+            )
+            where = " ".join((found.refused[0], *found.notes))
+            self._window.show_message(Message(key, what, where=where, todo=more, severity="warning"))
+        elif shown < len(found.entries):
+            what = tr("{title} has {count} paints; the first {shown} are shown.").format(
+                title=found.title, count=len(found.entries), shown=shown
+            )
+            self._window.show_message(Message(key, what, where=noted, todo=more))
+        elif noted:
+            what = tr("{title} was read with remarks.").format(title=found.title)
+            self._window.show_message(Message(key, what, where=noted))
+
+    def _remember(self, name: str) -> None:
+        if not Path(name).is_file():
+            return
+        path = str(Path(name).absolute())
+        kept = [path, *(str(p) for p in self.recent() if str(p) != path)]
+        settings().setValue(RECENT_KEY, kept[:MOST_RECENT])
+        self.recent_changed.emit()
+
+    def _cancelled(self, job: str) -> None:
+        name = self._waiting.pop(job, "")
+        self._progress.end(job)
+        self.tasks.cancel(job)
+        self.failed.emit(name)
+        self._look_idle()
+
+    def _look_idle(self) -> None:
+        if not self._waiting:
+            self._lines.clear()
+            self.idle.emit()
+
+    def _ended(self, job: str) -> None:
+        self._waiting.pop(job, None)
+        self._progress.end(job)
+
+
+def _read(name: str, progress: Progress) -> Opened:
+    return open_source(name, progress)

@@ -1,0 +1,140 @@
+"""The list of all that comes with the program and of opened palettes: found by a word, put on the desk by Enter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QKeyEvent, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_lobe_visualizer.subjects import sources
+
+_ORIGIN = Qt.ItemDataRole.UserRole
+_GROUPS = {
+    "paints": mark("Shipped paints"),
+    "table_1": mark("Measured paints of Table 1"),
+    "models": mark("Models"),
+}
+
+
+class SourcesPanel(QWidget):
+    """Groups of names. Signals: ``asked(list[str])`` with what :func:`open_source` takes."""
+
+    asked = Signal(object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._filled = False
+        self.query = QLineEdit()
+        self.query.setPlaceholderText(tr("Find a paint or a model by name"))
+        self.query.setAccessibleName(tr("Find a paint or a model by name"))
+        self.query.setClearButtonEnabled(True)
+        self.query.textChanged.connect(self._filter)
+        self.query.returnPressed.connect(self._take)
+        self.tree = QTreeWidget()
+        self.tree.setHeaderHidden(True)
+        self.tree.setAccessibleName(tr("Reflectances that can be shown"))
+        self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.tree.setUniformRowHeights(True)
+        self.tree.itemActivated.connect(lambda item, _column: self._ask([item]))
+        self._add = QPushButton(tr("Show"))
+        self._add.setToolTip(tr("Put the selected ones into the legend (Enter, or a double click)"))
+        self._add.clicked.connect(self._take)
+        self._none = PlainLabel(tr("No reflectance has this name."))
+        self._none.setMargin(8)
+        self._none.hide()
+        row = QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self._add)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(8, 8, 8, 8)
+        box.setSpacing(8)
+        box.addWidget(self.query)
+        box.addWidget(self._none)
+        box.addWidget(self.tree, 1)
+        box.addLayout(row)
+        self.setMinimumWidth(180)
+
+    def fill(self) -> None:
+        """Put in what comes with the program; once."""
+        if self._filled:
+            return
+        self._filled = True
+        for key, names in sources.names().items():
+            self._add_group(tr(_GROUPS[key]), names)
+
+    def add_palette(self, title: str, entries: Sequence[tuple[str, str]]) -> None:
+        """Put in the entries of a palette, in the place of one of the same title; each a name and an origin."""
+        self.fill()
+        for place in reversed(range(self.tree.topLevelItemCount())):
+            if self.tree.topLevelItem(place).text(0) == title:
+                self.tree.takeTopLevelItem(place)
+        self._add_group(title, entries)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        self.fill()
+        super().showEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go from the field into the list by the arrow keys."""
+        if event.key() == Qt.Key.Key_Down and self.query.hasFocus():
+            self.tree.setFocus()
+            return
+        super().keyPressEvent(event)
+
+    def _add_group(self, title: str, names: Sequence[tuple[str, str]]) -> None:
+        group = QTreeWidgetItem([title])
+        group.setFlags(Qt.ItemFlag.ItemIsEnabled)
+        for name, origin in names:
+            item = QTreeWidgetItem([name])
+            item.setData(0, _ORIGIN, origin)
+            item.setToolTip(0, plain_tip(origin))
+            group.addChild(item)
+        self.tree.addTopLevelItem(group)
+        group.setExpanded(True)
+        self._filter(self.query.text())
+
+    def _filter(self, text: str) -> None:
+        words = text.casefold().split()
+        found = 0
+        for place in range(self.tree.topLevelItemCount()):
+            group = self.tree.topLevelItem(place)
+            shown = 0
+            for index in range(group.childCount()):
+                item = group.child(index)
+                name = f"{item.text(0)} {item.data(0, _ORIGIN)}".casefold()
+                item.setHidden(not all(word in name for word in words))
+                shown += not item.isHidden()
+            group.setHidden(shown == 0)
+            found += shown
+        self._none.setVisible(self._filled and found == 0)
+
+    def _take(self) -> None:
+        chosen = [item for item in self.tree.selectedItems() if not item.isHidden()]
+        self._ask(chosen or self._visible()[:1])
+
+    def _visible(self) -> list[QTreeWidgetItem]:
+        groups = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]
+        return [
+            item
+            for group in groups
+            for item in (group.child(index) for index in range(group.childCount()))
+            if not item.isHidden()
+        ]
+
+    def _ask(self, items: Sequence[QTreeWidgetItem]) -> None:
+        origins = [item.data(0, _ORIGIN) for item in items if item.data(0, _ORIGIN)]
+        if origins:
+            self.asked.emit(origins)

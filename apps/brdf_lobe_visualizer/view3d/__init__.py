@@ -1,0 +1,1 @@
+"""Lobes in three dimensions."""

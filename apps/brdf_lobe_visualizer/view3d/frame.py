@@ -1,0 +1,154 @@
+"""The frame about a lobe: hemisphere grid, rings of values on the ground, arrows, and where their labels stand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_lobe_visualizer.view3d.items import polyline, segments
+from brdf_lobe_visualizer.view3d.scene import FrameOptions, Rgba
+from brdf_suite.geometry.directions import Floats, mirror, spherical
+from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+
+LIGHT_REACH = 1.18
+"""How far from the middle the arrow's handle for the light is; the hemisphere's radius is 1."""
+_MIRROR_REACH = 1.14
+_LIGHT_CODES = (0.95, 0.78, 0.25)
+_MIRROR_CODES = (0.87, 0.45, 0.70)
+
+
+@dataclass(frozen=True)
+class Label:
+    """Words at a place of the local frame; ``strong`` ones are of arrows, the others of the grid."""
+
+    place: tuple[float, float, float]
+    text: str
+    colour: Rgba | None = None
+    strong: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """Segments that surfaces hide, those that nothing hides, and labels; ``handle`` is where the light is dragged."""
+
+    behind: npt.NDArray[np.void]
+    before: npt.NDArray[np.void]
+    labels: tuple[Label, ...]
+    handle: Floats | None
+
+
+def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, ink: Rgba) -> Frame:
+    """Return the frame for light from ``light`` (3,), in lines of the colour ``ink``."""
+    red, green, blue, _ = ink
+    faint: Rgba = (red, green, blue, 0.20)
+    soft: Rgba = (red, green, blue, 0.38)
+    turn = np.radians(np.arange(0.0, 361.0, 3.0))
+    arc = np.radians(np.arange(0.0, 91.0, 3.0))
+    rows, labels = [], []
+    azimuth = np.arctan2(-light[1], -light[0]) if light is not None and np.hypot(*light[:2]) > 1e-9 else 0.0
+    rows.append(polyline(spherical(np.full_like(turn, np.pi / 2), turn), 1.4, soft))
+    if options.hemisphere:
+        for theta in (30.0, 60.0):
+            rows.append(polyline(spherical(np.full_like(turn, np.radians(theta)), turn), 1.0, faint))
+        for phi in range(0, 360, 30):
+            rows.append(polyline(spherical(arc, np.full_like(arc, np.radians(phi))), 1.0, faint))
+        # The plane of incidence stands out: the light's side and the mirror's.
+        for side in (azimuth, azimuth + np.pi):
+            rows.append(polyline(spherical(arc, np.full_like(arc, side)), 1.5, soft))
+    if options.labels:
+        labels += _angles(azimuth, options)
+    if options.rings:
+        for radius, text in rings_of(scale):
+            flat = np.column_stack((np.cos(turn), np.sin(turn), np.zeros_like(turn))) * radius
+            rows.append(polyline(flat, 1.0, faint))
+            if options.labels:
+                at = azimuth + np.radians(62.0)
+                place = (float(radius * np.cos(at)), float(radius * np.sin(at)), 0.0)
+                labels.append(Label(place, text))
+    before = []
+    handle = None
+    if light is not None:
+        handle = LIGHT_REACH * light
+        if options.arrows:
+            before, words = _arrows(light, ink)
+            labels += words
+    return Frame(
+        np.concatenate(rows), np.concatenate(before) if before else rows[0][:0], tuple(labels), handle
+    )
+
+
+def rings_of(scale: RadiusScale) -> list[tuple[float, str]]:
+    """Return radii up to 1 and the values that they stand for, as words: round ones, few enough to be read."""
+    full = scale.full
+    if scale.kind == "log":
+        top = np.floor(np.log10(full) + 1e-9)
+        step = max(1.0, np.ceil(scale.decades / 4.0))
+        values = [10.0 ** (top - k * step) for k in range(8)]
+    else:
+        shares = (1.0, 0.75, 0.5, 0.25) if scale.kind == "linear" else (1.0, 0.3, 0.1, 0.01)
+        values = [_round(full * share) for share in shares]
+    found = [(float(scale.radius(value)), f"{value:.3g}") for value in values]
+    rows: list[tuple[float, str]] = []
+    for radius, text in found:
+        if 0.08 < radius <= 1.001 and all(abs(radius - other) > 0.07 for other, _ in rows):
+            rows.append((radius, text))
+    return rows
+
+
+def _round(value: float) -> float:
+    """The value with one digit, or two where the first is 1, rounded down."""
+    power = 10.0 ** np.floor(np.log10(value))
+    digits = value / power
+    step = 0.5 if digits < 2.0 else 1.0
+    return float(np.floor(digits / step + 1e-9) * step * power)
+
+
+def _angles(azimuth: float, options: FrameOptions) -> list[Label]:
+    labels = []
+    for phi in range(0, 360, 30):
+        place = 1.09 * spherical(np.pi / 2, np.radians(phi) + 0.0)
+        # At azimuth 0 of the incidence the light stands at 180° of the frame.
+        labels.append(Label(_triple(place), f"{(phi + 180) % 360}°"))
+    if options.hemisphere:
+        for theta in (30.0, 60.0):
+            for side in (azimuth, azimuth + np.pi):
+                labels.append(Label(_triple(1.07 * spherical(np.radians(theta), side)), f"{theta:.0f}°"))
+    return labels
+
+
+def _arrows(light: Floats, ink: Rgba) -> tuple[list[npt.NDArray[np.void]], list[Label]]:
+    top = mirror(light)
+    gold: Rgba = (*_LIGHT_CODES, 1.0)
+    rose: Rgba = (*_MIRROR_CODES, 1.0)
+    normal = np.array([0.0, 0.0, 1.0])
+    rows = []
+    # The light comes in: its arrow points to the middle. The others go out.
+    # Within the hemisphere they are thin: what they would cover is what is looked at.
+    rows += _arrow(LIGHT_REACH * light, 0.98 * light, gold, 0.0 * light)
+    # The mirror direction's has no line within: it would look like a spike.
+    rows += _arrow(1.0 * top, _MIRROR_REACH * top, rose, 1.0 * top)
+    rows += _arrow(1.0 * normal, _MIRROR_REACH * normal, (*ink[:3], 0.85), 0.0 * normal)
+    labels = [
+        Label(_triple(1.12 * LIGHT_REACH * light), "L", gold, True),
+        Label(_triple(1.07 * _MIRROR_REACH * top), "R", rose, True),
+        Label(_triple(1.07 * _MIRROR_REACH * normal), "N", (*ink[:3], 1.0), True),
+    ]
+    return rows, labels
+
+
+def _arrow(start: Floats, end: Floats, colour: Rgba, foot: Floats) -> list[npt.NDArray[np.void]]:
+    """Shaft and head from ``start`` to ``end``, and a thin line to ``foot`` from whichever is nearer to it."""
+    along = end - start
+    neck = end - along / float(np.linalg.norm(along)) * 0.085
+    inner = min((start, end), key=lambda place: float(np.linalg.norm(place - foot)))
+    return [
+        segments(start, neck, (2.4, 2.4), colour),
+        segments(neck, end, (11.0, 0.5), colour),
+        segments(inner, foot, (1.2, 1.2), (*colour[:3], 0.4)),
+    ]
+
+
+def _triple(place: Floats) -> tuple[float, float, float]:
+    return float(place[0]), float(place[1]), float(place[2])

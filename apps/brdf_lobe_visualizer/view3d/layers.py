@@ -1,0 +1,390 @@
+"""From the desk to a scene: which surfaces stand in which panel, over one another, with which words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+from brdf_qt.program.translation import tr
+
+from brdf_lobe_visualizer.cuts.crosshair import number
+from brdf_lobe_visualizer.cuts.words import UNIT, quantity
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
+from brdf_lobe_visualizer.view3d.fill import full_of, tops_of
+from brdf_lobe_visualizer.view3d.frame import rings_of
+from brdf_lobe_visualizer.view3d.options import SpaceOptions
+from brdf_lobe_visualizer.view3d.samples import sample_points
+from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
+from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, with_cosine
+from brdf_lobe_visualizer.view3d.words import lobe_title, lobe_weight
+from brdf_suite.inspection.lobe_surface.colour import scalar_of
+from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
+from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
+from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+from brdf_suite.inspection.lobe_surface.surface import (
+    Colouring,
+    LobeSurface,
+    difference_surface,
+    greatest,
+    lobe_surface,
+)
+
+Singles = npt.NDArray[np.float32]
+MOST_PANELS = 16
+
+
+@dataclass(frozen=True, eq=False)
+class _Sheet:
+    """A surface before its scale is known.
+
+    ``line`` is a colour of its own, which counts for every colouring. ``origin`` are the arrays that it comes from: the
+    same ones make the same surface.
+    """
+
+    found: Found
+    style: Style = "solid"
+    opacity: float = 1.0
+    line: Srgb | None = None
+    legend: Srgb = (0.6, 0.6, 0.6)
+    signed: bool = False
+    origin: tuple[Singles, ...] = ()
+    ink: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class _Plan:
+    """A panel before its scale is known."""
+
+    title: str
+    sheets: tuple[_Sheet, ...]
+    caption: str = ""
+    note: str = ""
+    colour: Srgb | None = None
+    samples: PlottedMaterial | None = None
+
+
+class SceneMaker:
+    """Makes scenes of a desk; what stays the same stays the same object, so that nothing is handed over twice."""
+
+    def __init__(self, desk: Desk, values: SpaceValues) -> None:
+        self._desk, self._values = desk, values
+        # With the arrays that they come from: while those are held, nothing else has their identities.
+        self._made: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
+        self._shown: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
+
+    def scene(self, options: SpaceOptions) -> Scene:
+        """Return the scene of the desk as it is now."""
+        desk = self._desk
+        shared = desk.options
+        self._values.forget_others({s.key for s in desk.subjects})
+        difference = shared.shown == "difference"
+        plans = self._plans(options)[:MOST_PANELS]
+        numbers = {
+            id(sheet): with_cosine(sheet.found, shared.cosine) for plan in plans for sheet in plan.sheets
+        }
+        tops = [self._tops(plan, numbers) for plan in plans]
+        most = (max((peak for peak, _ in tops), default=0.0), max((body for _, body in tops), default=0.0))
+        scales = [
+            RadiusScale(
+                shared.radius,
+                full_of(*(top if options.own_scale else most), shared.radius, options),
+                options.decades,
+            )
+            for top in tops
+        ]
+        self._shown = {}
+        panels = tuple(
+            self._panel(plan, scale, numbers, options) for plan, scale in zip(plans, scales, strict=True)
+        )
+        self._made = self._shown
+        scale = scales[0] if scales else RadiusScale(shared.radius, 1.0, options.decades)
+        frame = FrameOptions(options.hemisphere, options.labels, options.arrows, options.rings)
+        bar = None
+        mapped = options.colouring == "values" and any(s.line is None for plan in plans for s in plan.sheets)
+        if panels and (difference or mapped):
+            bar = _bar(scale, quantity(shared), signed=difference)
+        return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
+
+    def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
+        channel = self._desk.options.channel
+        tops = [
+            tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets
+        ] or [(0.0, 0.0)]
+        return max(peak for peak, _ in tops), max(body for _, body in tops)
+
+    # Which panels.
+
+    def _plans(self, options: SpaceOptions) -> list[_Plan]:
+        visible = self._desk.visible
+        if not visible:
+            return []
+        shown = self._desk.options.shown
+        front = self._desk.front
+        if shown == "difference":
+            return self._differences()
+        if shown == "side by side":
+            plans = []
+            for subject in self._ordered():
+                plans += [self._target_plan(subject), *self._fit_plans(subject, options)]
+            return plans
+        if shown == "fit" and options.lobes in ("apart", "parts", "stacked"):
+            several = (
+                visible if options.arrangement == "panels" else (front if front in visible else visible[0],)
+            )
+            return [plan for subject in several if subject for plan in self._fit_plans(subject, options)]
+        if options.arrangement == "panels" and len(visible) > 1:
+            return [self._overlay((subject,), options) for subject in visible]
+        return [self._overlay(self._ordered(), options)]
+
+    def _ordered(self) -> tuple[PlottedMaterial, ...]:
+        """The visible subjects, the front one first."""
+        front = self._desk.front
+        return tuple(sorted(self._desk.visible, key=lambda s: s is not front))
+
+    def _overlay(self, subjects: tuple[PlottedMaterial, ...], options: SpaceOptions) -> _Plan:
+        """Targets, fits or both over one another: the first solid, the others like glass, fits over their targets."""
+        shown = self._desk.options.shown
+        sheets: list[_Sheet] = []
+        notes: list[str] = []
+        for place, subject in enumerate(subjects):
+            legend = subject.colour if len(subjects) > 1 else None
+            if shown in ("target", "both"):
+                target = self._values.target(subject)
+                if target is None:
+                    notes.append(_coming())
+                else:
+                    style = "solid" if place == 0 else "glass"
+                    sheets.append(_sheet(target, style, subject, line=legend if place else None))
+            if shown in ("fit", "both"):
+                fit = self._values.fit(subject, self._lobes_on(subject))
+                if fit is None:
+                    notes.append(_no_fit(subject))
+                    continue
+                over = shown == "both" or place > 0
+                style = options.fit_style if over else "solid"
+                # Lines over a surface of their own colour would not be seen.
+                ink = over and style == "lines" and legend is None
+                sheets.append(_sheet(fit, style, subject, line=subject.colour if over else None, ink=ink))
+        first = subjects[0]
+        alone = len(subjects) == 1
+        title = (
+            first.title
+            if alone
+            else tr("{title} and {count} more").format(title=first.title, count=len(subjects) - 1)
+        )
+        notes += [note for sheet in sheets for note in _notes(sheet)]
+        return _Plan(
+            title, tuple(sheets), _WORDS[shown](), "\n".join(dict.fromkeys(notes)), first.colour, first
+        )
+
+    def _target_plan(self, subject: PlottedMaterial) -> _Plan:
+        target = self._values.target(subject)
+        sheets = () if target is None else (_sheet(target, "solid", subject),)
+        notes = [note for sheet in sheets for note in _notes(sheet)] or ([] if sheets else [_coming()])
+        return _Plan(subject.title, sheets, tr("Target"), "\n".join(notes), subject.colour, subject)
+
+    def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
+        if subject.fit is None:
+            return ()
+        off = self._desk.options.lobes_off
+        return tuple(lobe for lobe in fit_lobes(subject.fit.weights) if lobe.key not in off)
+
+    def _fit_plans(self, subject: PlottedMaterial, options: SpaceOptions) -> list[_Plan]:
+        """A fit as it is wanted: whole, its parts, its lobes stacked, or each alone."""
+        lobes = self._lobes_on(subject)
+        whole = self._values.fit(subject, lobes)
+        if whole is None:
+            return [_Plan(subject.title, (), tr("Fit"), _no_fit(subject), subject.colour)]
+        if not lobes:
+            note = tr("All lobes are switched off.")
+            return [_Plan(subject.title, (_sheet(whole, "solid", subject),), tr("Fit"), note, subject.colour)]
+        if options.lobes == "apart":
+            return [
+                _Plan(
+                    lobe_title(lobe),
+                    (self._part(subject, (lobe,), "solid"),),
+                    lobe_weight(lobe),
+                    "",
+                    subject.colour,
+                )
+                for lobe in lobes
+            ]
+        if options.lobes == "parts":
+            sheets = [
+                self._part(subject, tuple(lobe for lobe in lobes if lobe.part == part), style)
+                for part, style in zip(FIT_PARTS, ("solid", "glass", "lines"), strict=True)
+                if any(lobe.part == part for lobe in lobes)
+            ]
+            return [
+                _Plan(
+                    subject.title,
+                    tuple(sheets),
+                    tr("Diffuse, directional diffuse and gloss, each alone"),
+                    "",
+                    subject.colour,
+                )
+            ]
+        if options.lobes == "stacked":
+            # Each shell holds all lobes within it: the last is the whole fit.
+            sheets = []
+            for count in range(1, len(lobes) + 1):
+                # The more shells, the clearer each: the innermost is to be seen through all.
+                glass = min(0.30, 0.9 / len(lobes))
+                style: Style = "solid" if count == 1 else "glass"
+                sheets.append(self._part(subject, lobes[:count], style, lobes[count - 1].part, glass))
+            words = tr("{count} lobes stacked, from the widest out").format(count=len(lobes))
+            return [_Plan(subject.title, tuple(sheets), words, "", subject.colour)]
+        words = tr("Fit: {count} lobes").format(count=len(lobes))
+        return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
+
+    def _part(
+        self,
+        subject: PlottedMaterial,
+        lobes: tuple[FitLobe, ...],
+        style: Style,
+        part: FitPart | None = None,
+        glass: float = 0.30,
+    ) -> _Sheet:
+        found = self._values.fit(subject, lobes)
+        assert found is not None, "asked only where there is a fit"
+        red, green, blue = PART_CODES[part or lobes[0].part]
+        opacity = {"solid": 1.0, "glass": glass, "lines": 0.9}[style]
+        return _Sheet(found, style, opacity, (red / 255.0, green / 255.0, blue / 255.0), subject.colour)
+
+    def _differences(self) -> list[_Plan]:
+        """Against the reference where one is chosen, else fit minus target."""
+        reference = self._desk.compared
+        plans = []
+        base = None if reference is None else self._values.target(reference)
+        for subject in self._ordered():
+            target = self._values.target(subject)
+            if reference is not None and subject is not reference:
+                words = tr("minus {title}").format(title=reference.title)
+                plans.append(self._difference(subject, target, base, words))
+            elif reference is None:
+                fit = self._values.fit(subject, self._lobes_on(subject))
+                if fit is None:
+                    plans.append(_Plan(subject.title, (), "", _no_fit(subject), subject.colour))
+                else:
+                    plans.append(self._difference(subject, fit, target, tr("fit minus target")))
+        if not plans and reference is not None:
+            note = tr("Only the reference is shown: there is nothing to take the difference of.")
+            plans.append(_Plan(reference.title, (), "", note, reference.colour))
+        return plans
+
+    def _difference(
+        self, subject: PlottedMaterial, found: Found | None, base: Found | None, words: str
+    ) -> _Plan:
+        if found is None or base is None or found.grid is not base.grid:
+            return _Plan(subject.title, (), words, _coming(), subject.colour)
+        difference = Found(found.grid, found.values - base.values)
+        origin = (found.values, base.values)
+        sheet = _Sheet(difference, legend=subject.colour, signed=True, origin=origin)
+        return _Plan(subject.title, (sheet,), words, "\n".join(_notes(sheet)), subject.colour)
+
+    # What becomes of them once the scale is known.
+
+    def _panel(
+        self, plan: _Plan, scale: RadiusScale, numbers: dict[int, Singles], options: SpaceOptions
+    ) -> Panel:
+        layers = tuple(
+            Layer(
+                self._surface(sheet, scale, numbers[id(sheet)], options),
+                sheet.style,
+                sheet.opacity,
+                sheet.ink,
+                sheet.found.grid,
+            )
+            for sheet in plan.sheets
+        )
+        notes = [plan.note] if plan.note else []
+        if layers and all(layer.surface.dark for layer in layers):
+            notes.append(tr("It is zero in every direction: there is no lobe."))
+        points = None
+        if plan.samples is not None and options.samples and not any(s.signed for s in plan.sheets):
+            points, words = sample_points(plan.samples, self._desk, scale, options)
+            if words:
+                notes.append(words)
+        caption = "\n".join(line for line in (plan.caption, self._peak(layers)) if line)
+        return Panel(plan.title, caption, layers, points, "\n".join(notes), plan.colour)
+
+    def _peak(self, layers: tuple[Layer, ...]) -> str:
+        if all(layer.surface.dark for layer in layers):
+            return ""
+        most = max(greatest(layer.surface.values) for layer in layers)
+        text = tr("greatest {value} {unit}").format(value=number(most), unit=UNIT)
+        if float(layers[0].surface.scale.radius(most)) > CUT:
+            text = tr("{text}, cut off in the picture").format(text=text)
+        return text
+
+    def _surface(
+        self, sheet: _Sheet, scale: RadiusScale, values: Singles, options: SpaceOptions
+    ) -> LobeSurface:
+        shared = self._desk.options
+        colouring: Colouring = "line" if sheet.line is not None else options.colouring
+        line = sheet.line or sheet.legend
+        origin = sheet.origin or (sheet.found.values,)
+        key = (tuple(map(id, origin)), sheet.signed, scale, shared.channel, shared.cosine, colouring, line)
+        if key not in self._shown:
+            kept = self._made.get(key)
+            self._shown[key] = kept or (origin, self._make(sheet, scale, values, colouring, line))
+        return self._shown[key][1]
+
+    def _make(
+        self, sheet: _Sheet, scale: RadiusScale, values: Singles, colouring: Colouring, line: Srgb
+    ) -> LobeSurface:
+        channel = self._desk.options.channel
+        if sheet.signed:
+            return difference_surface(sheet.found.grid, scalar_of(values, channel), scale, CUT)
+        return lobe_surface(
+            sheet.found.grid, values, scale, channel=channel, colouring=colouring, line=line, most_radius=CUT
+        )
+
+
+_WORDS: dict[str, Callable[[], str]] = {
+    "target": lambda: "",
+    "fit": lambda: tr("Fit"),
+    "both": lambda: tr("Target, and its fit over it"),
+}
+
+
+def _sheet(
+    found: Found, style: Style, subject: PlottedMaterial, line: Srgb | None = None, *, ink: bool = False
+) -> _Sheet:
+    opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
+    return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
+
+
+def _coming() -> str:
+    return tr("The values are being worked out.")
+
+
+def _no_fit(subject: PlottedMaterial) -> str:
+    return tr("{title} has no fit.").format(title=subject.title)
+
+
+def _notes(sheet: _Sheet) -> list[str]:
+    notes = []
+    if sheet.found.stale:
+        notes.append(tr("As it was before: its values are being worked out."))
+    holes = int(np.isnan(sheet.found.values[:, :-1]).any(axis=-1).sum())
+    if holes:
+        rows, columns = sheet.found.grid.shape
+        share = holes / (rows * (columns - 1))
+        text = tr("No values in {share} of the directions: holes.").format(share=f"{share:.1%}")
+        notes.append(text if share < 1.0 else tr("There is no value in any direction."))
+    return notes
+
+
+def _bar(scale: RadiusScale, title: str, *, signed: bool) -> Bar:
+    rounds = [(radius, text) for radius, text in rings_of(scale) if radius < 0.93]
+    rows = [(1.0, f"{scale.full:.3g}"), *rounds]
+    if not signed:
+        least = f"≤ {scale.value(0.0):.2g}" if scale.kind == "log" else "0"
+        return Bar(value_map(), (*rows, (0.0, least)), title)
+    signs = [(0.5 + 0.5 * share, f"+{text}") for share, text in rows]
+    signs += [(0.5 - 0.5 * share, f"−{text}") for share, text in rows]
+    return Bar(difference_map(), (*signs, (0.5, "0")), title)

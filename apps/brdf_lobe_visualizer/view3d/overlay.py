@@ -1,0 +1,205 @@
+"""The words over the picture: angles, arrows' names, titles, notes and the scale bar; painted sharp at any size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
+
+from brdf_lobe_visualizer.view3d.frame import Label
+from brdf_lobe_visualizer.view3d.scene import Bar, Panel
+
+Project = Callable[[tuple[float, float, float]], QPointF | None]
+_HALO = 3.0
+_BAR_WIDTH = 14.0
+
+
+class Overlay:
+    """Paints in logical pixels; ``ink`` and ``paper`` are the theme's text and ground."""
+
+    def __init__(self, painter: QPainter, font: QFont, ink: QColor, paper: QColor) -> None:
+        self._painter, self._ink, self._paper = painter, ink, paper
+        self._font = QFont(font)
+        # Digits of one width, so that a turning number does not tremble.
+        self._font.setFeature(QFont.Tag("tnum"), 1)
+        self._small = QFont(self._font)
+        self._small.setPointSizeF(max(7.0, 0.9 * self._font.pointSizeF()))
+        self._bold = QFont(self._font)
+        self._bold.setBold(True)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+
+    def labels(
+        self,
+        labels: Sequence[Label],
+        project: Project,
+        room: QRectF,
+        hidden: Sequence[bool],
+        taken: Sequence[QRectF] = (),
+    ) -> None:
+        """Paint labels that lie within ``room``; arrows' first, none over another, none that a lobe hides."""
+        taken = list(taken)
+        seen = [label for label, behind in zip(labels, hidden, strict=True) if label.strong or not behind]
+        for label in sorted(seen, key=lambda row: not row.strong):
+            at = project(label.place)
+            if at is None or not room.contains(at):
+                continue
+            font = self._bold if label.strong else self._small
+            size = QFontMetricsF(font).boundingRect(label.text).size()
+            box = QRectF(0.0, 0.0, size.width() + 2.0, size.height())
+            box.moveCenter(at)
+            if not room.contains(box) or any(box.intersects(other) for other in taken):
+                continue
+            taken.append(box)
+            colour = self._ink if label.colour is None else _of(label.colour)
+            if label.strong:
+                colour = _readable(colour, self._paper)
+            self._halo(box, label.text, font, colour)
+
+    def panel(self, panel: Panel, room: QRectF, *, bordered: bool) -> None:
+        """Paint title, caption and note of a panel into its room."""
+        p = self._painter
+        if bordered:
+            p.setPen(QPen(_faded(self._ink, 50), 1.0))
+            p.drawRect(room.adjusted(0.5, 0.5, -0.5, -0.5))
+        top = room.adjusted(12.0, 8.0, -12.0, -8.0)
+        metrics = QFontMetricsF(self._bold)
+        left = top.left()
+        if panel.title:
+            if panel.colour is not None:
+                swatch = QRectF(left, top.top() + 0.5 * metrics.height() - 5.0, 10.0, 10.0)
+                p.setPen(Qt.PenStyle.NoPen)
+                p.setBrush(QColor.fromRgbF(*panel.colour))
+                p.drawRoundedRect(swatch, 2.0, 2.0)
+                p.setBrush(Qt.BrushStyle.NoBrush)
+                left += 16.0
+            wide = max(20.0, top.right() - left)
+            text = metrics.elidedText(panel.title, Qt.TextElideMode.ElideRight, wide)
+            self._text(QRectF(left, top.top(), wide, metrics.height()), text, self._bold)
+        if panel.caption:
+            below = top.top() + (metrics.height() + 2.0 if panel.title else 0.0)
+            for line in panel.caption.splitlines():
+                high = QFontMetricsF(self._small).height()
+                text = QFontMetricsF(self._small).elidedText(line, Qt.TextElideMode.ElideRight, top.width())
+                self._text(QRectF(top.left(), below, top.width(), high), text, self._small)
+                below += high
+        if panel.note:
+            flags = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom | Qt.TextFlag.TextWordWrap
+            p.setFont(self._font)
+            space = QRectF(top.left(), top.top(), top.width(), top.height())
+            box = p.boundingRect(space, int(flags), panel.note).adjusted(-8.0, -4.0, 8.0, 4.0)
+            p.fillRect(box, _faded(self._paper, 215))
+            p.setPen(self._ink)
+            p.drawText(space, int(flags), panel.note)
+
+    def bar_room(self, bar: Bar, room: QRectF) -> QRectF:
+        """Return what a scale bar with its words takes of ``room``, right and below; empty where there is no room."""
+        high = min(240.0, 0.42 * room.height())
+        if high < 60.0:
+            return QRectF()
+        metrics = QFontMetricsF(self._small)
+        wide = max(metrics.horizontalAdvance(text) for _, text in bar.ticks) + _BAR_WIDTH + 14.0
+        wide = max(wide, metrics.horizontalAdvance(bar.title) + 8.0)
+        above = metrics.height() + 12.0
+        return QRectF(
+            room.right() - wide - 10.0, room.bottom() - high - above - 14.0, wide, high + above + 8.0
+        )
+
+    def bar(self, bar: Bar, room: QRectF) -> None:
+        """Paint a scale bar into its part of ``room``, its words to its left."""
+        p = self._painter
+        space = self.bar_room(bar, room)
+        if space.isEmpty():
+            return
+        p.fillRect(space, _faded(self._paper, 190))
+        metrics = QFontMetricsF(self._small)
+        top = space.top() + metrics.height() + 12.0
+        box = QRectF(space.right() - _BAR_WIDTH - 4.0, top, _BAR_WIDTH, space.bottom() - 8.0 - top)
+        colours = np.ascontiguousarray(bar.codes[::-1])
+        image = QImage(colours.tobytes(), 1, len(colours), 3, QImage.Format.Format_RGB888)
+        p.drawImage(box, image)
+        p.setPen(QPen(_faded(self._ink, 140), 1.0))
+        p.drawRect(box)
+        last = np.inf
+        for share, text in sorted(bar.ticks, reverse=True):
+            y = box.bottom() - share * box.height()
+            p.setPen(QPen(_faded(self._ink, 200), 1.0))
+            p.drawLine(QPointF(box.left() - 4.0, y), QPointF(box.left(), y))
+            if abs(last - y) < metrics.height():
+                continue
+            last = y
+            wide = metrics.horizontalAdvance(text) + 2.0
+            self._halo(
+                QRectF(box.left() - 7.0 - wide, y - 0.5 * metrics.height(), wide, metrics.height()),
+                text,
+                self._small,
+                self._ink,
+            )
+        wide = metrics.horizontalAdvance(bar.title) + 2.0
+        self._halo(
+            QRectF(box.right() - wide, box.top() - metrics.height() - 8.0, wide, metrics.height()),
+            bar.title,
+            self._small,
+            self._ink,
+        )
+
+    def probe(self, at: QPointF, text: str, room: QRectF) -> None:
+        """Mark a point and write what it is beside it."""
+        p = self._painter
+        p.setPen(QPen(_faded(self._paper, 220), 3.0))
+        p.drawEllipse(at, 4.0, 4.0)
+        p.setPen(QPen(self._ink, 1.4))
+        p.drawEllipse(at, 4.0, 4.0)
+        metrics = QFontMetricsF(self._small)
+        wide, high = metrics.horizontalAdvance(text) + 4.0, metrics.height()
+        box = QRectF(at.x() + 10.0, at.y() - high - 6.0, wide, high)
+        box.moveLeft(min(box.left(), room.right() - wide - 4.0))
+        box.moveTop(max(box.top(), room.top() + 4.0))
+        p.fillRect(box.adjusted(-4.0, -1.0, 4.0, 1.0), _faded(self._paper, 190))
+        self._halo(box, text, self._small, self._ink)
+
+    def words(self, text: str, room: QRectF) -> None:
+        """Paint words in the middle: what to do where there is nothing."""
+        self._painter.setFont(self._font)
+        self._painter.setPen(self._ink)
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        self._painter.drawText(room.adjusted(24, 24, -24, -24), int(flags), text)
+
+    def _text(self, box: QRectF, text: str, font: QFont) -> None:
+        wide = min(box.width(), QFontMetricsF(font).horizontalAdvance(text) + 2.0)
+        self._halo(QRectF(box.left(), box.top(), wide, box.height()), text, font, self._ink)
+
+    def _halo(self, box: QRectF, text: str, font: QFont, colour: QColor) -> None:
+        """Text with a rim of the ground's colour: read before lines and lobes alike."""
+        metrics = QFontMetricsF(font)
+        path = QPainterPath()
+        base = QPointF(box.left() + 1.0, box.center().y() + 0.5 * (metrics.ascent() - metrics.descent()))
+        path.addText(base, font, text)
+        p = self._painter
+        p.strokePath(
+            path,
+            QPen(
+                _faded(self._paper, 200),
+                _HALO,
+                Qt.PenStyle.SolidLine,
+                Qt.PenCapStyle.RoundCap,
+                Qt.PenJoinStyle.RoundJoin,
+            ),
+        )
+        p.fillPath(path, colour)
+
+
+def _of(colour: tuple[float, float, float, float]) -> QColor:
+    return QColor.fromRgbF(*colour)
+
+
+def _faded(colour: QColor, alpha: int) -> QColor:
+    faded = QColor(colour)
+    faded.setAlpha(alpha)
+    return faded
+
+
+def _readable(colour: QColor, paper: QColor) -> QColor:
+    """The colour, darker on light ground, so that it stands out as on dark."""
+    return colour.darker(190) if paper.lightnessF() > 0.45 else colour

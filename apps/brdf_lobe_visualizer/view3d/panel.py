@@ -1,0 +1,228 @@
+"""The part of the window that shows lobes in three dimensions: view, gestures, commands and their sections.
+
+The view takes pyqtgraph's OpenGL and its own half a second to import, so it is built after the window's first paint; a
+widget of Qt's own holds its place, so that the window is one for OpenGL from the start and is not made again.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtGui import QGuiApplication, QImage, QPalette
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from PySide6.QtWidgets import QStackedLayout, QWidget
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.incidence.section import IncidenceSection
+from brdf_lobe_visualizer.incidence.sweep import SweepControl
+from brdf_lobe_visualizer.subjects.parts_section import PartsSection
+from brdf_lobe_visualizer.view3d.camera import PRESETS, Camera, framed, preset, remembered, told
+from brdf_lobe_visualizer.view3d.options import SpaceState
+from brdf_lobe_visualizer.view3d.save import SaveSurface
+from brdf_lobe_visualizer.view3d.section import SurfaceSection
+from brdf_lobe_visualizer.window import LobeWindow
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.layers import SceneMaker
+    from brdf_lobe_visualizer.view3d.values import SpaceValues
+    from brdf_lobe_visualizer.view3d.view import SpaceView
+
+
+_CAMERA_KEY = "lobes/camera"
+
+
+class Space(QObject):
+    """Lobes in three dimensions."""
+
+    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+        super().__init__(window)
+        self._desk, self._window = desk, window
+        self.state = SpaceState(self)
+        self.camera = remembered(str(settings().value(_CAMERA_KEY, "")))
+        self.view: SpaceView | None = None
+        self._values: SpaceValues | None = None
+        self._maker: SceneMaker | None = None
+        self._holder = _Holder()
+        self.sweep = SweepControl(desk, self.state, self)
+        self.incidence = IncidenceSection(desk, self.state, self.sweep)
+        self.surface = SurfaceSection(desk, self.state)
+        self.parts = PartsSection(desk, self.state)
+        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        # Numbers that follow the picture wait until it rests: setting one costs as much as a surface's colours.
+        self._full = 0.0
+        self._settle = QTimer(
+            self, singleShot=True, interval=150, timeout=lambda: self.surface.hold(self._full)
+        )
+        window.set_centre(self._holder, tab_hides_panels=True)
+        for signal in (
+            desk.subjects_changed,
+            desk.front_changed,
+            desk.visibility_changed,
+            desk.incidence_changed,
+            desk.options_changed,
+        ):
+            signal.connect(self._stale)
+        self.state.changed.connect(self._stale)
+        window.add_section("incidence", tr("Incidence"), self.incidence)
+        window.add_section("radius", tr("Radius"), self.surface)
+        window.add_section("parts", tr("Parts"), self.parts)
+        self.save = SaveSurface(self, desk, window)
+        self._add_commands()
+        window.first_painted.connect(self._build)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether all that is asked for is drawn, or cannot be."""
+        if self._holder.notice.text():
+            return True
+        return (
+            self.view is not None and not self._timer.isActive() and not (self._values and self._values.busy)
+        )
+
+    def set_from_script(self, key: str, value: str) -> bool:
+        """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
+        if key == "camera":
+            if value not in dict(PRESETS):
+                return False
+            self.go_to(value)
+            return True
+        return self.state.set_from_text(key, value)
+
+    # The camera.
+
+    def set_camera(self, camera: Camera) -> None:
+        """See from there."""
+        self.camera = camera
+        if self.view is not None:
+            self.view.set_camera(camera)
+
+    def go_to(self, key: str) -> None:
+        """See from a preset's place."""
+        self.set_camera(preset(key, *self._desk.incidence))
+
+    def frame(self) -> None:
+        """Show all of the hemisphere."""
+        self.set_camera(framed(self.camera))
+
+    def close(self) -> None:
+        """End what moves."""
+        self.sweep.set_running(False)
+        self._timer.stop()
+        self._settle.stop()
+        settings().setValue(_CAMERA_KEY, told(self.camera))
+
+    def reset_view(self) -> None:
+        """Put camera and options back to those of a first start."""
+        self.sweep.set_running(False)
+        self.state.reset()
+        self.set_camera(Camera())
+
+    # Drawing.
+
+    def draw_now(self) -> None:
+        """Bring the view up to date."""
+        self._timer.stop()
+        if self.view is not None and self._maker is not None:
+            scene = self._maker.scene(self.state.options)
+            self.view.set_scene(scene)
+            self._full = scene.scale.full
+            self._settle.start()
+
+    def picture(self, width: int, height: int) -> QImage:
+        """Return the view as a picture of any size; a null one where there is none."""
+        return QImage() if self.view is None else self.view.picture(width, height)
+
+    def _stale(self, *_: object) -> None:
+        self._timer.start()
+
+    def _build(self) -> None:
+        if self.view is not None:
+            return
+        if QGuiApplication.platformName() in ("offscreen", "minimal"):
+            self._holder.show_notice(tr("There is no OpenGL here: the lobes cannot be drawn."))
+            return
+        # Half a second of imports.
+        from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
+        from brdf_lobe_visualizer.view3d.layers import SceneMaker
+        from brdf_lobe_visualizer.view3d.probe import SpaceProbe
+        from brdf_lobe_visualizer.view3d.values import SpaceValues
+        from brdf_lobe_visualizer.view3d.view import SpaceView
+
+        self._values = SpaceValues(self._desk, self._stale)
+        self._maker = SceneMaker(self._desk, self._values)
+        self.view = view = SpaceView()
+        view.set_camera(self.camera)
+        view.failed.connect(self._holder.show_notice)
+        gestures = CameraGestures(view)
+        gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbited(a, e)))
+        gestures.panned.connect(lambda r, u: self.set_camera(self.camera.panned(r, u)))
+        gestures.zoomed.connect(lambda f, r, u: self.set_camera(self.camera.zoomed(f, r, u)))
+        gestures.framed.connect(self.frame)
+        drag = IncidenceDrag(view)
+        drag.dragged.connect(self._desk.set_incidence)
+        drag.turned.connect(self._turn)
+        drag.reset.connect(self._desk.reset_incidence)
+        SpaceProbe(view)
+        self._holder.show_view(view)
+        self.draw_now()
+
+    def _turn(self, theta: float, phi: float) -> None:
+        now = self._desk.incidence
+        self._desk.set_incidence(now[0] + theta, now[1] + phi)
+
+    def _add_commands(self) -> None:
+        add = self._window.add_command
+        for number, (key, title) in enumerate(PRESETS, 1):
+            add("view", title, str(number), lambda key=key: self.go_to(key))
+        add("view", mark("Frame the Hemisphere"), None, self.frame)
+        sweep = add("view", mark("Sweep the Incidence"), "Space", self.sweep.set_running, checked=False)
+        self.sweep.running_changed.connect(sweep.setChecked)
+        # In the view alone: elsewhere the space bar presses buttons.
+        sweep.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        self._holder.addAction(sweep)
+
+
+class _Holder(QWidget):
+    """The view, or what is in its place: an empty widget until it is built, words where it cannot be."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumSize(200, 160)
+        self.notice = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self.notice.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.notice.setMargin(32)
+        self._layout = QStackedLayout(self)
+        self._layout.addWidget(self.notice)
+        if QGuiApplication.platformName() not in ("offscreen", "minimal"):
+            self._layout.addWidget(_Ground())
+            self._layout.setCurrentIndex(1)
+
+    def show_view(self, view: QWidget) -> None:
+        """Show the view."""
+        self._layout.addWidget(view)
+        self._layout.setCurrentWidget(view)
+        self.setFocusProxy(view)
+        ground = self._layout.widget(1)
+        if ground is not view:
+            self._layout.removeWidget(ground)
+            ground.deleteLater()
+
+    def show_notice(self, text: str) -> None:
+        """Show words in the view's place."""
+        self.notice.setText(text)
+        self._layout.setCurrentWidget(self.notice)
+
+
+class _Ground(QOpenGLWidget):
+    """An empty ground in the theme's colour."""
+
+    def paintGL(self) -> None:
+        colour = self.palette().color(QPalette.ColorRole.Base)
+        functions = self.context().functions()
+        functions.glClearColor(colour.redF(), colour.greenF(), colour.blueF(), 1.0)
+        functions.glClear(0x4000)  # GL_COLOR_BUFFER_BIT

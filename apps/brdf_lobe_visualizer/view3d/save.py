@@ -1,0 +1,188 @@
+"""The section Export of the inspector: the view as PNG or SVG, the surface as OBJ or PLY."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.icons import icon
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.message_bar import message_of
+from PySide6.QtCore import QObject, QSize
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
+
+from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.errors import GraphicsError, SuiteError
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.panel import Space
+
+AskPath = Callable[[QWidget, str, Path, str], Path | None]
+"""``(parent, title, suggested, filters) -> path``: asks where to write; tests answer for the user."""
+
+_FOLDER_KEY = "folder/export"
+PICTURE_PX = (1920, 1440)
+MOST_PX = 16384
+SIZE_MM = 100.0
+KINDS: dict[str, tuple[str, str]] = {
+    "png": (mark("Save Picture as PNG"), mark("PNG picture (*.png)")),
+    "svg": (mark("Save Picture as SVG"), mark("SVG picture (*.svg)")),
+    "obj": (mark("Save Surface as OBJ"), mark("Wavefront OBJ (*.obj)")),
+    "ply": (mark("Save Surface as PLY"), mark("PLY with colours (*.ply)")),
+}
+
+
+class SaveSection(QWidget):
+    """Sizes and buttons; ``ask_path`` is how it asks for a file."""
+
+    def __init__(self, save: SaveSurface, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("save_section")
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        form = Form()
+        box.addWidget(form)
+        self.width_ = NumberField(tr("Width of the picture"), "px", 64, MOST_PX, 16, 0, PICTURE_PX[0])
+        self.height_ = NumberField(tr("Height of the picture"), "px", 64, MOST_PX, 16, 0, PICTURE_PX[1])
+        self.size_ = NumberField(tr("Length of radius 1"), "mm", 0.001, 1e6, 10.0, 3, SIZE_MM)
+        for field, default in (
+            (self.width_, PICTURE_PX[0]),
+            (self.height_, PICTURE_PX[1]),
+            (self.size_, SIZE_MM),
+        ):
+            field.set_value(default)
+        form.add_row(tr("Width"), self.width_, tr("Of PNG and SVG. PNG is sampled 16 times a pixel."))
+        form.add_row(tr("Height"), self.height_)
+        form.add_row(tr("Radius 1 is"), self.size_, tr("In OBJ and PLY; the file says what value that is."))
+        grid = QGridLayout()
+        grid.setSpacing(8)
+        self.buttons: dict[str, QPushButton] = {}
+        for number, kind in enumerate(KINDS):
+            button = self.buttons[kind] = QPushButton(icon("floppy-disk"), kind.upper())
+            button.setToolTip(tr(KINDS[kind][0]))
+            button.setAccessibleName(tr(KINDS[kind][0]))
+            button.clicked.connect(lambda _on=False, kind=kind: save.ask(kind))
+            grid.addWidget(button, number // 2, number % 2)
+        box.addLayout(grid)
+        self.told = PlainLabel()
+        self.told.setWordWrap(True)
+        self.told.hide()
+        box.addWidget(self.told)
+        self.reset = QPushButton(tr("Reset sizes"))
+        self.reset.clicked.connect(self._reset)
+        box.addWidget(self.reset)
+
+    def tell(self, text: str) -> None:
+        """Say what was written."""
+        self.told.setText(text)
+        self.told.show()
+
+    def _reset(self) -> None:
+        for field in (self.width_, self.height_, self.size_):
+            field.reset()
+
+
+class SaveSurface(QObject):
+    """Writes what the view shows."""
+
+    def __init__(self, space: Space, desk: Desk, window: LobeWindow, ask_path: AskPath | None = None) -> None:
+        super().__init__(space)
+        self._space, self._desk, self._window = space, desk, window
+        self.ask_path = ask_path or _ask_path
+        self.section = SaveSection(self)
+        window.add_section("export", tr("Export"), self.section, is_open=False)
+        for kind, (title, _) in KINDS.items():
+            window.add_command("file", title, None, lambda kind=kind: self.ask(kind))
+
+    def ask(self, kind: str) -> None:
+        """Ask for a file of a kind and write it; what goes wrong is told in the window."""
+        title, filters = KINDS[kind]
+        front = self._desk.front
+        name = "".join(c if c.isalnum() or c in " -_" else "_" for c in (front.title if front else "lobes"))
+        folder = Path(str(settings().value(_FOLDER_KEY, str(Path.home()))))
+        path = self.ask_path(self._window, tr(title), folder / f"{name}.{kind}", tr(filters))
+        if path is None:
+            return
+        if path.suffix.lower() != f".{kind}":
+            path = path.with_name(f"{path.name}.{kind}")
+        settings().setValue(_FOLDER_KEY, str(path.parent))
+        try:
+            self.write(path)
+        except SuiteError as error:
+            self._window.show_message(message_of(error, "export"))
+            return
+        self._window.dismiss_message("export")
+        self.section.tell(tr("Written: {path}").format(path=path))
+
+    def write(self, path: Path) -> None:
+        """Write the view or the front surface, by the ending of ``path``.
+
+        Raises :class:`GraphicsError` where there is no view, and what writing the file raises.
+        """
+        kind = path.suffix.lower().removeprefix(".")
+        self._space.draw_now()
+        if kind == "png":
+            self._write_png(path)
+        elif kind == "svg":
+            self._write_svg(path)
+        else:
+            self._write_mesh(path)
+
+    def _sizes(self) -> tuple[int, int]:
+        return round(self.section.width_.value()), round(self.section.height_.value())
+
+    def _view(self):  # type: ignore[no-untyped-def] # the class is imported with OpenGL
+        view = self._space.view
+        if view is None or not view.isValid():
+            raise GraphicsError(tr("There is no OpenGL here: the lobes cannot be drawn."))
+        return view
+
+    def _write_png(self, path: Path) -> None:
+        import numpy as np
+
+        from brdf_suite.files.images.png import write_png
+
+        image = self._view().picture(*self._sizes())
+        width, height = image.width(), image.height()
+        rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, image.bytesPerLine())[
+            :, : 4 * width
+        ]
+        pixels = np.ascontiguousarray(rows.reshape(height, width, 4)[..., 2::-1])
+        write_png(path, pixels, {"Description": " · ".join(self._about())})
+
+    def _write_svg(self, path: Path) -> None:
+        from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
+
+        view = self._view()
+        size = QSize(*self._sizes())
+        palette = view.palette()
+        look = Look(palette.text().color().name(), palette.base().color().name(), size.height() / 60.0)
+        write_svg(path, svg_of(view.scene, view.frame(), view.camera, view.rooms(size), size, look))
+
+    def _write_mesh(self, path: Path) -> None:
+        from brdf_suite.inspection.lobe_surface.export import write_surface
+
+        layers = [layer for panel in self._view().scene.panels for layer in panel.layers]
+        if not layers:
+            raise GraphicsError(tr("No surface is shown: add a reflectance, or show one in the legend."))
+        write_surface(
+            path, layers[0].surface, (*self._about(), "lengths in millimetres"), self.section.size_.value()
+        )
+
+    def _about(self) -> list[str]:
+        view = self._view()
+        theta, phi = self._desk.incidence
+        title = view.scene.panels[0].title if view.scene.panels else ""
+        return [title, view.scene.quantity, f"incidence {theta:g}, azimuth {phi:g} degrees"]
+
+
+def _ask_path(parent: QWidget, title: str, suggested: Path, filters: str) -> Path | None:
+    chosen, _ = QFileDialog.getSaveFileName(parent, title, str(suggested), filters)
+    return Path(chosen) if chosen else None

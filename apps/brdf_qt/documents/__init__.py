@@ -1,0 +1,1 @@
+"""Open documents: files, undo, recovery, watching."""

@@ -1,0 +1,207 @@
+"""New, open, save, save as, recent files, and the question about unsaved changes; the same for every document.
+
+A file that cannot be read or written leaves the open document as it was; ``failed`` carries the message.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from PySide6.QtCore import QObject, QStandardPaths, Signal
+
+from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.program.settings import settings
+from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_suite.errors import SuiteError
+
+T = TypeVar("T")
+MOST_RECENT = 10
+
+
+@dataclass(frozen=True)
+class DocumentFormat(Generic[T]):
+    """How a kind of document is made, read, written and named.
+
+    ``kind`` is the word for the user ("paint"), ``ending`` has its dot, ``name_of`` gives the document's name.
+    """
+
+    kind: str
+    ending: str
+    new: Callable[[], T]
+    load: Callable[[Path], T]
+    save: Callable[[T, Path], None]
+    to_json: Callable[[T], dict[str, Any]]
+    from_json: Callable[[dict[str, Any], Path], T]
+    name_of: Callable[[T], str]
+
+    @property
+    def filters(self) -> str:
+        """The filter line of a file dialog."""
+        return f"{self.kind.capitalize()} (*{self.ending});;All files (*)"
+
+
+class DocumentFiles(QObject, Generic[T]):
+    """The File menu's work on one :class:`DocumentStore`."""
+
+    failed = Signal(Message)
+    succeeded = Signal(str)
+    recent_changed = Signal()
+
+    def __init__(
+        self,
+        store: DocumentStore[T],
+        form: DocumentFormat[T],
+        dialogs: Dialogs,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.store, self.format, self.dialogs = store, form, dialogs
+
+    def new(self) -> bool:
+        """Start a new document, after asking about the old one; True where it was done."""
+        if not self.may_discard():
+            return False
+        self.store.replace(self.format.new(), None)
+        return True
+
+    def open(self, path: Path | None = None) -> bool:
+        """Open ``path``, or ask for one; True where a document was opened."""
+        if not self.may_discard():
+            return False
+        if path is None:
+            path = self.ask_open_path()
+            if path is None:
+                return False
+        read = self.read(path)
+        if read is None:
+            return False
+        value, stamp = read
+        self.store.replace(value, path.absolute(), stamp=stamp)
+        self.remember(path.absolute())
+        self.succeeded.emit("open")
+        return True
+
+    def ask_open_path(self) -> Path | None:
+        """Ask which file to open; ``None`` where the user gives up."""
+        return self.dialogs.open_path(self._folder(), self.format.filters)
+
+    def read(self, path: Path) -> tuple[T, FileStamp | None] | None:
+        """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` tells."""
+        # Before the content is read: a change in between is then asked about once too often, never lost.
+        stamp = stamp_of(path)
+        try:
+            value = self.format.load(path)
+        except SuiteError as error:
+            todo = f"The {self.format.kind} that was open is unchanged."
+            self.failed.emit(message_of(error, "open", todo=todo))
+            self._forget(path)
+            return None
+        return value, stamp
+
+    def open_value(self, value: T) -> bool:
+        """Open a document that comes from no file of the user's, such as a shipped one."""
+        if not self.may_discard():
+            return False
+        self.store.replace(value, None)
+        return True
+
+    def save(self) -> bool:
+        """Write the document to its file, asking for one where it has none; True where it was written.
+
+        A file that another program has changed is written over only where the user says so.
+        """
+        path = self.store.path
+        if path is None:
+            return self.save_as()
+        if self._changed_elsewhere(path):
+            answer = self.dialogs.changed_file(path)
+            if answer is Overwrite.SAVE_AS:
+                return self.save_as()
+            if answer is Overwrite.CANCEL:
+                return False
+        return self._write(path)
+
+    def save_as(self) -> bool:
+        """Ask for a file and write the document to it; True where it was written."""
+        path = self.dialogs.save_path(self._suggested(), self.format.filters)
+        if path is None:
+            return False
+        if not path.suffix:
+            path = path.with_name(path.name + self.format.ending)
+        return self._write(path.absolute())
+
+    def may_discard(self) -> bool:
+        """Ask about unsaved changes where there are any; True where the document may be given up."""
+        if self.store.is_clean:
+            return True
+        answer = self.dialogs.unsaved(self.title())
+        if answer is Answer.SAVE:
+            return self.save()
+        return answer is Answer.DISCARD
+
+    def title(self) -> str:
+        """Return the name of the file, or of the document while it has no file."""
+        return self.store.path.name if self.store.path else self.format.name_of(self.store.value)
+
+    def recent(self) -> list[Path]:
+        """Return the files opened or saved last, newest first."""
+        found = settings().value("recent", [])
+        names = [found] if isinstance(found, str) else list(found or [])
+        return [Path(name) for name in names]
+
+    def clear_recent(self) -> None:
+        """Forget the recent files."""
+        settings().setValue("recent", [])
+        self.recent_changed.emit()
+
+    def _changed_elsewhere(self, path: Path) -> bool:
+        """Whether the file holds something that this program neither read nor wrote; False where it is gone."""
+        known, present = self.store.stamp, stamp_of(path)
+        return present is not None and (known is None or not known.same_content(present))
+
+    def _write(self, path: Path) -> bool:
+        try:
+            self.format.save(self.store.value, path)
+        except SuiteError as error:
+            todo = "Nothing was lost: the document is still open. Choose another place with Save As."
+            self.failed.emit(message_of(error, "save", todo=todo))
+            return False
+        self.store.mark_clean(path, stamp_of(path))
+        self.remember(path)
+        self.succeeded.emit("save")
+        return True
+
+    def remember(self, path: Path) -> None:
+        """Put ``path`` first among the recent files."""
+        kept = [path, *(known for known in self.recent() if known != path)][:MOST_RECENT]
+        self._store_recent(kept)
+
+    def _forget(self, path: Path) -> None:
+        self._store_recent([known for known in self.recent() if known != path.absolute()])
+
+    def _store_recent(self, paths: list[Path]) -> None:
+        settings().setValue("recent", [str(path) for path in paths])
+        self.recent_changed.emit()
+
+    def _folder(self) -> Path:
+        if self.store.path is not None:
+            return self.store.path.parent
+        recent = self.recent()
+        if recent:
+            return recent[0].parent
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        return Path(documents) if Path(documents).is_dir() else Path.home()
+
+    def _suggested(self) -> Path:
+        if self.store.path is not None:
+            return self.store.path
+        name = (
+            re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .") or self.format.kind
+        )
+        return self._folder() / f"{name}{self.format.ending}"

@@ -1,0 +1,1 @@
+"""Widgets that show what a renderer draws with OpenGL."""

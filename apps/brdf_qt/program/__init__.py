@@ -1,0 +1,1 @@
+"""Start of a program: application, arguments, settings, theme, translation."""

@@ -1,0 +1,181 @@
+"""Start of a program: the surface format, the application object, the theme, errors and signals.
+
+No error of ours ends a program or hides in a console: it is written to a log beside the settings and shown in
+the window through :class:`ErrorRelay`.
+"""
+
+from __future__ import annotations
+
+import logging
+import os
+import signal
+import socket
+import sys
+import time
+from logging.handlers import RotatingFileHandler
+from pathlib import Path
+from types import TracebackType
+
+from PySide6.QtCore import (
+    QMessageLogContext,
+    QObject,
+    QSocketNotifier,
+    Qt,
+    QTimer,
+    QtMsgType,
+    Signal,
+    qInstallMessageHandler,
+)
+from PySide6.QtGui import QFont, QGuiApplication, QSurfaceFormat
+from PySide6.QtWidgets import QApplication, QWidget
+
+from brdf_qt.program import theme, translation
+from brdf_qt.program.settings import ORGANISATION, state_folder
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_suite.errors import Cancelled
+from brdf_suite.screen import screen_missing
+
+log = logging.getLogger("brdf_qt")
+_STARTED = time.monotonic()
+
+
+class ErrorRelay(QObject):
+    """Carries errors from wherever they happen to the window that shows them."""
+
+    reported = Signal(Message)
+
+    def report(self, error: BaseException, key: str = "fault") -> None:
+        """Log ``error`` with its traceback and hand its message on; from any thread."""
+        log.error("%s", error, exc_info=(type(error), error, error.__traceback__))
+        self.reported.emit(message_of(error, key))
+
+
+_relay: ErrorRelay | None = None
+
+
+def error_relay() -> ErrorRelay:
+    """Return the relay of this process."""
+    global _relay
+    if _relay is None:
+        _relay = ErrorRelay()
+    return _relay
+
+
+def surface_format(samples: int = 4) -> QSurfaceFormat:
+    """Return OpenGL 3.3 core with ``samples`` per pixel, what every GL surface of the suite uses."""
+    form = QSurfaceFormat()
+    form.setVersion(3, 3)
+    form.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
+    form.setSamples(samples)
+    form.setDepthBufferSize(24)
+    form.setSwapInterval(1)
+    # So that a reset of the driver is told, instead of frames that stay black.
+    form.setOption(QSurfaceFormat.FormatOption.ResetNotification)
+    return form
+
+
+def create_application(
+    name: str, argv: list[str] | None = None, theme_name: str | None = None, language: str | None = None
+) -> QApplication:
+    """Make the application object of program ``name`` ("Designer"), with theme, language, log and error handling.
+
+    ``theme_name`` and ``language`` (ISO 639 code) override what is remembered for this run only. Call once, before
+    any widget.
+    """
+    missing = screen_missing()
+    if missing is not None:
+        sys.exit(f"{name} cannot open a window: {missing}. `brdf-suite render` needs none.")
+    QSurfaceFormat.setDefaultFormat(surface_format())
+    QGuiApplication.setHighDpiScaleFactorRoundingPolicy(Qt.HighDpiScaleFactorRoundingPolicy.PassThrough)
+    app = QApplication([name, *(argv or [])])
+    app.setOrganizationName(ORGANISATION)
+    app.setApplicationName(name)
+    app.setApplicationDisplayName(f"BRDF Suite {name}")
+    app.setStyle("Fusion")
+    app.setFont(_font(app.font()))
+    theme.apply(app, theme_name or theme.current(), remember=False)
+    theme.follow_system(app)
+    translation.install(app, language)
+    _start_log()
+    sys.excepthook = _unhandled
+    qInstallMessageHandler(_qt_message)
+    _quit_on_signals(app)
+    return app
+
+
+def run(app: QApplication, window: QWidget) -> int:
+    """Show ``window`` and run until the program ends; return the exit status."""
+    window.show()
+    return app.exec()
+
+
+def process_age_s() -> float:
+    """Return the seconds since the system started this process; off Linux, since this module was imported."""
+    stat = Path("/proc/self/stat")
+    if stat.exists():
+        ticks = int(stat.read_text().rpartition(")")[2].split()[19])
+        return time.clock_gettime(time.CLOCK_BOOTTIME) - ticks / os.sysconf("SC_CLK_TCK")
+    return time.monotonic() - _STARTED
+
+
+def _font(font: QFont) -> QFont:
+    """Digits of equal width, so that a number does not jump while it changes."""
+    font.setFeature(QFont.Tag("tnum"), 1)
+    return font
+
+
+def _start_log() -> None:
+    handler = RotatingFileHandler(
+        state_folder("log") / "log.txt", maxBytes=1_000_000, backupCount=2, delay=True
+    )
+    handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    root = logging.getLogger()
+    root.addHandler(handler)
+    root.setLevel(logging.INFO)
+
+
+def _unhandled(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
+    if issubclass(kind, KeyboardInterrupt):
+        QApplication.exit(0)
+        return
+    if issubclass(kind, Cancelled):
+        return
+    sys.__excepthook__(kind, error, trace)
+    error_relay().report(error)
+
+
+_LEVELS = {
+    QtMsgType.QtDebugMsg: logging.DEBUG,
+    QtMsgType.QtInfoMsg: logging.INFO,
+    QtMsgType.QtWarningMsg: logging.WARNING,
+    QtMsgType.QtCriticalMsg: logging.ERROR,
+    QtMsgType.QtFatalMsg: logging.CRITICAL,
+}
+
+
+def _qt_message(kind: QtMsgType, context: QMessageLogContext, text: str) -> None:
+    logging.getLogger("qt").log(_LEVELS[kind], "%s: %s", context.category or "default", text)
+    if kind in (QtMsgType.QtCriticalMsg, QtMsgType.QtFatalMsg):
+        sys.stderr.write(f"{text}\n")
+
+
+def _quit_on_signals(app: QApplication) -> None:
+    """End the event loop on Ctrl+C and on SIGTERM; unsaved work stays in the autosave and is offered again.
+
+    A Python handler runs only when the interpreter does, and Qt's loop sleeps in C++. The wake-up descriptor
+    makes the loop stir at once, without a timer that polls.
+    """
+    reader, writer = socket.socketpair()
+    reader.setblocking(False)
+    writer.setblocking(False)
+    notifier = QSocketNotifier(reader.fileno(), QSocketNotifier.Type.Read, app)
+
+    def stir() -> None:
+        reader.recv(64)
+
+    notifier.activated.connect(stir)
+    signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        # Queued, so that a signal that comes before the event loop ends it as soon as it runs.
+        signal.signal(number, lambda *_: QTimer.singleShot(0, app, lambda: app.exit(0)))
+    app.setProperty("signal_sockets", (reader, writer))

@@ -1,0 +1,128 @@
+"""The colours of the monitor that a window is on, as far as the platform tells them.
+
+X11: the ICC profile in the property ``_ICC_PROFILE`` of the root window (ICC Profiles in X, 0.4), ``_ICC_PROFILE_1``
+for the second monitor and so on. Windows: the profile that the system has for the monitor. macOS and Wayland convert
+by themselves what a program draws in sRGB. Where nothing is told, or what is told cannot be used, sRGB is assumed, and
+that is said.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+import logging
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtGui import QGuiApplication, QScreen
+
+from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
+from brdf_suite.errors import FileError
+from brdf_suite.files.images.icc import LARGEST_PROFILE, read_display_profile
+
+log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True, eq=False)
+class Monitor:
+    """What is known of a monitor: its colours, and in words where they come from.
+
+    ``is_measured`` says whether they are the monitor's own; otherwise they are sRGB.
+    """
+
+    space: DisplaySpace
+    told: str
+    is_measured: bool
+
+
+def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
+    """Return what the platform (Qt's name of it) tells of a screen."""
+    platform = platform or QGuiApplication.platformName()
+    if platform == "cocoa":
+        return Monitor(SRGB_SPACE, "sRGB, which macOS converts to the monitor's profile", False)
+    if platform.startswith("wayland"):
+        return Monitor(
+            SRGB_SPACE, "sRGB, which the Wayland compositor converts to the monitor's profile", False
+        )
+    read = {"xcb": _x11_profile, "windows": _windows_profile}.get(platform)
+    data = read(screen) if read is not None else None
+    if data is None:
+        return Monitor(SRGB_SPACE, "sRGB assumed: the system tells no profile of this monitor", False)
+    try:
+        space = read_display_profile(data, "the monitor's profile")
+    except FileError as error:
+        log.warning("monitor: %s", error)
+        return Monitor(SRGB_SPACE, f"sRGB assumed: the monitor's profile {error.reason}", False)
+    return Monitor(space, f"Monitor profile: {space.title}", True)
+
+
+def _x11_profile(screen: QScreen | None) -> bytes | None:
+    """Read the property by a connection of our own: Qt's own one is not to be waited on behind its back."""
+    name = ctypes.util.find_library("X11")
+    if name is None:
+        return None
+    try:
+        x11 = ctypes.CDLL(name)
+    except OSError:
+        return None
+    x11.XOpenDisplay.restype = ctypes.c_void_p
+    display = ctypes.c_void_p(x11.XOpenDisplay(None))
+    if not display:
+        return None
+    try:
+        number = QGuiApplication.screens().index(screen) if screen in QGuiApplication.screens() else 0
+        return _property(x11, display, "_ICC_PROFILE" if number == 0 else f"_ICC_PROFILE_{number}")
+    finally:
+        x11.XCloseDisplay(display)
+
+
+def _property(x11: Any, display: ctypes.c_void_p, name: str) -> bytes | None:
+    x11.XInternAtom.restype = ctypes.c_ulong
+    x11.XDefaultRootWindow.restype = ctypes.c_ulong
+    atom = x11.XInternAtom(display, name.encode(), 1)  # only where it is known to the server
+    if not atom:
+        return None
+    root = ctypes.c_ulong(x11.XDefaultRootWindow(display))
+    kind, form = ctypes.c_ulong(), ctypes.c_int()
+    count, left = ctypes.c_ulong(), ctypes.c_ulong()
+    data = ctypes.POINTER(ctypes.c_ubyte)()
+    whole = ctypes.c_long(LARGEST_PROFILE // 4)
+    failed = x11.XGetWindowProperty(
+        display,
+        root,
+        ctypes.c_ulong(atom),
+        ctypes.c_long(0),
+        whole,
+        0,
+        ctypes.c_ulong(0),
+        *(ctypes.byref(out) for out in (kind, form, count, left, data)),
+    )
+    if failed or not data:
+        return None
+    try:
+        return bytes(data[: count.value]) if form.value == 8 and count.value else None
+    finally:
+        x11.XFree(data)
+
+
+def _windows_profile(screen: QScreen | None) -> bytes | None:
+    if sys.platform != "win32" or screen is None:
+        return None
+    gdi = ctypes.WinDLL("gdi32")
+    gdi.CreateDCW.restype = ctypes.c_void_p
+    context = ctypes.c_void_p(gdi.CreateDCW(screen.name(), None, None, None))
+    if not context:
+        return None
+    try:
+        length = ctypes.c_ulong(1024)
+        path = ctypes.create_unicode_buffer(length.value)
+        if not gdi.GetICMProfileW(context, ctypes.byref(length), path):
+            return None
+        return Path(path.value).read_bytes()
+    except OSError as error:
+        log.warning("monitor: its profile cannot be read: %s", error)
+        return None
+    finally:
+        gdi.DeleteDC(context)

@@ -1,0 +1,161 @@
+"""Neutral themes: people judge colour beside these surfaces, so every grey has R = G = B.
+
+A theme is one lightness L* for the surround and the lightnesses of what lies on it. The single accent marks
+focus and selection and nothing else. Widgets take their colours from the palette; none carries a style sheet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction, QActionGroup, QColor, QGuiApplication, QPalette
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
+
+THEMES = ("dark", "booth", "light", "system")
+TITLES = {
+    "dark": mark("Dark (L* 20)"),
+    "booth": mark("Booth (L* 50)"),
+    "light": mark("Light (L* 85)"),
+    "system": mark("Follow the system"),
+}
+DEFAULT = "dark"
+_KEY = "theme"
+
+
+def grey(lightness: float) -> QColor:
+    """Return the sRGB grey of CIE lightness L* (0…100), R = G = B.
+
+    CIE 15: Y = ((L* + 16)/116)³ above L* = 8; sRGB transfer curve of IEC 61966-2-1.
+    """
+    f = (lightness + 16.0) / 116.0
+    y = f**3 if lightness > 8.0 else lightness / 903.2963
+    code = 12.92 * y if y <= 0.0031308 else 1.055 * y ** (1 / 2.4) - 0.055
+    level = round(255 * min(1.0, max(0.0, code)))
+    return QColor(level, level, level)
+
+
+@dataclass(frozen=True)
+class _Tones:
+    """Lightness L* of each kind of surface, and the one accent."""
+
+    window: float
+    base: float
+    button: float
+    text: float
+    faint: float
+    bright: float
+    shade: float
+    accent: str
+    accent_text: float
+
+
+_TONES = {
+    "dark": _Tones(20, 14, 27, 88, 52, 38, 8, "#4a7fb8", 100),
+    "booth": _Tones(50, 58, 56, 0, 32, 68, 36, "#153f66", 100),
+    "light": _Tones(85, 94, 90, 10, 52, 98, 66, "#2a66a0", 100),
+}
+
+
+def palette(name: str) -> QPalette:
+    """Return the palette of theme ``dark``, ``booth`` or ``light``; ``system`` becomes dark or light."""
+    tones = _TONES[_resolved(name)]
+    p = QPalette()
+    role = QPalette.ColorRole
+    for which, lightness in (
+        (role.Window, tones.window),
+        (role.WindowText, tones.text),
+        (role.Base, tones.base),
+        (role.AlternateBase, (tones.base + tones.window) / 2),
+        (role.Text, tones.text),
+        (role.Button, tones.button),
+        (role.ButtonText, tones.text),
+        (role.BrightText, tones.text),
+        (role.ToolTipBase, tones.base),
+        (role.ToolTipText, tones.text),
+        (role.PlaceholderText, tones.faint),
+        (role.Light, tones.bright),
+        (role.Midlight, (tones.bright + tones.button) / 2),
+        (role.Mid, (tones.shade + tones.button) / 2),
+        (role.Dark, tones.shade),
+        (role.Shadow, tones.shade * 0.6),
+    ):
+        p.setColor(which, grey(lightness))
+    accent = QColor(tones.accent)
+    for which in (role.Highlight, role.Accent, role.Link, role.LinkVisited):
+        p.setColor(which, accent)
+    p.setColor(role.HighlightedText, grey(tones.accent_text))
+    off = QPalette.ColorGroup.Disabled
+    for which in (role.WindowText, role.Text, role.ButtonText):
+        p.setColor(off, which, grey(tones.faint))
+    p.setColor(off, role.Highlight, grey(tones.faint))
+    p.setColor(off, role.Accent, grey(tones.faint))
+    return p
+
+
+def _resolved(name: str) -> str:
+    if name != "system":
+        return name
+    scheme = QGuiApplication.styleHints().colorScheme()
+    return "light" if scheme == Qt.ColorScheme.Light else "dark"
+
+
+def current() -> str:
+    """Return the name of the chosen theme, from the settings."""
+    name = str(settings().value(_KEY, DEFAULT))
+    return name if name in THEMES else DEFAULT
+
+
+def apply(app: QApplication, name: str, *, remember: bool = True) -> None:
+    """Give the whole program theme ``name``; remembered for the next start."""
+    app.setPalette(palette(name))
+    app.setProperty("theme", name)
+    if remember:
+        settings().setValue(_KEY, name)
+
+
+def follow_system(app: QApplication) -> None:
+    """Change with the system's light or dark setting while the theme is ``system``."""
+
+    def scheme_changed() -> None:
+        if app.property("theme") == "system":
+            app.setPalette(palette("system"))
+
+    QGuiApplication.styleHints().colorSchemeChanged.connect(scheme_changed)
+
+
+class ThemeMenu(QMenu):
+    """View ▸ Theme: one checkable entry per theme."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("&Theme"), parent)
+        self._group = QActionGroup(self)
+        for name in THEMES:
+            action = QAction(tr(TITLES[name]), self)
+            action.setObjectName(f"theme_{name}")
+            action.setCheckable(True)
+            action.setData(name)
+            self._group.addAction(action)
+            self.addAction(action)
+        self._group.triggered.connect(self._chosen)
+        self.aboutToShow.connect(self._tick)
+        self._tick()
+
+    def _tick(self) -> None:
+        app = QApplication.instance()
+        name = app.property("theme") if isinstance(app, QObject) else None
+        for action in self._group.actions():
+            action.setChecked(action.data() == (name or current()))
+
+    def _chosen(self, action: QAction) -> None:
+        app = QApplication.instance()
+        if isinstance(app, QApplication):
+            apply(app, str(action.data()))
+
+
+def theme_menu(parent: QWidget | None = None) -> QMenu:
+    """Return the Theme menu, ready to be added to View."""
+    return ThemeMenu(parent)

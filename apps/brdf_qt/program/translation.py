@@ -1,0 +1,115 @@
+"""Words of the windows in the user's language: ``tr`` where a text is shown, ``mark`` where it is kept.
+
+Sources are the English texts themselves; ``packaging/translate.py`` collects them and makes the ``.qm`` files.
+A text is a literal with named places (``tr("Saved in {folder}").format(folder=name)``), never an f-string: the
+tool that collects them reads the source. Messages of the core (files, fits) are English in every language.
+"""
+
+from __future__ import annotations
+
+import re
+from datetime import datetime
+from functools import cache
+
+from PySide6.QtCore import QCoreApplication, QDate, QLibraryInfo, QLocale, QTranslator
+from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtWidgets import QMenu
+
+from brdf_qt.program.settings import settings
+from brdf_suite.resources import resource, resource_names
+
+TRANSLATED = ("Designer",)
+"""The programs whose own texts are collected; another one stays English, rather than half of it."""
+SYSTEM = "system"
+SOURCE = "en"
+_ENDING = ".qm"
+_KEY = "language"
+
+
+@cache
+def tr(text: str, comment: str | None = None) -> str:
+    """Return ``text`` in the language of the program; as it is where no translation is installed.
+
+    ``comment`` tells two meanings of one English word apart. A drag asks for the same forty texts a hundred times a
+    second, so they are kept.
+    """
+    return QCoreApplication.translate("", text, comment)
+
+
+def mark(text: str, _comment: str | None = None) -> str:
+    """Return ``text`` itself: a constant that is handed to :func:`tr` later, when a translator is there."""
+    return text
+
+
+def languages() -> list[str]:
+    """Return the languages that there are, by their ISO 639 codes, English first."""
+    return [SOURCE, *resource_names("translations", _ENDING)]
+
+
+def chosen() -> str:
+    """Return the language that the user chose: a code, or ``system``."""
+    code = str(settings().value(_KEY, SYSTEM))
+    return code if code in languages() else SYSTEM
+
+
+def remember(code: str) -> None:
+    """Choose the language of the next start."""
+    settings().setValue(_KEY, code)
+
+
+def install(app: QCoreApplication, code: str | None = None) -> str:
+    """Install the translators of ``code`` (default: what was chosen) for ``app``; return the code taken.
+
+    Before the first widget: texts that are shown already stay as they are.
+    """
+    tr.cache_clear()
+    taken = _installed(app, code)
+    app.setProperty(_KEY, taken)
+    return taken
+
+
+def moment(when: datetime) -> str:
+    """Return a date and a time of day as the language of the program writes them."""
+    app = QCoreApplication.instance()
+    code = app.property(_KEY) if app is not None else None
+    # English is that of the program's own words.
+    locale = QLocale("en_GB" if code in (None, SOURCE) else str(code))
+    form = re.sub(r"dddd,?\s*", "", locale.dateFormat(QLocale.FormatType.LongFormat))
+    return f"{locale.toString(QDate(when.year, when.month, when.day), form)}, {when:%H:%M}"
+
+
+def _installed(app: QCoreApplication, code: str | None) -> str:
+    if app.applicationName() not in TRANSLATED:
+        return SOURCE
+    wanted = code or chosen()
+    if wanted == SYSTEM:
+        wanted = QLocale.system().name().partition("_")[0]
+    if wanted not in languages() or wanted == SOURCE:
+        return SOURCE
+    ours = QTranslator(app)
+    if not ours.load(str(resource("translations", wanted + _ENDING))):
+        return SOURCE
+    app.installTranslator(ours)
+    # The buttons of Qt's own dialogs; where Qt ships none for a language, they stay English.
+    qts = QTranslator(app)
+    if qts.load(f"qtbase_{wanted}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
+        app.installTranslator(qts)
+    return wanted
+
+
+def language_menu(parent: QMenu) -> QMenu:
+    """Return the menu that chooses the language of the next start."""
+    menu = QMenu(tr("&Language"), parent)
+    menu.setToolTipsVisible(True)
+    group = QActionGroup(menu)
+    names = {SYSTEM: tr("As the system has it")}
+    names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
+    names[SOURCE] = "English"
+    for code, name in names.items():
+        action = QAction(name, menu, checkable=True, checked=code == chosen())
+        action.setObjectName(f"language_{code}")
+        action.setToolTip(tr("From the next start of the program on"))
+        action.triggered.connect(lambda _checked=False, code=code: remember(code))
+        group.addAction(action)
+        menu.addAction(action)
+    return menu

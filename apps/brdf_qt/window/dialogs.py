@@ -1,0 +1,129 @@
+"""The questions that a program asks about its files; tests answer them with a script of their own."""
+
+from __future__ import annotations
+
+from enum import Enum
+from pathlib import Path
+from typing import Protocol
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QIcon
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QMessageBox, QWidget
+
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+
+_ICON = 32
+"""Size of the sign in a question, pixels; our own signs, because those of the style have colour."""
+
+
+class Answer(Enum):
+    """What to do with unsaved changes."""
+
+    SAVE = "save"
+    DISCARD = "discard"
+    CANCEL = "cancel"
+
+
+class Overwrite(Enum):
+    """What to do about a file that another program has changed."""
+
+    OVERWRITE = "overwrite"
+    SAVE_AS = "save as"
+    CANCEL = "cancel"
+
+
+class Dialogs(Protocol):
+    """What :class:`brdf_qt.documents.files.DocumentFiles` asks."""
+
+    def unsaved(self, name: str) -> Answer:
+        """Ask what to do with the unsaved changes of document ``name``."""
+
+    def changed_file(self, path: Path) -> Overwrite:
+        """Ask what to do, on saving, about a file that holds something else than this program knows of."""
+
+    def open_path(self, folder: Path, filters: str) -> Path | None:
+        """Ask for a file to open; ``None`` where the user gives up."""
+
+    def save_path(self, suggested: Path, filters: str) -> Path | None:
+        """Ask for a file to write; ``None`` where the user gives up."""
+
+
+def without_icons(dialog: QDialog) -> None:
+    """Take the icons off a dialog's buttons: those of Qt are green and red, and the interface has no colour."""
+    for row in dialog.findChildren(QDialogButtonBox):
+        for button in row.buttons():
+            button.setIcon(QIcon())
+
+
+def set_plain_text(box: QMessageBox, text: str, more: str) -> None:
+    """Give a question its text and what is said below it, both drawn as they are: they hold names of files."""
+    box.setText(text)
+    box.setInformativeText(more)
+    for label in box.findChildren(
+        QLabel
+    ):  # the format that a box can be given is that of its first text alone
+        label.setTextFormat(Qt.TextFormat.PlainText)
+
+
+class QtDialogs:
+    """The questions as dialogs over ``window``."""
+
+    def __init__(self, window: QWidget) -> None:
+        self._window = window
+
+    def unsaved(self, name: str) -> Answer:
+        """See :meth:`Dialogs.unsaved`."""
+        box = QMessageBox(self._window)
+        box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
+        box.setWindowTitle(tr("Unsaved Changes"))
+        question = tr("Save the changes to “{name}”?").format(name=name)
+        set_plain_text(box, question, tr("Without saving, they are lost."))
+        kinds = QMessageBox.StandardButton
+        box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
+        box.setDefaultButton(kinds.Save)
+        without_icons(box)
+        answers = {kinds.Save: Answer.SAVE, kinds.Discard: Answer.DISCARD}
+        return answers.get(kinds(box.exec()), Answer.CANCEL)
+
+    def changed_file(self, path: Path) -> Overwrite:
+        """See :meth:`Dialogs.changed_file`."""
+        box = QMessageBox(self._window)
+        box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
+        box.setWindowTitle(tr("File Changed"))
+        text = tr("“{name}” was changed by another program since it was opened or saved here.")
+        more = tr("Overwriting it loses what it holds now.") + f"\n{path}"
+        set_plain_text(box, text.format(name=path.name), more)
+        roles = QMessageBox.ButtonRole
+        overwrite = box.addButton(tr("Overwrite"), roles.DestructiveRole)
+        save_as = box.addButton(tr("Save As…"), roles.AcceptRole)
+        box.setDefaultButton(save_as)
+        box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        without_icons(box)
+        box.exec()
+        answers = {overwrite: Overwrite.OVERWRITE, save_as: Overwrite.SAVE_AS}
+        return answers.get(box.clickedButton(), Overwrite.CANCEL)
+
+    def open_path(self, folder: Path, filters: str) -> Path | None:
+        """See :meth:`Dialogs.open_path`."""
+        dialog = QFileDialog(self._window, tr("Open"), str(folder), filters)
+        dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+        return _chosen(dialog)
+
+    def save_path(self, suggested: Path, filters: str) -> Path | None:
+        """See :meth:`Dialogs.save_path`."""
+        dialog = QFileDialog(self._window, tr("Save As"), str(suggested.parent), filters)
+        dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+        # Added by the dialog and not afterwards, so that it asks about the file that is really written.
+        dialog.setDefaultSuffix(suggested.suffix)
+        dialog.selectFile(suggested.name)
+        return _chosen(dialog)
+
+
+def _chosen(dialog: QFileDialog) -> Path | None:
+    """Ask, and return the file that was named; ``None`` where the user gives up."""
+    without_icons(dialog)
+    accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
+    names = dialog.selectedFiles()
+    dialog.deleteLater()
+    return Path(names[0]) if accepted and names else None

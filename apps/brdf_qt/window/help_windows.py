@@ -1,0 +1,93 @@
+"""Help ▸ Keyboard Shortcuts and Help ▸ About, as windows of their own that never stop the work."""
+
+from __future__ import annotations
+
+from importlib.metadata import version
+
+from PySide6.QtCore import Qt, qVersion
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QHeaderView,
+    QLabel,
+    QMainWindow,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+)
+
+from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.command_palette import commands
+
+GESTURES = (
+    (mark("Drag a number sideways"), mark("Change it; Shift fine, Ctrl coarse")),
+    (mark("Double click a number"), mark("Reset it")),
+    (mark("Wheel on a focused number or slider"), mark("Step it")),
+    (mark("Left drag in a picture"), mark("Orbit")),
+    (mark("Middle or Shift drag in a picture"), mark("Pan")),
+    (mark("Wheel in a picture"), mark("Zoom to the cursor")),
+    (mark("Right or Alt drag in a picture"), mark("Turn the light")),
+    (mark("Ctrl with any of these"), mark("Ten times as fine")),
+)
+
+
+class ShortcutsWindow(QDialog):
+    """Every command that has a shortcut, and the gestures of mouse and wheel."""
+
+    @classmethod
+    def show_for(cls, window: QMainWindow) -> ShortcutsWindow:
+        """Show the list of ``window``."""
+        dialog = cls(window)
+        dialog.show()
+        return dialog
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(tr("Keyboard Shortcuts"))
+        self.resize(520, 560)
+        rows = QTreeWidget()
+        rows.setHeaderLabels([tr("Command"), tr("Keys")])
+        rows.setRootIsDecorated(False)
+        rows.setAlternatingRowColors(True)
+        rows.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        for text, action in commands(window, also_disabled=True):
+            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+            if keys:
+                rows.addTopLevelItem(QTreeWidgetItem([text, keys]))
+        for gesture, meaning in GESTURES:
+            rows.addTopLevelItem(QTreeWidgetItem([tr(gesture), tr(meaning)]))
+        rows.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        rows.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
+        rows.header().setStretchLastSection(False)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(8, 8, 8, 8)
+        box.addWidget(rows)
+
+
+class AboutWindow(QDialog):
+    """What this program is, its version and licence."""
+
+    @classmethod
+    def show_for(cls, window: QMainWindow, program: str) -> AboutWindow:
+        """Show the about window of ``program``."""
+        dialog = cls(window, program)
+        dialog.show()
+        return dialog
+
+    def __init__(self, window: QMainWindow, program: str) -> None:
+        super().__init__(window)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(tr("About {program}").format(program=f"BRDF Suite {program}"))
+        what = tr(
+            "Design the appearance of automotive paint and see it, while editing,<br>on a car-like surface in a "
+            "real environment."
+        )
+        licence = tr("Apache License 2.0. Qt {version} under the LGPL.").format(version=qVersion())
+        text = QLabel(f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3><p>{what}</p><p>{licence}</p>")
+        text.setTextFormat(Qt.TextFormat.RichText)
+        text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(24, 16, 24, 16)
+        box.addWidget(text)

@@ -1,0 +1,222 @@
+"""The window that every program of the suite has: menus, messages, inspector, status line, command search.
+
+A program adds its centre widget, its sections and its commands. Nothing here knows a document.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QCloseEvent, QKeyEvent, QKeySequence, QPaintEvent, QShortcut
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QVBoxLayout, QWidget
+
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.application import error_relay
+from brdf_qt.program.icons import icon as icon_of
+from brdf_qt.program.settings import settings
+from brdf_qt.program.theme import theme_menu
+from brdf_qt.program.translation import TRANSLATED, language_menu, mark, tr
+from brdf_qt.window.command_palette import CommandPalette
+from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
+from brdf_qt.window.message_bar import MessageBar
+from brdf_qt.window.panel import Panel
+from brdf_qt.window.progress_strip import ProgressStrip
+from brdf_qt.window.section import Inspector
+from brdf_qt.window.status_line import StatusLine
+
+LAYOUT_VERSION = 1
+Shortcut = str | QKeySequence | QKeySequence.StandardKey
+
+
+class SuiteWindow(QMainWindow):
+    """Menus File, Edit, View, Paint, Window, Help; call :meth:`restore_layout` at the end of ``__init__``."""
+
+    first_painted = Signal()
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(f"{name}Window")
+        self.setMinimumSize(720, 520)
+        room = self.screen().availableSize()
+        self.resize(min(1440, round(0.9 * room.width())), min(900, round(0.9 * room.height())))
+        self._program = name
+        self._painted = False
+        self._put_away: list[QDockWidget] = []
+        self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
+            self.menuBar().addMenu(title)
+            for title in (
+                tr("&File"),
+                tr("&Edit"),
+                tr("&View"),
+                tr("&Paint"),
+                tr("&Window"),
+                tr("&Help"),
+            )
+        )
+        self.toolbar = QToolBar(tr("Toolbar"))
+        self.toolbar.setObjectName("toolbar")
+        self.toolbar.setMovable(False)
+        self.toolbar.setIconSize(QSize(18, 18))
+        self.toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.addToolBar(self.toolbar)
+        self.status = StatusLine()
+        self.setStatusBar(self.status)
+        self.messages = MessageBar()
+        self.progress = ProgressStrip()
+        self._column = QVBoxLayout()
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(0)
+        self._column.addWidget(self.messages)
+        self._column.addWidget(self.progress)
+        inside = QWidget()
+        inside.setLayout(self._column)
+        self.setCentralWidget(inside)
+        self.inspector = Inspector()
+        self.inspector_dock = self.add_panel(
+            mark("Inspector"), self.inspector, Qt.DockWidgetArea.RightDockWidgetArea
+        )
+        error_relay().reported.connect(self.messages.show_message)
+        self._add_common_commands()
+
+    def add_action(
+        self,
+        menu: QMenu,
+        text: str,
+        slot: Callable[[], object] | None = None,
+        shortcut: Shortcut | None = None,
+        icon: str | None = None,
+        tip: str = "",
+    ) -> QAction:
+        """Add a command to ``menu``; its object name is ``action_`` and the text without ``&`` and dots.
+
+        ``text`` and ``tip`` are English, marked for translation.
+        """
+        shown = tr(text)
+        action = QAction(shown, self)
+        action.setObjectName(f"action_{_plain(text)}")
+        plain = tr(tip) if tip else _plain(shown)
+        if icon:
+            action.setIcon(icon_of(icon))
+        if shortcut is not None:
+            action.setShortcut(QKeySequence(shortcut))
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(plain_tip(f"{plain} ({keys})" if keys else plain))
+        action.setStatusTip("")
+        if slot is not None:
+            action.triggered.connect(lambda _checked=False: slot())
+        menu.addAction(action)
+        return action
+
+    def add_panel(
+        self, title: str, widget: QWidget, area: Qt.DockWidgetArea = Qt.DockWidgetArea.RightDockWidgetArea
+    ) -> QDockWidget:
+        """Add a panel that docks, floats, hides and is remembered; listed in View ▸ Panels.
+
+        ``title`` is English, marked for translation.
+        """
+        dock = Panel(tr(title), self)
+        dock.setObjectName(f"panel_{title}")
+        dock.setWidget(widget)
+        self.addDockWidget(area, dock)
+        if not hasattr(self, "panels_menu"):
+            self.panels_menu = QMenu(tr("&Panels"), self)
+        self.panels_menu.addAction(dock.toggleViewAction())
+        return dock
+
+    def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
+        """Put ``widget`` under the messages; with ``tab_hides_panels`` Tab on it toggles the panels."""
+        self._column.insertWidget(self._column.count() - 1, widget, 1)
+        if tab_hides_panels:
+            shortcut = QShortcut(QKeySequence(Qt.Key.Key_Tab), widget)
+            shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            shortcut.activated.connect(self.toggle_panels)
+
+    def toggle_panels(self) -> None:
+        """Hide every panel, or show again those that were hidden so."""
+        shown = [dock for dock in self.findChildren(QDockWidget) if not dock.isHidden()]
+        for dock in shown or self._put_away or [self.inspector_dock]:
+            dock.setVisible(not shown)
+        self._put_away = shown
+
+    def may_close(self) -> bool:
+        """Return whether the window may close now; a program asks here about unsaved work."""
+        return True
+
+    def restore_layout(self) -> None:
+        """Take up the size, place and panels of the last time."""
+        self._default_state = self.saveState(LAYOUT_VERSION)
+        self.fit_inspector()
+        store = settings()
+        geometry, state = store.value("window/geometry"), store.value("window/state")
+        if geometry is not None:
+            self.restoreGeometry(geometry)
+        if state is not None:
+            self.restoreState(state, LAYOUT_VERSION)
+
+    def fit_inspector(self) -> None:
+        """Give the inspector what its fields want, but not more than a good third of a small window."""
+        wanted = min(self.inspector.sizeHint().width(), round(0.38 * self.width()))
+        self.resizeDocks([self.inspector_dock], [wanted], Qt.Orientation.Horizontal)
+
+    def reset_layout(self) -> None:
+        """Put the panels back where a first start has them."""
+        self.restoreState(self._default_state, LAYOUT_VERSION)
+
+    def _add_common_commands(self) -> None:
+        self.view_menu.addMenu(theme_menu(self.view_menu))
+        if self._program in TRANSLATED:
+            self.view_menu.addMenu(language_menu(self.view_menu))
+        self.view_menu.addMenu(self.panels_menu)
+        self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "F4")
+        self.palette_window = CommandPalette(self)
+        self.add_action(
+            self.help_menu, mark("Find a &Command…"), self.palette_window.open, "Ctrl+K", "magnifying-glass"
+        )
+        self.add_action(self.help_menu, mark("Keyboard &Shortcuts"), self._show_shortcuts, "F1", "keyboard")
+        self.add_action(self.help_menu, mark("&About BRDF Suite"), self._show_about, icon="info")
+        self.add_action(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
+        self.add_action(
+            self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "F11", "corners-out"
+        )
+
+    def add_quit(self) -> None:
+        """End the File menu with Quit; call after the program's own File commands."""
+        self.file_menu.addSeparator()
+        self.add_action(self.file_menu, mark("&Quit"), self.close, "Ctrl+Q", "sign-out")
+
+    def _toggle_full_screen(self) -> None:
+        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Let Escape, which nothing else has taken, leave the full screen."""
+        if event.key() == Qt.Key.Key_Escape and self.isFullScreen():
+            self._toggle_full_screen()
+            return
+        super().keyPressEvent(event)
+
+    def _show_shortcuts(self) -> None:
+        ShortcutsWindow.show_for(self)
+
+    def _show_about(self) -> None:
+        AboutWindow.show_for(self, self._program)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._painted:
+            self._painted = True
+            QTimer.singleShot(0, self.first_painted)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.may_close():
+            event.ignore()
+            return
+        store = settings()
+        store.setValue("window/geometry", self.saveGeometry())
+        store.setValue("window/state", self.saveState(LAYOUT_VERSION))
+        store.sync()
+        event.accept()
+
+
+def _plain(text: str) -> str:
+    return text.replace("&", "").replace("…", "").strip()

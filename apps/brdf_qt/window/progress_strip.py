@@ -1,0 +1,115 @@
+"""A slim strip that shows how far long work is, a line for each, with buttons to cancel; the old picture stays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
+
+from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.translation import tr
+
+_ONLY = ""
+_LEAST_BAR = 64
+
+
+class _Line(QWidget):
+    """One job: what is done, how far it is, and a button where it can be cancelled."""
+
+    def __init__(self, cancel: Callable[[], None] | None) -> None:
+        super().__init__()
+        self._text = ElidedLabel()
+        self._bar = QProgressBar()
+        self._bar.setRange(0, 1000)
+        self._bar.setTextVisible(False)
+        self._bar.setMaximumHeight(12)
+        self._bar.setMinimumWidth(_LEAST_BAR)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 4, 8, 4)
+        row.setSpacing(8)
+        row.addWidget(self._text)
+        row.addWidget(self._bar, 1)
+        if cancel is not None:
+            button = QPushButton(tr("Cancel"))
+            button.clicked.connect(lambda: cancel())
+            row.addWidget(button)
+        self._paint_grey()
+
+    def set(self, fraction: float, text: str) -> None:
+        self._bar.setValue(round(1000 * fraction))
+        if text != self._text.text():
+            self._bar.setAccessibleName(text)
+            self._text.setText(text)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._paint_grey()
+
+    def _paint_grey(self) -> None:
+        """Fill the bar with grey: the accent is for focus and selection alone."""
+        colours = QPalette(self.palette())
+        colours.setColor(QPalette.ColorRole.Highlight, colours.color(QPalette.ColorRole.PlaceholderText))
+        self._bar.setPalette(colours)
+
+
+class ProgressStrip(QWidget):
+    """Hidden while there is no work; ``cancelled`` is emitted when the user asks to stop some.
+
+    Work has a key. A program that does one thing at a time calls :meth:`begin`, :meth:`set` and :meth:`finish`.
+    """
+
+    cancelled = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._lines: dict[str, _Line] = {}
+        self._box = QVBoxLayout(self)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(0)
+        self.hide()
+
+    @property
+    def jobs(self) -> tuple[str, ...]:
+        """The keys of what is shown, from the top."""
+        return tuple(self._lines)
+
+    def begin(self, text: str, cancel: Callable[[], None] | None = None) -> None:
+        """Show the only job, at zero; without ``cancel`` there is no button."""
+        self.end_job(_ONLY)
+        self.set_job(_ONLY, 0.0, text, cancel)
+
+    def set(self, fraction: float, text: str) -> None:
+        """Move the only job's bar to ``fraction`` (0…1) and say what is being done."""
+        if _ONLY in self._lines:
+            self._lines[_ONLY].set(fraction, text)
+
+    def finish(self) -> None:
+        """The only job has ended."""
+        self.end_job(_ONLY)
+
+    def set_job(self, key: str, fraction: float, text: str, cancel: Callable[[], None] | None = None) -> None:
+        """Show a job of this key at ``fraction`` (0…1), below those that are shown; ``cancel`` is of its first time."""
+        if key not in self._lines:
+            stop = None if cancel is None else lambda: self._stop(key, cancel)
+            self._lines[key] = line = _Line(stop)
+            line.setObjectName(f"job_{key}")
+            self._box.addWidget(line)
+        self._lines[key].set(fraction, text)
+        self.show()
+
+    def end_job(self, key: str) -> None:
+        """The job has ended; nothing where there is none."""
+        line = self._lines.pop(key, None)
+        if line is not None:
+            self._box.removeWidget(line)
+            line.hide()
+            line.deleteLater()
+        self.setVisible(bool(self._lines))
+
+    def _stop(self, key: str, cancel: Callable[[], None]) -> None:
+        self.end_job(key)
+        cancel()
+        self.cancelled.emit()

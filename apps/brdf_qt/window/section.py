@@ -1,0 +1,144 @@
+"""Collapsible sections, and the inspector that scrolls them."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
+
+
+class Section(QWidget):
+    """A titled part of the inspector that opens and closes; remembers which under ``key``.
+
+    ``is_open`` is how it is shown until the user has opened or closed it.
+    """
+
+    toggled = Signal(bool)
+
+    def __init__(
+        self, title: str, key: str | None = None, parent: QWidget | None = None, *, is_open: bool = True
+    ) -> None:
+        super().__init__(parent)
+        self.title = title
+        self._key = f"section/{key or title}"
+        self.setObjectName(f"section_{key or title}")
+        self._header = QToolButton()
+        self._header.setText(title)
+        self._header.setCheckable(True)
+        self._header.setAutoRaise(True)
+        self._header.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self._header.setAccessibleName(tr("Section {title}").format(title=title))
+        font = self._header.font()
+        font.setBold(True)
+        self._header.setFont(font)
+        self._header.clicked.connect(self.set_open)
+        self._body = QWidget()
+        self.body_layout = QVBoxLayout(self._body)
+        self.body_layout.setContentsMargins(8, 4, 8, 8)
+        self.body_layout.setSpacing(8)
+        line = QFrame()
+        line.setFrameShape(QFrame.Shape.HLine)
+        line.setFrameShadow(QFrame.Shadow.Plain)
+        line.setForegroundRole(line.foregroundRole().Mid)
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(0)
+        box.addWidget(self._header)
+        box.addWidget(self._body)
+        box.addWidget(line)
+        self._show(settings().value(self._key, is_open, type=bool))
+
+    def add(self, widget: QWidget) -> QWidget:
+        """Put ``widget`` at the end of the body and return it."""
+        self.body_layout.addWidget(widget)
+        return widget
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the body is shown."""
+        return self._header.isChecked()
+
+    def set_open(self, is_open: bool) -> None:
+        """Open or close, and remember it."""
+        if self._body.isVisibleTo(self) != is_open:
+            self._show(is_open)
+            settings().setValue(self._key, is_open)
+            self.toggled.emit(is_open)
+
+    def _show(self, is_open: bool) -> None:
+        self._header.setChecked(is_open)
+        self._header.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self._body.setVisible(is_open)
+
+
+class Inspector(QScrollArea):
+    """Sections one under the other; scrolls up and down, never sideways."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("inspector")
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
+        self._inside = QWidget()
+        self._box = QVBoxLayout(self._inside)
+        self._box.setContentsMargins(0, 0, 0, 0)
+        self._box.setSpacing(0)
+        self._box.addStretch(1)
+        self.setWidget(self._inside)
+        self.sections: list[Section] = []
+        self._followed: Section | None = None
+        bar = self.verticalScrollBar()
+        bar.rangeChanged.connect(lambda _low, _high: self._follow())
+        bar.actionTriggered.connect(lambda _action: self._leave())
+
+    def add_section(self, section: Section, after: Section | None = None) -> Section:
+        """Put ``section`` under the others, or right under ``after``, and return it."""
+        place = len(self.sections) if after is None else self.sections.index(after) + 1
+        self._box.insertWidget(place, section)
+        self.sections.insert(place, section)
+        return section
+
+    def bring_in_sight(self, section: Section) -> None:
+        """Scroll as little as shows the whole of ``section``, or its beginning where it is longer than the room.
+
+        A section that opens is laid out later, and what it tells may come later still: it is kept in sight until
+        the user scrolls or the keyboard goes elsewhere.
+        """
+        self._followed = section
+        self._show_whole(section)
+
+    def _follow(self) -> None:
+        if self._followed is None:
+            return
+        focused = self.window().focusWidget()
+        if focused is None or self._followed.isAncestorOf(focused):
+            self._show_whole(self._followed)
+        else:
+            self._leave()
+
+    def _show_whole(self, section: Section) -> None:
+        bar = self.verticalScrollBar()
+        top = section.mapTo(self._inside, QPoint(0, 0)).y()
+        lowest = top + section.height() - self.viewport().height()
+        bar.setValue(min(top, max(lowest, bar.value())))
+
+    def _leave(self) -> None:
+        self._followed = None
+
+    def sizeHint(self) -> QSize:
+        return QSize(self._inside.sizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2, 640)
+
+    def minimumSizeHint(self) -> QSize:
+        width = self._inside.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
+        return QSize(width, 120)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.setMinimumWidth(self.minimumSizeHint().width())

@@ -1,0 +1,54 @@
+"""When the error of a fit is large, and how that is told: the same in every program."""
+
+from __future__ import annotations
+
+from brdf_qt.program.translation import mark, tr
+
+LARGE_DELTA_E = 1.0
+"""ΔE00 above which two plain patches side by side are seen as different colours."""
+
+MARK = "!"
+
+
+def is_large(delta_e_2000: float) -> bool:
+    """Return whether the fit misses a colour by more than an eye lets pass."""
+    return delta_e_2000 > LARGE_DELTA_E
+
+
+def marked(text: str, delta_e_2000: float) -> str:
+    """Return ``text`` with a mark before it where the error is large: bold type alone may be overlooked."""
+    return f"{MARK} {text}" if is_large(delta_e_2000) else text
+
+
+LIMITED_TIP = mark(
+    "The time limit came first: this is the best answer at hand, and the exact one follows by itself."
+)
+FINAL_TIP = mark(
+    "The time limit came first: this is the best answer that was found. There is no exact one to follow."
+)
+
+
+def large_error_tip(time_limited: bool, exact_follows: bool = False) -> str:
+    """Return why the error is large; ``exact_follows``: the optimum is still looked for."""
+    if time_limited and exact_follows:
+        text = tr("ΔE00 above {limit}: the fit ended at its time limit; the exact answer follows by itself.")
+    elif time_limited:
+        text = tr("ΔE00 above {limit}: the fit ended at its time limit; there is no exact answer to follow.")
+    else:
+        text = tr(
+            "ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they "
+            "do give."
+        )
+    return text.format(limit=f"{LARGE_DELTA_E:g}")
+
+
+def fit_tips(worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> str:
+    """Return what is to be known of a fit beside its number; empty where it is near and exact.
+
+    ``worst_delta_e`` is None where there is no angle to compare at.
+    """
+    if worst_delta_e is not None and is_large(worst_delta_e):
+        return large_error_tip(time_limited, exact_follows)
+    if not time_limited:
+        return ""
+    return tr(LIMITED_TIP) if exact_follows else tr(FINAL_TIP)

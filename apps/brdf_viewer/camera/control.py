@@ -1,0 +1,139 @@
+"""From gestures, presets and numbers to the camera and the turn of the light."""
+
+from __future__ import annotations
+
+import dataclasses
+
+from brdf_qt.gl.gestures import CameraGestures
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from brdf_suite.documents.view import Camera, View
+from brdf_suite.output.turning import turned
+from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
+from brdf_suite.realtime.pictures.comparison import sides
+from brdf_viewer.camera.presets import look_from, signed_deg
+from brdf_viewer.camera.turntable import Turntable
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+
+class CameraControl(QObject):
+    """Moves the stage's camera; shows where it is."""
+
+    def __init__(self, stage: Stage, window: ViewerWindow, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._turntable = Turntable(self)
+        self._turntable.turned.connect(self._turn)
+        self._turntable.running_changed.connect(window.commands.turntable.setChecked)
+        self._turntable.running_changed.connect(self._turning)
+        window.picture.canvas_changed.connect(self._listen)
+        self._listen(window.picture.canvas)
+        commands, section = window.commands, window.camera
+        commands.frame_wanted.connect(self.frame)
+        commands.preset_wanted.connect(self.look_from)
+        commands.turntable_wanted.connect(self._turntable.set_running)
+        section.preset_chosen.connect(self.look_from)
+        section.azimuth_edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
+        section.elevation_edited.connect(lambda value: self._aim(elevation_deg=value))
+        section.focal_length_edited.connect(self._set_focal_length)
+        section.turntable_edited.connect(lambda value: stage.change_view(turntable_deg_s=value))
+        stage.view_changed.connect(self._show)
+        self._show(None, stage.view)
+
+    def frame(self) -> None:
+        """Fill the picture with the surface, from the same side."""
+        self._step(frame(self._camera))
+
+    def look_from(self, preset: str) -> None:
+        """Look from a named side."""
+        self._step(look_from(self._camera, preset))
+
+    def stop_turntable(self) -> None:
+        """Stop the turntable, where it runs."""
+        self._turntable.set_running(False)
+
+    def _step(self, camera: Camera) -> None:
+        """Move the camera at once: a step of its own, also close after another."""
+        self._stage.step_view(camera=camera)
+
+    @property
+    def _camera(self) -> Camera:
+        return self._stage.view.camera
+
+    @property
+    def _size(self) -> tuple[int, int]:
+        """The size of one picture: side by side there are two."""
+        size, compare = self._window.picture.device_size, self._stage.view.compare
+        both = compare.mode == "side" and self._stage.second is not None
+        return (sides(size)[0][2], size[1]) if both else size
+
+    def _listen(self, canvas: QWidget) -> None:
+        gestures = CameraGestures(canvas)
+        gestures.orbited.connect(self._orbit)
+        gestures.panned.connect(self._pan)
+        gestures.zoomed.connect(self._zoom)
+        gestures.light_turned.connect(self._turn_light)
+        gestures.framed.connect(self.frame)
+        gestures.started.connect(self._stage.history.begin)
+        gestures.finished.connect(self._stage.history.end)
+
+    def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
+        self._stage.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
+
+    def _pan(self, right: float, up: float) -> None:
+        height = self._size[1]
+        self._stage.set_camera(
+            pan(self._camera, self._stage.bounds, self._size, right * height, -up * height)
+        )
+
+    def _zoom(self, factor: float, right: float, up: float) -> None:
+        whole, size = self._window.picture.device_size, self._size
+        # From the middle of the picture that the cursor is in.
+        offset = (whole[0] - size[0]) / 2 / size[1]
+        place = (right - offset if right >= 0.0 else right + offset, up)
+        self._stage.set_camera(dolly_to(self._camera, self._stage.bounds, size, factor, place))
+
+    def _turn_light(self, degrees: float) -> None:
+        self._stage.change_view(rotation_deg=signed_deg(self._stage.view.rotation_deg + degrees))
+
+    def _turn(self, degrees: float) -> None:
+        settled = dataclasses.replace(self._stage.view, camera=self._settled())
+        self._stage.history.amend(turned(settled, degrees, self._stage.bounds.centre))
+
+    def _turning(self, running: bool) -> None:
+        """The turntable's whole run is one step."""
+        if running:
+            self._stage.history.begin_running("Turntable")
+        else:
+            self._stage.history.end_running()
+
+    def _aim(self, **angles: float) -> None:
+        self._stage.set_camera(dataclasses.replace(self._settled(), **angles))
+
+    def _set_focal_length(self, millimetres: float) -> None:
+        """Another lens keeps the size of the surface in the picture: the distance grows with it."""
+        camera = self._camera
+        distance = camera.distance
+        if distance is not None:
+            distance *= millimetres / camera.focal_length_mm
+        self._stage.set_camera(dataclasses.replace(camera, focal_length_mm=millimetres, distance=distance))
+
+    def _settled(self) -> Camera:
+        """Return the camera with its distance fixed, so that the surface keeps its size while it turns."""
+        if self._stage.surface is None:
+            return self._camera
+        return resolve(self._camera, self._stage.bounds, self._size)
+
+    def _show(self, old: View | None, new: View) -> None:
+        section = self._window.camera
+        if old is None or old.turntable_deg_s != new.turntable_deg_s:
+            self._turntable.deg_per_second = new.turntable_deg_s
+            section.turntable.set_value(new.turntable_deg_s)
+        if old is not None and old.camera == new.camera:
+            return
+        section.azimuth.set_value(signed_deg(new.camera.azimuth_deg))
+        section.elevation.set_value(new.camera.elevation_deg)
+        section.focal_length.set_value(new.camera.focal_length_mm)

@@ -1,0 +1,1 @@
+"""The second paint and the comparison with it."""

@@ -1,0 +1,338 @@
+"""The second paint: chosen, frozen or a picture; loaded in the background, and shown beside the first."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from brdf_qt.program.translation import tr
+from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QWidget
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import is_file, paint_names
+from brdf_suite.progress import Progress
+from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
+from brdf_viewer.compare.divider_gesture import DividerGesture
+from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
+from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.fields.source_chooser import Source, title_of
+from brdf_viewer.overlay.overlay import Label, Scale
+from brdf_viewer.scene.stage import OWN_KEY, RealTimePicture, Stage
+from brdf_viewer.traced.words import SHORT_TITLES
+from brdf_viewer.window import ViewerWindow
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.lobe_fit import LobeFit
+
+KIND = "compare"
+_OFFER = "no second paint"
+_OF = {"light": "of the light, before the tone curve", "picture": "of the picture, as shown"}
+Ask = Callable[[QWidget, str], str]
+
+
+class CompareControl(QObject):
+    """Keeps the stage's second paint and the window in step with ``view.compare``."""
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        runner: TaskRunner,
+        ask: Ask,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._runner, self._ask = stage, window, runner, ask
+        self._names = paint_names()
+        self._recent = RecentFiles(KIND)
+        self._loading: str | None = None
+        self._listed = False
+        self._before_blink = "off"
+        self._blink = QTimer(self, timeout=self.flip)
+        self._blinking = False
+        self._gesture: DividerGesture | None = None
+        section, commands = window.compare, window.commands
+        section.mode_edited.connect(self.set_mode)
+        section.freeze_wanted.connect(self.freeze)
+        section.chooser.chosen.connect(self.choose)
+        section.chooser.browse.connect(self._browse)
+        section.basis_edited.connect(lambda key: self._change(basis=key))
+        section.divider_edited.connect(lambda share: self._change(divider=share))
+        section.rate_edited.connect(lambda rate: self._change(rate_hz=rate))
+        section.scale_edited.connect(lambda end: self._change(scale_delta_e=end))
+        commands.compare_wanted.connect(self.set_mode)
+        commands.blink_wanted.connect(self.toggle_blink)
+        commands.flip_wanted.connect(self._flip_by_hand)
+        commands.freeze_wanted.connect(self.freeze)
+        window.busy_cancelled.connect(self._cancel)
+        window.picture.canvas_changed.connect(self._listen)
+        stage.view_changed.connect(self._view_changed)
+        stage.contents_changed.connect(self._show)
+        stage.traced_changed.connect(self._traced_changed)
+        self._list()
+        self._listen(window.picture.canvas)
+        self._view_changed(None, stage.view)
+
+    @property
+    def loading(self) -> str | None:
+        """The key of the second paint that is on its way; None where none is."""
+        return self._loading
+
+    def set_mode(self, mode: str) -> None:
+        """Show A and B in this way; without a B, say how to get one."""
+        self._change(mode=mode)
+        if mode != "off" and self._stage.view.compare.paint is None and self._stage.compared is None:
+            self._offer()
+
+    def choose(self, key: str) -> None:
+        """Take a shipped paint or a file as B; where nothing is compared yet, side by side."""
+        if key not in self._names and is_file(key):
+            key = str(Path(key).absolute())
+        mode = self._stage.view.compare.mode
+        self._change(paint=key or None, mode="side" if mode == "off" else mode)
+
+    def freeze(self) -> None:
+        """Keep the paint on show, as it is now, as B."""
+        if self._stage.fit is None:
+            return
+        try:
+            second = self._stage.second
+            used = (
+                self._stage.view.compare.paint,
+                None if second is None else second.key,
+                self._stage.paint_key,
+            )
+            key = freeze(self._stage.paint, self._stage.paint_key, used)
+        except SuiteError as error:
+            self._tell(error)
+            return
+        self.choose(key)
+
+    def toggle_blink(self) -> None:
+        """Blink, or go back to what was shown before."""
+        mode = self._stage.view.compare.mode
+        if mode == "blink":
+            self.set_mode(self._before_blink)
+        else:
+            self._before_blink = mode
+            self.set_mode("blink")
+
+    def flip(self) -> None:
+        """Show the other one of a blink."""
+        self._stage.shows_second = not self._stage.shows_second
+        self._window.picture.redraw()
+        self._show()
+
+    def close(self) -> None:
+        """Blink no more."""
+        self._blink.stop()
+
+    def _flip_by_hand(self) -> None:
+        """Show the other one and stay with it."""
+        if self._stage.view.compare.mode != "blink":
+            self.toggle_blink()
+        elif self._stage.compared is not None:
+            self.flip()
+        self._blink.stop()
+
+    def _change(self, **fields: Any) -> None:
+        self._stage.change_view(compare=dataclasses.replace(self._stage.view.compare, **fields))
+
+    def _view_changed(self, old: View | None, new: View) -> None:
+        if old is not None and old.compare == new.compare:
+            return
+        if new.compare.paint is None:
+            self._runner.cancel(KIND)
+            self._ended()
+            self._stage.set_second(None)
+        elif self._stage.second is None or self._stage.second.key != new.compare.paint:
+            self._load(new.compare.paint)
+        elif self._loading is not None:
+            self._cancel(KIND)
+        self._show()
+
+    def _load(self, key: str) -> None:
+        if key == self._loading:
+            return
+        self._loading = key
+        self._window.messages.dismiss(KIND)
+        self._window.set_busy(KIND, 0.0, f"B: {_title(key)}")
+        self._runner.submit(
+            KIND,
+            _load,
+            key,
+            done=lambda value: self._loaded(key, value),
+            failed=self._failed,
+            progress=lambda fraction, what: self._window.set_busy(KIND, fraction, f"B: {what}"),
+        )
+
+    def _loaded(self, key: str, value: LobeFit | ComparedPicture) -> None:
+        self._ended()
+        if key not in self._names:
+            self._recent.add(key)
+            self._list()
+        touch(key)
+        self._stage.set_second(key, value)
+
+    def _failed(self, error: Exception) -> None:
+        self._ended()
+        self._tell(error)
+        self._keep_present()
+
+    def _cancel(self, kind: str) -> None:
+        if kind == KIND and self._loading is not None:
+            self._runner.cancel(KIND)
+            self._ended()
+            self._keep_present()
+
+    def refused(self, error: Exception) -> None:
+        """The graphics card did not take B."""
+        self._stage.set_second(None)
+        self._tell(error)
+        self._keep_present()
+
+    def _keep_present(self) -> None:
+        """Another B cannot be had: the view names again the one that there is."""
+        present = self._stage.second
+        compare = dataclasses.replace(
+            self._stage.view.compare, paint=None if present is None else present.key
+        )
+        self._stage.follow_view(compare=compare)
+        self._show()
+
+    def _ended(self) -> None:
+        self._loading = None
+        self._window.set_idle(KIND)
+
+    def _tell(self, error: Exception) -> None:
+        todo = "Choose another paint as B, or freeze the one on show."
+        self._window.messages.show_message(message_of(error, KIND, todo=todo))
+
+    def _offer(self) -> None:
+        message = Message(
+            _OFFER,
+            "There is no second paint yet.",
+            todo="Choose one under Compare in the inspector, or keep the paint on show as it is now.",
+            actions=(("Freeze A as B", self.freeze),),
+        )
+        self._window.messages.show_message(message)
+
+    def _browse(self) -> None:
+        path = self._ask(self._window, KIND)
+        if path:
+            self.choose(path)
+
+    def _listen(self, canvas: QWidget) -> None:
+        self._gesture = DividerGesture(canvas)
+        self._gesture.moved.connect(lambda share: self._change(divider=share))
+        self._gesture.started.connect(self._stage.history.begin)
+        self._gesture.finished.connect(self._stage.history.end)
+        self._show()
+
+    def _traced_changed(self) -> None:
+        if self._listed != (self._stage.renderer != "realtime"):
+            self._list()
+        self._show()
+
+    def _list(self) -> None:
+        self._listed = self._stage.renderer != "realtime"
+        own = [Source(OWN_KEY, tr("This paint in real time"))] if self._listed else []
+        shipped = [*own, *(Source(name, _title(name)) for name in self._names)]
+        files = [Source(path, _title(path)) for path in self._recent.paths()]
+        self._window.compare.chooser.set_sources(shipped, files)
+
+    def _show(self) -> None:
+        """Bring section, menu, overlay and clock to what is compared."""
+        stage, window = self._stage, self._window
+        compare, second = stage.view.compare, stage.compared
+        key = self._loading or compare.paint
+        window.compare.show_compare(compare)
+        window.compare.chooser.show_source(key or "", "" if key is None else _title(key))
+        window.compare.set_facts("\n".join(second_facts(second.value)) if second is not None else "")
+        window.commands.show_compare(compare.mode)
+        if second is not None or compare.mode == "off":
+            window.messages.dismiss(_OFFER)
+        shown = compare.mode if second is not None else "off"
+        self._set_blinking(shown == "blink", compare.rate_hz)
+        divider = compare.divider if shown == "swipe" else None
+        if self._gesture is not None:
+            self._gesture.set_divider(divider)
+        if second is None or stage.fit is None:
+            window.overlay.show_labels((), None, None)
+            return
+        picture = isinstance(second.value, ComparedPicture) and not second.value.is_light
+        basis = "picture" if picture else compare.basis
+        scale = Scale(compare.scale_delta_e, _OF[basis]) if shown == "difference" else None
+        first = stage.fit.name
+        if stage.renderer != "realtime":
+            made_by = stage.renderer if stage.traced is not None else "realtime"
+            first = f"{first}, {tr(SHORT_TITLES[made_by]).lower()}"
+        names = (f"A  {first}", f"B  {name_of(second.key, second.value, stage.fit.name)}")
+        width = window.picture.device_size[0]
+        labels = labels_of(shown, names, stage.shows_second, divider_px(compare.divider, width) / width)
+        window.overlay.show_labels(labels, divider, scale)
+
+    def _set_blinking(self, on: bool, rate_hz: float) -> None:
+        interval = round(1000.0 / rate_hz)
+        if on and not self._blinking:
+            self._stage.shows_second = True  # at once: whoever asks for it wants to see the other one
+            self._blink.start(interval)
+        elif on and self._blink.interval() != interval:
+            self._blink.setInterval(interval)
+        elif not on:
+            self._blink.stop()
+            self._stage.shows_second = False
+        self._blinking = on
+
+
+def labels_of(mode: str, names: tuple[str, str], shows_second: bool, divider: float) -> tuple[Label, ...]:
+    """Return the captions of a comparison, each where its paint is."""
+    first, second = names
+    if mode == "swipe":
+        return (Label(first, 0.0, divider), Label(second, divider, 1.0 - divider))
+    if mode == "side":
+        return (Label(first, 0.0, 0.5), Label(second, 0.5, 0.5))
+    if mode == "blink":
+        return (Label(second if shows_second else first),)
+    if mode == "difference":
+        return (Label(f"{first}  –  {second}"),)
+    return ()
+
+
+def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first: str = "") -> str:
+    """Return what B is called; ``first`` is what A is."""
+    if isinstance(value, RealTimePicture):
+        return f"{first}, {tr(SHORT_TITLES['realtime']).lower()}"
+    return title_of(key, {}) if isinstance(value, ComparedPicture) else value.name
+
+
+def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str]:
+    """Return what there is to say of B."""
+    if isinstance(value, RealTimePicture):
+        return [tr("B is this paint in real time: what differs is the renderer's doing")]
+    if isinstance(value, ComparedPicture):
+        rows, columns = value.pixels.shape[:2]
+        what = "light (linear)" if value.is_light else "as shown, with a tone curve of its own"
+        return [f"B is a picture of {columns} × {rows} pixels, {what}; it fits by its width"]
+    worst = value.worst_delta_e
+    fit = [] if worst is None else [f"B: fit ΔE00 at most {worst:.2f} at the measured angles"]
+    return [*fit, *value.notices]
+
+
+def _title(key: str) -> str:
+    return frozen_title(key) or (
+        title_of(key, {}) if Path(key).is_absolute() else title_of(key, {}).capitalize()
+    )
+
+
+def _load(key: str, progress: Progress) -> LobeFit | ComparedPicture:
+    # Not at the start: it loads what reads measured files and pictures.
+    from brdf_suite.output.compared import load_compared
+
+    return load_compared(key, progress)

@@ -1,0 +1,95 @@
+"""A second paint, B, beside the one on show, A."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import NumberField
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QPushButton, QWidget
+
+from brdf_suite.documents.view_settings import PARAMETERS, Compare
+from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.fields.source_chooser import SourceChooser
+
+MODE_TITLES = {
+    "off": "Off",
+    "side": "Side by side",
+    "swipe": "Swipe",
+    "blink": "Blink",
+    "difference": "Difference (ΔE00)",
+}
+MODE_TIPS = {
+    "off": "Only the paint that is chosen above",
+    "side": "Each has half the picture, and a framing of its own",
+    "swipe": "One picture: A left of the line, B right of it; drag the line",
+    "blink": "One after the other, in the same place",
+    "difference": "The colour difference of each pixel, in the colours of a scale",
+}
+BASIS_TITLES = {"light": "Light", "picture": "Picture"}
+BASIS_TIPS = {
+    "light": "Of the exposed light, before the tone curve; a white of radiance 1 has L* = 100",
+    "picture": "Of the colours that the screen shows, after the tone curve",
+}
+
+
+class CompareSection(Section):
+    """How two paints are shown, and which is the second."""
+
+    mode_edited = Signal(str)
+    basis_edited = Signal(str)
+    divider_edited = Signal(float)
+    rate_edited = Signal(float)
+    scale_edited = Signal(float)
+    freeze_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Compare", "compare", parent)
+        self.mode = ChoiceBox(MODE_TITLES, MODE_TIPS)
+        self.mode.picked.connect(self.mode_edited)
+        self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
+        self.freeze = QPushButton("Freeze A as B")
+        self.freeze.setToolTip("Keep the paint on show as B, as it is now, while A changes (Ctrl+B)")
+        self.freeze.clicked.connect(lambda: self.freeze_wanted.emit())
+        divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
+        self.divider = NumberField("Divider", "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
+        self.divider.edited.connect(lambda percent: self.divider_edited.emit(percent / 100.0))
+        self.rate = NumberField("Rate", rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
+        self.rate.edited.connect(self.rate_edited)
+        self.scale = NumberField("Scale to", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
+        self.scale.edited.connect(self.scale_edited)
+        self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
+        self.basis.picked.connect(self.basis_edited)
+        self.facts = note()
+        form = Form()
+        form.add_row("Show", self.mode, "How A and B are compared; B on the keyboard blinks")
+        form.add_row("Second (B)", self.chooser, "What the paint on show is compared with")
+        form.add_row("", self.freeze)
+        self._rows = {
+            "swipe": [(form.add_row("Divider", self.divider, divider.meaning), self.divider)],
+            "blink": [(form.add_row("Rate", self.rate, rate.meaning), self.rate)],
+            "difference": [
+                (form.add_row("Of the", self.basis, "What the colour difference is taken of"), self.basis),
+                (form.add_row("Scale to", self.scale, scale.meaning), self.scale),
+            ],
+        }
+        form.add_wide(self.facts)
+        self.add(form)
+        self.show_compare(Compare())
+
+    def show_compare(self, compare: Compare) -> None:
+        """Show how it is compared, without a signal; what says nothing in this mode is hidden."""
+        self.mode.show_choice(compare.mode)
+        self.basis.show_choice(compare.basis)
+        self.divider.set_value(100.0 * compare.divider)
+        self.rate.set_value(compare.rate_hz)
+        self.scale.set_value(compare.scale_delta_e)
+        for mode, rows in self._rows.items():
+            for label, field in rows:
+                label.setVisible(mode == compare.mode)
+                field.setVisible(mode == compare.mode)
+
+    def set_facts(self, text: str) -> None:
+        """Say what there is to know of B, or of the difference."""
+        set_note(self.facts, text)

@@ -1,0 +1,1 @@
+"""Views as files, undo, recent files."""

@@ -1,0 +1,141 @@
+"""Views as files: opened as a step that can be undone, saved with everything that the Viewer sets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.window.dialogs import Dialogs, Overwrite
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject, QStandardPaths
+
+from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.realtime.camera import resolve
+from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+KIND = "view"
+_FILTERS = f"View (*{VIEW_ENDING});;All files (*)"
+_TOLD_MS = 6000
+
+
+class ViewFiles(QObject):
+    """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back.
+
+    ``light_edited`` tells whether the light on show is in no file as it is: a view cannot name it.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        dialogs: Dialogs,
+        parent: QObject | None = None,
+        *,
+        light_edited: Callable[[], bool] = lambda: False,
+    ) -> None:
+        super().__init__(parent)
+        self._light_edited = light_edited
+        self._stage, self._window, self._dialogs = stage, window, dialogs
+        self._recent = RecentFiles(KIND)
+        self._path: Path | None = None
+        self._stamp: FileStamp | None = None
+        window.commands.view_save_wanted.connect(self.save)
+        window.commands.view_save_as_wanted.connect(self.save_as)
+        self._list()
+
+    @property
+    def path(self) -> Path | None:
+        """The file that Save writes to; None before the first one."""
+        return self._path
+
+    def open(self, path: str | None = None) -> bool:
+        """Show the view in a file, asking for one where none is given; True where that was done."""
+        if path is None:
+            asked = self._dialogs.open_path(self._folder(), _FILTERS)
+            if asked is None:
+                return False
+            path = str(asked)
+        file = Path(path).absolute()
+        stamp = stamp_of(file)
+        try:
+            view = load_view(file)
+        except SuiteError as error:
+            self._tell(error, "The picture stays as it was. Choose another view.")
+            return False
+        self._take(file, stamp)
+        history = self._stage.history
+        history.end()
+        history.set(view)
+        history.end()
+        self._window.keep_opened()
+        return True
+
+    def save(self) -> bool:
+        """Write the view to its file, or ask for one; True where it was written."""
+        if self._path is None:
+            return self.save_as()
+        present = stamp_of(self._path)
+        if present is not None and (self._stamp is None or not present.same_content(self._stamp)):
+            answer = self._dialogs.changed_file(self._path)
+            if answer is not Overwrite.OVERWRITE:
+                return answer is Overwrite.SAVE_AS and self.save_as()
+        return self._write(self._path)
+
+    def save_as(self) -> bool:
+        """Ask for a file and write the view to it; True where it was written."""
+        suggested = self._path or self._folder() / f"view{VIEW_ENDING}"
+        path = self._dialogs.save_path(suggested, _FILTERS)
+        if path is None:
+            return False
+        return self._write((path if path.suffix else path.with_name(path.name + VIEW_ENDING)).absolute())
+
+    def _write(self, path: Path) -> bool:
+        try:
+            save_view(self._seen(), path)
+        except SuiteError as error:
+            self._tell(error, "Choose another name or folder.")
+            return False
+        self._take(path, stamp_of(path))
+        self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
+        if self._light_edited():
+            what = (
+                f"{path.name} names the light as it was before it was edited: what is on show is not saved."
+            )
+            todo = "Save the studio, and the view once more."
+            self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
+        return True
+
+    def _seen(self) -> View:
+        """The view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
+        view, stage = self._stage.view, self._stage
+        if stage.surface is None:
+            return view
+        camera = resolve(view.camera, stage.bounds, self._window.picture.device_size)
+        return replace(view, camera=camera)
+
+    def _take(self, path: Path, stamp: FileStamp | None) -> None:
+        self._path, self._stamp = path, stamp
+        self._window.messages.dismiss(KIND)
+        self._recent.add(str(path))
+        self._list()
+
+    def _tell(self, error: SuiteError, todo: str) -> None:
+        self._window.messages.show_message(message_of(error, KIND, todo=todo))
+
+    def _list(self) -> None:
+        self._window.commands.set_recent(KIND, self._recent.paths())
+
+    def _folder(self) -> Path:
+        if self._path is not None:
+            return self._path.parent
+        recent = self._recent.paths()
+        if recent:
+            return Path(recent[0]).parent
+        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+        return Path(documents) if Path(documents).is_dir() else Path.home()

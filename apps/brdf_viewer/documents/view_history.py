@@ -1,0 +1,168 @@
+"""The view's undo history: one step a gesture, whoever changed the view.
+
+Changes of the same fields are one step while they follow closely or while a mouse button is held, so no slider has
+to tell when a drag begins. Who knows it tells it all the same (:meth:`ViewHistory.begin`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+
+from brdf_qt.documents.store import DocumentStore
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication
+
+from brdf_suite.documents.view import PARTS, View
+
+PAUSE_MS = 500
+_NAMES = {
+    "camera": "Move Camera",
+    "rotation_deg": "Turn Light",
+    "exposure_ev": "Change Exposure",
+    "lamps": "Change Lamps",
+    "turntable_deg_s": "Change Turntable",
+    "compare.divider": "Move Divider",
+}
+
+
+class ViewHistory(QObject):
+    """Holds the view.
+
+    Signals: ``changed(old, new)``; ``steps_changed()`` where Undo or Redo would do something else than before.
+    """
+
+    changed = Signal(object, object)
+    steps_changed = Signal()
+
+    def __init__(self, view: View, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._store: DocumentStore[View] = DocumentStore(view, self)
+        self._store.changed.connect(self.changed)
+        self._store.history_changed.connect(self.steps_changed)
+        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS, timeout=self._paused)
+        self._merged: tuple[str, ...] = ()
+        self._held = False
+        self._running = ""
+        self._running_from: tuple[View, int] | None = None
+
+    @property
+    def value(self) -> View:
+        """The view as it is now."""
+        return self._store.value
+
+    @property
+    def undo_text(self) -> str:
+        """What Undo would take back; empty where there is nothing."""
+        return self._running or self._store.stack.undoText()
+
+    @property
+    def redo_text(self) -> str:
+        """What Redo would do again; empty where there is nothing."""
+        return self._store.stack.redoText()
+
+    @property
+    def steps(self) -> int:
+        """How many steps can be taken back."""
+        return self._store.stack.index()
+
+    def set(self, view: View) -> None:
+        """Make this the view; nothing is told where it is equal."""
+        names = changed_fields(self.value, view)
+        if not names:
+            return
+        step = step_name(names)
+        if self._held:
+            if not self._store.in_gesture:
+                self._store.begin_gesture(step)
+        else:
+            if names != self._merged or not self._pause.isActive():
+                self._store.begin_gesture(step)
+                self._merged = names
+            self._pause.start()
+        self._store.set(view, step)
+
+    def amend(self, view: View) -> None:
+        """Make this the view without a step: what follows from the last one, or goes on by itself."""
+        self._store.amend(view)
+
+    def begin(self) -> None:
+        """All changes until :meth:`end` are one step, called after the first."""
+        self.end()
+        self._held = True
+
+    def end(self) -> None:
+        """End the step that was begun, or that the last changes made; the next change begins another."""
+        self._pause.stop()
+        self._held = False
+        self._store.end_gesture()
+
+    def begin_running(self, name: str) -> None:
+        """Something called ``name`` begins to change the view by itself, by :meth:`amend`."""
+        self.end()
+        self._running_from, self._running = (self.value, self.steps), name
+        self.steps_changed.emit()
+
+    def end_running(self) -> None:
+        """It has stopped: all that it did is one step, unless there were others in between."""
+        name, self._running = self._running, ""
+        before, self._running_from = self._running_from, None
+        self.steps_changed.emit()
+        if before is None or before[1] != self.steps or before[0] == self.value:
+            return
+        after = self.value
+        self._store.amend(before[0])
+        self._store.set(after, name)
+
+    def undo(self) -> None:
+        """Take the newest step back."""
+        self.end()
+        self._store.undo()
+
+    def redo(self) -> None:
+        """Do the step again that was taken back last."""
+        self.end()
+        self._store.redo()
+
+    def _paused(self) -> None:
+        if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._pause.start()
+        elif not self._held:
+            self._store.end_gesture()
+
+
+def changed_fields(old: View, new: View) -> tuple[str, ...]:
+    """Return the names of the fields that differ, those of a view's parts as in ``compare.mode``.
+
+    >>> changed_fields(View(), View(exposure_ev=1.0))
+    ('exposure_ev',)
+    """
+    return tuple(_changed(old, new))
+
+
+def _changed(old: View, new: View) -> Iterator[str]:
+    for field in fields(View):
+        before, after = getattr(old, field.name), getattr(new, field.name)
+        if before == after:
+            continue
+        if field.name in PARTS and field.name != "camera":
+            for inner in fields(before):
+                if getattr(before, inner.name) != getattr(after, inner.name):
+                    yield f"{field.name}.{inner.name}"
+        else:
+            yield field.name
+
+
+def step_name(names: tuple[str, ...]) -> str:
+    """Return what Undo calls a change of these fields.
+
+    >>> step_name(("tone_curve",)), step_name(("camera", "rotation_deg")), step_name(("relief.orange_peel_mm",))
+    ('Change Tone Curve', 'Move Camera', 'Change Relief')
+    """
+    if not names:
+        return ""
+    first = names[0]
+    if first in _NAMES:
+        return _NAMES[first]
+    words = first.partition(".")[0].removesuffix("_deg").removesuffix("_ev").replace("_", " ")
+    return f"Change {words.title()}"

@@ -1,0 +1,177 @@
+"""Exports from the menu to the file: asked for, run beside the Viewer, followed, cancelled."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.program.settings import settings
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from brdf_suite.documents.palette_store import PALETTE_ENDING
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.realtime.camera import frame, resolve
+from brdf_viewer.export.dialog import ExportDialog
+from brdf_viewer.export.job import ExportJob, ExportSettings
+from brdf_viewer.export.process import ExportProcess
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+KIND = "export"
+_TOLD_MS = 8000
+
+AskTarget = Callable[[QWidget, str, str, str], str]
+"""Asks where to write: the window, a suggested name, what it is, the ending (empty: a folder)."""
+AskSource = Callable[[QWidget], str]
+
+
+def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
+    """Ask where to export to, starting where the last one went; empty where nowhere."""
+    folder = Path(str(settings().value("folder/export", "")))
+    form = f"{title} (*{ending})" if ending else "New folder"
+    dialog = QFileDialog(parent, "Export", str(folder), form)
+    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
+    if ending:
+        dialog.setDefaultSuffix(ending)
+    dialog.selectFile(name + ending)
+    accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
+    path = dialog.selectedFiles()[0] if accepted else ""
+    dialog.deleteLater()
+    if path:
+        settings().setValue("folder/export", str(Path(path).parent))
+    return path
+
+
+def ask_source(parent: QWidget) -> str:
+    """Ask for a palette, or for a folder by any paint in it; empty where the user gives none."""
+    folder = str(settings().value("folder/palette", ""))
+    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all of its folder (*.brdfpaint)"
+    path, _ = QFileDialog.getOpenFileName(parent, "Paints of the Sheet", folder, forms)
+    if not path:
+        return ""
+    settings().setValue("folder/palette", str(Path(path).parent))
+    return path if path.lower().endswith(PALETTE_ENDING) else str(Path(path).parent)
+
+
+class ExportControl(QObject):
+    """File ▸ Export: the dialog, then one export at a time.
+
+    ``light_edited`` tells whether the light on show is in no file as it is: an export would read another.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        parent: QObject | None = None,
+        *,
+        target: AskTarget = ask_target,
+        source: AskSource = ask_source,
+        light_edited: Callable[[], bool] = lambda: False,
+    ) -> None:
+        super().__init__(parent)
+        self._light_edited = light_edited
+        self._stage, self._window, self._ask = stage, window, target
+        self._process: ExportProcess | None = None
+        self._given_up = False
+        self.dialog = ExportDialog(lambda: window.picture.device_size, source, window)
+        self.dialog.export_wanted.connect(self.export)
+        window.commands.export_wanted.connect(self.dialog.open_for)
+        window.busy_cancelled.connect(self._cancelled_by_user)
+
+    @property
+    def running(self) -> bool:
+        """Whether an export runs."""
+        return self._process is not None
+
+    def export(self, wanted: ExportSettings) -> None:
+        """Ask for the file and begin; what goes wrong is told in the window."""
+        if self.running:
+            return
+        messages = self._window.messages
+        fit = self._stage.fit
+        if fit is None or self._stage.surface is None or not self._stage.is_complete:
+            todo = "Wait until paint, surface and environment are there, and export then."
+            messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
+            return
+        if self._light_edited():
+            todo = "Save it with File ▸ Studio ▸ Save Studio, and export then."
+            what = "The light has been edited and is not saved: an export would show the old one."
+            messages.show_message(Message(KIND, what, todo=todo, severity="error"))
+            return
+        # As it is when the user asks: the paint may change while the dialog is open.
+        view, paint, key = self._view(wanted), self._stage.paint, self._stage.paint_key
+        stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name
+        name = re.sub(r"[^\w\- ]+", "_", stem).strip(" _") or wanted.kind
+        chosen = self._ask(self.dialog, name, wanted.form.title, wanted.form.ending)
+        if not chosen:
+            return
+        path = Path(chosen)
+        if wanted.form.ending and not path.suffix:
+            path = path.with_name(path.name + wanted.form.ending)
+        messages.dismiss(KIND)
+        try:
+            job = ExportJob(wanted, path, view, paint, key)
+        except (SuiteError, OSError) as error:
+            messages.show_message(message_of(error, KIND))
+            return
+        self._process = process = ExportProcess(job, self)
+        process.moved.connect(lambda fraction, what: self._show(fraction, f"{path.name}: {what}"))
+        process.done.connect(lambda notes: self._done(path, notes))
+        process.failed.connect(self._failed)
+        process.cancelled.connect(lambda: self._end(f"Export of {path.name} cancelled"))
+        self._given_up = False
+        self._show(0.0, f"{path.name}: starting")
+        self.dialog.set_busy(True)
+        process.start()
+
+    def close(self) -> None:
+        """Stop what runs: the Viewer is closing."""
+        if self._process is not None:
+            self._process.stop()
+
+    def _view(self, wanted: ExportSettings) -> View:
+        view = self._stage.exposed_view
+        if wanted.kind == "picture":
+            camera = resolve(view.camera, self._stage.bounds, self._window.picture.device_size)
+        elif wanted.kind == "sheet":
+            camera = frame(view.camera)
+        else:
+            camera = view.camera
+        return dataclasses.replace(view, camera=camera)
+
+    def _show(self, fraction: float, what: str) -> None:
+        if self._process is not None and not self._given_up:
+            self._window.set_busy(KIND, fraction, what)
+
+    def _cancelled_by_user(self, kind: str) -> None:
+        if kind == KIND and self._process is not None:
+            self._given_up = True
+            self._window.set_idle(KIND)
+            self._process.cancel()
+
+    def _done(self, path: Path, notes: list[str]) -> None:
+        missed = [note.removeprefix("not drawn: ") for note in notes if note.startswith("not drawn: ")]
+        if missed:
+            what = f"{path.name} was exported without {len(missed)} of its paints."
+            message = Message(KIND, what, where="; ".join(missed[:5]), severity="warning")
+            self._window.messages.show_message(message)
+        self._end(f"Exported {path.name}")
+
+    def _failed(self, text: str) -> None:
+        self._window.messages.show_message(Message(KIND, text, severity="error"))
+        self._end("")
+
+    def _end(self, text: str) -> None:
+        if self._process is not None:
+            self._process.deleteLater()
+            self._process = None
+        self._window.set_idle(KIND)
+        self.dialog.set_busy(False)
+        if text:
+            self._window.status.showMessage(text, _TOLD_MS)

@@ -1,0 +1,237 @@
+"""What to export: a window of its own beside the picture, which stays in use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QDialog,
+    QHBoxLayout,
+    QLineEdit,
+    QPushButton,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from brdf_suite.output.picture_file import colour_space_title
+from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
+from brdf_viewer.fields.note import note, set_note
+
+_SIZES = {
+    "picture": ((1280, 720), (1920, 1080), (3840, 2160), (7680, 4320), (16384, 9216)),
+    "turntable": ((1280, 720), (1920, 1080), (3840, 2160)),
+    "sheet": ((240, 160), (360, 240), (720, 480)),
+}
+_SAMPLES = (1, 2, 4, 8, 16)
+_LARGEST = 65_536
+
+
+class ExportDialog(QDialog):
+    """Asks for :class:`ExportSettings`; ``export_wanted(settings)`` when the button is pressed.
+
+    Parameters
+    ----------
+    screen_size
+        Returns the picture's size on screen, device pixels.
+    ask_source
+        Asks for the palette or folder of a sheet; empty where the user gives none.
+    """
+
+    export_wanted = Signal(object)
+
+    def __init__(
+        self,
+        screen_size: Callable[[], tuple[int, int]],
+        ask_source: Callable[[QWidget], str],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Export")
+        self.setObjectName("export")
+        self._screen_size, self._ask_source = screen_size, ask_source
+        self.kind = QuietComboBox()
+        for key, title in KIND_TITLES.items():
+            self.kind.addItem(title, key)
+        self.preset = QuietComboBox()
+        self.width_field, self.height_field = (_number(1, _LARGEST, 1, " px") for _ in range(2))
+        self.format = QuietComboBox()
+        self.colour_space = QuietComboBox()
+        self.samples = QuietComboBox()
+        for count in _SAMPLES:
+            self.samples.addItem(str(count), count)
+        self.samples.setCurrentIndex(_SAMPLES.index(4))
+        self.transparent = QCheckBox("Transparent background")
+        self.frames = _number(2, 7200, 120, "")
+        self.rate = _number(1, 240, 30, " /s")
+        self.columns = _number(0, 40, 0, "")
+        self.columns.setSpecialValueText("Automatic")
+        self.source = QLineEdit(readOnly=True, placeholderText="A palette, or a folder of paints")
+        self._browse = QPushButton("Choose…")
+        self._export = QPushButton("Export…", default=True)
+        self._told = note()
+        self._rows: dict[str, list[QWidget]] = {}
+        self._busy = False
+        self._build()
+        self.kind.currentIndexChanged.connect(self._show_kind)
+        self.preset.currentIndexChanged.connect(self._take_preset)
+        self.format.currentIndexChanged.connect(self._show_format)
+        for field in (self.width_field, self.height_field):
+            field.valueChanged.connect(self._show_preset)
+        self._browse.clicked.connect(self._choose_source)
+        self._export.clicked.connect(lambda: self.export_wanted.emit(self.settings()))
+        self._show_kind()
+
+    def open_for(self, kind: str) -> None:
+        """Show the window for a kind of export."""
+        self.kind.setCurrentIndex(self.kind.findData(kind))
+        if kind == "picture" and not self.isVisible():
+            self._set_size(self._screen_size())
+        self.show()
+        self.raise_()
+        self.activateWindow()
+
+    def settings(self) -> ExportSettings:
+        """Return what is asked for at present."""
+        return ExportSettings(
+            kind=self.kind.currentData(),
+            form=self._form(),
+            size=(self.width_field.value(), self.height_field.value()),
+            colour_space=self.colour_space.currentData(),
+            samples=self.samples.currentData(),
+            transparent=self.transparent.isChecked(),
+            frames=self.frames.value(),
+            frames_per_second=float(self.rate.value()),
+            source=self.source.text(),
+            columns=self.columns.value(),
+        )
+
+    def set_busy(self, busy: bool) -> None:
+        """One export runs at a time."""
+        self._busy = busy
+        self._export.setEnabled(not busy and self._ready())
+
+    def _build(self) -> None:
+        size = QWidget()
+        row = QHBoxLayout(size)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.width_field, 1)
+        row.addWidget(PlainLabel("×"))
+        row.addWidget(self.height_field, 1)
+        chosen = QWidget()
+        row = QHBoxLayout(chosen)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.source, 1)
+        row.addWidget(self._browse)
+        form = Form()
+        form.add_row("Export", self.kind)
+        self._add(form, "Paints", chosen, "sheet")
+        self._add(form, "Size", self.preset)
+        self._add(form, "", size)
+        self._add(form, "Format", self.format)
+        self._add(form, "Colours", self.colour_space, tip="The ICC profile goes with the file")
+        self._add(form, "Samples", self.samples, tip="Per pixel, as many as the graphics card has at most")
+        self._add(form, "", self.transparent, "picture", "turntable")
+        self._add(form, "Frames", self.frames, "turntable", tip="Of one turn")
+        self._add(form, "Rate", self.rate, "turntable", tip="Frames a second of a video")
+        self._add(form, "Columns", self.columns, "sheet")
+        form.add_wide(self._told)
+        box = QVBoxLayout(self)
+        box.addWidget(form)
+        box.addStretch()
+        box.addWidget(self._export, 0, Qt.AlignmentFlag.AlignRight)
+
+    def _add(self, form: Form, label: str, field: QWidget, *kinds: str, tip: str = "") -> None:
+        row = [form.add_row(label, field, tip), field]
+        for kind in KIND_TITLES:
+            if kinds and kind not in kinds:
+                self._rows.setdefault(kind, []).extend(row)
+
+    def _show_kind(self) -> None:
+        kind = self.kind.currentData()
+        for other in KIND_TITLES:
+            for widget in self._rows.get(other, []):
+                widget.show()
+        for widget in self._rows.get(kind, []):
+            widget.hide()
+        self.preset.blockSignals(True)
+        self.preset.clear()
+        if kind != "sheet":
+            self.preset.addItem("As on screen", "screen")
+        for size in _SIZES[kind]:
+            self.preset.addItem("{} × {}".format(*size), size)
+        self.preset.addItem("Other", None)
+        self.preset.blockSignals(False)
+        self._set_size(self._screen_size() if kind == "picture" else _SIZES[kind][1])
+        self.format.blockSignals(True)
+        self.format.clear()
+        for form in FORMATS[kind]:
+            self.format.addItem(form.title, form)
+        self.format.blockSignals(False)
+        self._show_format()
+
+    def _form(self) -> Format:
+        return FORMATS[self.kind.currentData()][self.format.currentIndex()]
+
+    def _show_format(self) -> None:
+        form = self._form()
+        self.colour_space.clear()
+        for key in form.colour_spaces:
+            self.colour_space.addItem(colour_space_title(key), key)
+        self.colour_space.setEnabled(len(form.colour_spaces) > 1)
+        self.transparent.setEnabled(form.transparent)
+        if not form.transparent:
+            self.transparent.setChecked(False)
+        told = {
+            ".exr": "Radiance before exposure and tone curve, in the primaries that the file states",
+            ".mp4": "sRGB; an even width and height",
+            ".webm": "sRGB; an even width and height",
+        }
+        set_note(self._told, told.get(form.ending, ""))
+        self._export.setEnabled(self._ready() and not self._busy)
+
+    def _ready(self) -> bool:
+        return self.kind.currentData() != "sheet" or bool(self.source.text())
+
+    def _take_preset(self) -> None:
+        size = self.preset.currentData()
+        if size is not None:
+            self._set_size(self._screen_size() if size == "screen" else tuple(size))
+
+    def _set_size(self, size: tuple[int, int]) -> None:
+        for field, edge in zip((self.width_field, self.height_field), size, strict=True):
+            field.blockSignals(True)
+            field.setValue(edge)
+            field.blockSignals(False)
+        self._show_preset()
+
+    def _show_preset(self) -> None:
+        size = (self.width_field.value(), self.height_field.value())
+        known = [self.preset.itemData(i) for i in range(self.preset.count())]
+        index = next(
+            (i for i, item in enumerate(known) if item not in (None, "screen") and tuple(item) == size), -1
+        )
+        if index < 0:
+            index = (
+                known.index("screen") if "screen" in known and size == self._screen_size() else len(known) - 1
+            )
+        self.preset.blockSignals(True)
+        self.preset.setCurrentIndex(index)
+        self.preset.blockSignals(False)
+
+    def _choose_source(self) -> None:
+        chosen = self._ask_source(self)
+        if chosen:
+            self.source.setText(chosen)
+            self._show_format()
+
+
+def _number(low: int, high: int, value: int, unit: str) -> QSpinBox:
+    field = QuietSpinBox(minimum=low, maximum=high, suffix=unit)
+    field.setValue(value)
+    return field

@@ -1,0 +1,83 @@
+"""The picture as it is now, to a PNG file that says what it shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from brdf_qt.window.message_bar import Message, message_of
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QImage
+
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.output.picture_file import picture_metadata
+from brdf_viewer.documents.file_kinds import PICTURE_ENDING, AskPicture
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+_KEY = "picture"
+_TOLD_MS = 6000
+
+
+class PictureExport(QObject):
+    """File ▸ Save Picture: every pixel of the picture, with paint and settings as text in the file.
+
+    ``grab`` returns the picture in sRGB.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        ask: AskPicture,
+        grab: Callable[[], QImage],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._ask, self._grab = stage, window, ask, grab
+        window.commands.picture_wanted.connect(self.save)
+
+    def save(self) -> None:
+        """Ask for a file and write the picture to it; what goes wrong is told in the window."""
+        fit, messages = self._stage.fit, self._window.messages
+        # As it was when the user asked: the paint may change while the dialog is open.
+        image, view = (
+            self._grab(),
+            self._stage.exposed_view,
+        )  # the picture's exposure, where it is measured for it
+        made_by = {"Renderer": self._window.overlay.mark} if self._stage.traced is not None else {}
+        if fit is None or not self._stage.is_complete or image.isNull():
+            todo = "Wait until paint, surface and environment are there, and save it then."
+            messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
+            return
+        chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.name).strip(" _") or "picture")
+        if not chosen:
+            return
+        path = Path(chosen)
+        if not path.suffix:
+            path = path.with_name(path.name + PICTURE_ENDING)
+        try:
+            _write(path, image, picture_metadata(fit, view) | made_by)
+        except SuiteError as error:
+            messages.show_message(message_of(error, _KEY, todo="Choose another name or folder."))
+            return
+        messages.dismiss(_KEY)
+        self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
+
+
+def pixels_of(image: QImage) -> NDArray[np.uint8]:
+    """Return an RGB32 image as (h, w, 3) uint8, top row first."""
+    flat = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return flat[:, : 4 * image.width()].reshape(image.height(), -1, 4)[..., 2::-1]
+
+
+def _write(path: Path, image: QImage, metadata: dict[str, str]) -> None:
+    # Here, because the room of files loads the image libraries, and no picture is saved at the start.
+    from brdf_suite.files.images.environments import write_png
+
+    if path.suffix.lower() != PICTURE_ENDING:
+        raise FileError(path, f"pictures are written as PNG; give a name that ends in {PICTURE_ENDING}")
+    write_png(path, pixels_of(image), metadata)

@@ -1,0 +1,153 @@
+"""The lighting section: presets, the lamps' colour, lamps beside the environment, and the exposure's meter."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+from PySide6.QtCore import QTimer
+
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.pipeline.exposure import exposed
+from brdf_suite.pipeline.scene import environment_names
+from brdf_viewer.camera.turntable import Turntable
+from brdf_viewer.light.lamps_section import placed, polar
+from brdf_viewer.light.presets import preset_of, with_preset
+from brdf_viewer.paint.relit import RelitPaint
+from brdf_viewer.scene.drawn_part import DrawnPart
+
+METER_AFTER_MS = 150
+"""The meter waits for things to come to rest: an exposure that follows every step of a drag would pump."""
+
+_UNMETERED = ("exposure_ev", "tone_curve", "background", "background_colour", "clipping_marks", "gamut_marks")
+
+
+class LightingControl(DrawnPart):
+    """Puts the section's edits into the view, and measures the exposure where it is automatic."""
+
+    def _set_up(self) -> None:
+        stage, window = self._stage, self._window
+        self._meter = QTimer(self, singleShot=True, interval=METER_AFTER_MS, timeout=self._measure)
+        self._round = Turntable(self)
+        self._round.deg_per_second = 45.0
+        self._round.turned.connect(self._move_lamps)
+        self._relit = RelitPaint(stage, self)
+        self._relit.state_changed.connect(self._show_colour)
+        self._second_relit = RelitPaint(stage, self, second=True)
+        section = window.lighting
+        self._round.running_changed.connect(section.lamps.set_moving)
+        self._round.running_changed.connect(self._moving)
+        section.preset_chosen.connect(self.choose)
+        section.illuminant_edited.connect(lambda key: self._change_colour(illuminant=key))
+        section.adapted_edited.connect(lambda on: self._change_colour(adapted=on))
+        section.exposure_mode_edited.connect(self.set_exposure_mode)
+        section.lamps.edited.connect(lambda lamps: stage.change_view(lamps=lamps))
+        section.brightness_edited.connect(lambda value: self._change_colour(brightness=value))
+        section.lamps.shading_edited.connect(lambda key: stage.change_view(lamp_shading=key))
+        section.lamps.move_edited.connect(self._round.set_running)
+        stage.view_changed.connect(self._changed)
+        stage.contents_changed.connect(self._contents_changed)
+        self._show(stage.view)
+
+    def choose(self, key: str) -> None:
+        """Take a preset's light."""
+        self._stage.set_view(with_preset(self._stage.view, key))
+
+    def close(self) -> None:
+        """End the threads."""
+        self._relit.close()
+        self._second_relit.close()
+
+    def set_exposure_mode(self, mode: str) -> None:
+        """Lock the exposure as it is, or have it measured from now on."""
+        view = self._stage.view
+        if mode == view.exposure_mode:
+            return
+        if mode == "locked":
+            self._stage.set_view(exposed(view, self._stage.metered_ev))  # the picture stays as it is
+        else:
+            self._stage.metered_ev = None
+            self._stage.change_view(exposure_mode="automatic", exposure_ev=0.0)
+
+    def _change_colour(self, **fields: object) -> None:
+        colour = dataclasses.replace(self._stage.view.light_colour, **fields)
+        self._stage.change_view(light_colour=colour)
+
+    def _moving(self, running: bool) -> None:
+        """All that lamps move until they stop is one step of the history."""
+        if running:
+            self._stage.history.begin_running("Move Lamps")
+        else:
+            self._stage.history.end_running()
+
+    def _move_lamps(self, degrees: float) -> None:
+        lamps = self._stage.view.lamps
+        if not lamps:
+            self._round.set_running(False)
+            return
+        self._stage.follow_view(lamps=tuple(_moved(lamp, degrees) for lamp in lamps))
+
+    def _changed(self, old: View, new: View) -> None:
+        self._show(new)
+        if new.exposure_mode == "automatic" and metered_part(old) != metered_part(new):
+            self._meter.start()
+
+    def _show_colour(self) -> None:
+        self._window.lighting.show_colour(self._stage.view.light_colour, self._relit.state)
+
+    def _show_preset(self) -> None:
+        """A light that is edited is none of the presets, whatever the view goes on to name."""
+        view, present = self._stage.view, self._stage.environment
+        edited = present is not None and not names_a_light(present.key)
+        self._window.lighting.show_preset("" if edited else preset_of(view))
+
+    def _contents_changed(self) -> None:
+        self._show_preset()
+        self._show_colour()
+        if self._stage.view.exposure_mode == "automatic":
+            self._meter.start()
+
+    def _measure(self) -> None:
+        drawer = self._drawer()
+        if drawer is not None and self._stage.view.exposure_mode == "automatic":
+            picture = self._window.picture
+            picture.with_context(lambda: drawer.meter(self._stage.view, picture.device_size))
+            self._show_exposure(self._stage.view)
+
+    def _show(self, view: View) -> None:
+        section = self._window.lighting
+        self._show_preset()
+        self._show_colour()
+        section.show_exposure_mode(view.exposure_mode)
+        section.lamps.set_lamps(view.lamps)
+        section.lamps.set_shading(view.lamp_shading)
+        self._show_exposure(view)
+
+    def _show_exposure(self, view: View) -> None:
+        cell = self._window.status.cell("exposure")
+        if view.exposure_mode == "locked":
+            cell.set(f"{view.exposure_ev:+.1f} EV", "Exposure, locked")
+        else:
+            total = exposed(view, self._stage.metered_ev).exposure_ev
+            cell.set(
+                f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
+            )
+
+
+def _moved(lamp: Lamp, degrees: float) -> Lamp:
+    azimuth, elevation, distance = polar(lamp)
+    return placed(lamp, (azimuth + degrees + 180.0) % 360.0 - 180.0, elevation, distance)
+
+
+def names_a_light(key: str) -> bool:
+    """Whether a view can name the light: a shipped one or a file, not one that is edited and in no file yet."""
+    return key in environment_names() or Path(key).is_absolute()
+
+
+def metered_part(view: View) -> View:
+    """Return the view without what the meter does not look at."""
+    return dataclasses.replace(view, **{name: getattr(_PLAIN, name) for name in _UNMETERED})
+
+
+_PLAIN = View()

@@ -1,0 +1,190 @@
+"""Lamps beside the environment: a list, and the fields of the one that is chosen."""
+
+from __future__ import annotations
+
+import dataclasses
+from math import atan2, cos, degrees, hypot, radians, sin
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.icons import icon
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+
+from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
+from brdf_viewer.fields.choice_box import ChoiceBox
+
+SHADING_TITLES = {"each": "One by one, at each place", "ball": "Together, by a ball in their light"}
+SHADING_TIPS = {
+    "each": "Each lamp is looked up in the factors at every place: right for point lamps, and for any grain",
+    "ball": "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
+    "number of lamps, as if they and the viewer were far away",
+}
+KIND_TITLES = {"point": "Point, at a place", "directional": "Directional, from far away"}
+_NEW = Lamp()
+
+
+class LampFields(QWidget):
+    """Every lamp in the same fields: direction and, for a point, distance; strength; colour.
+
+    Signals: ``edited(lamps)`` with the whole new tuple, ``move_edited(bool)`` where the lamps are to go round,
+    ``shading_edited(str)`` how factored paints are lit by them.
+    """
+
+    edited = Signal(tuple)
+    move_edited = Signal(bool)
+    shading_edited = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._lamps: tuple[Lamp, ...] = ()
+        self.list = QuietComboBox()
+        self.list.setAccessibleName("Lamps")
+        self.list.activated.connect(lambda _index: self._show())
+        self.add_button = _button("plus", "Add a lamp beside the environment", self._add)
+        self.remove_button = _button("trash", "Remove this lamp", self._remove)
+        row = QWidget()
+        inside = QHBoxLayout(row)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(4)
+        inside.addWidget(self.list, 1)
+        inside.addWidget(self.add_button)
+        inside.addWidget(self.remove_button)
+        self.kind = QuietComboBox()
+        for key, title in KIND_TITLES.items():
+            self.kind.addItem(title, key)
+        self.kind.activated.connect(lambda index: self._change(kind=self.kind.itemData(index)))
+        self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 30.0)
+        self.azimuth.setWrapping(True)
+        self.elevation = NumberField("Elevation", "°", -90.0, 90.0, 1.0, 1, 45.0)
+        self.distance = NumberField("Distance", "m", 0.05, 1000.0, 0.05, 2, 2.0)
+        for field in (self.azimuth, self.elevation, self.distance):
+            field.edited.connect(self._placed)
+        strength, kelvin = PARAMETERS["lamp.strength"], PARAMETERS["lamp.temperature_k"]
+        self.strength = NumberField("Strength", "", 0.0, strength.high, 0.1, 2, strength.default)
+        self.strength.edited.connect(lambda value: self._change(strength=value))
+        self.temperature = NumberField("Colour", "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
+        self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
+        self.moving = QCheckBox("Moves round")
+        self.moving.setToolTip(
+            "Let the lamps go round the surface, to see flakes light up and go out, and highlights wander"
+        )
+        self.moving.clicked.connect(self.move_edited)
+        self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
+        self.shading.picked.connect(self.shading_edited)
+        form = Form()
+        form.add_row("Lamps", row, "Small lamps beside the environment, in whose light flakes glint")
+        self._fields = Form()
+        self._fields.add_row("Kind", self.kind)
+        self._fields.add_row("Azimuth", self.azimuth, PARAMETERS["lamp.azimuth_deg"].meaning)
+        self._fields.add_row("Elevation", self.elevation, PARAMETERS["lamp.elevation_deg"].meaning)
+        self._distance_label = self._fields.add_row("Distance", self.distance, "From the middle of the scene")
+        self._fields.add_row("Strength", self.strength, strength.meaning)
+        self._fields.add_row("Colour", self.temperature, kelvin.meaning)
+        self._fields.add_row("", self.moving)
+        self._fields.add_row("Factored", self.shading, "How factored paints are lit by the lamps")
+        box = QVBoxLayout(self)
+        box.setContentsMargins(0, 0, 0, 0)
+        box.setSpacing(8)
+        box.addWidget(form)
+        box.addWidget(self._fields)
+        self.set_lamps(())
+
+    def set_lamps(self, lamps: tuple[Lamp, ...]) -> None:
+        """Show lamps, without a signal; the one that was chosen stays so."""
+        chosen = max(0, self.list.currentIndex())
+        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self._lamps] or not lamps:
+            self.list.clear()
+            self.list.addItems([f"{i + 1}: {lamp.kind}" for i, lamp in enumerate(lamps)] or ["None"])
+            self.list.setCurrentIndex(min(chosen, self.list.count() - 1))
+        self._lamps = lamps
+        self._show()
+
+    def set_shading(self, key: str) -> None:
+        """Show how factored paints are lit by lamps."""
+        self.shading.show_choice(key)
+
+    def set_moving(self, moving: bool) -> None:
+        """Show whether the lamps go round."""
+        self.moving.setChecked(moving)
+
+    def _show(self) -> None:
+        lamp = self._chosen()
+        self._fields.setVisible(lamp is not None)
+        self.list.setEnabled(lamp is not None)
+        self.add_button.setEnabled(len(self._lamps) < MOST_LAMPS)
+        self.remove_button.setEnabled(lamp is not None)
+        if lamp is None:
+            return
+        self.kind.setCurrentIndex(self.kind.findData(lamp.kind))
+        azimuth, elevation, distance = polar(lamp)
+        self.azimuth.set_value(azimuth)
+        self.elevation.set_value(elevation)
+        self.distance.set_value(distance)
+        for widget in (self.distance, self._distance_label):
+            widget.setVisible(lamp.kind == "point")
+        self.strength.set_value(lamp.strength)
+        self.temperature.set_value(lamp.temperature_k)
+
+    def _chosen(self) -> Lamp | None:
+        index = self.list.currentIndex()
+        return self._lamps[index] if 0 <= index < len(self._lamps) else None
+
+    def _add(self) -> None:
+        self.set_lamps((*self._lamps, _NEW))
+        self.list.setCurrentIndex(len(self._lamps) - 1)
+        self._show()
+        self.edited.emit(self._lamps)
+
+    def _remove(self) -> None:
+        index = self.list.currentIndex()
+        self.set_lamps(self._lamps[:index] + self._lamps[index + 1 :])
+        self.edited.emit(self._lamps)
+
+    def _placed(self, _value: float) -> None:
+        lamp = self._chosen()
+        if lamp is not None:
+            place = (self.azimuth.value(), self.elevation.value(), self.distance.value())
+            self._replace(placed(lamp, *place))
+
+    def _change(self, **fields: object) -> None:
+        lamp = self._chosen()
+        if lamp is not None:
+            self._replace(dataclasses.replace(lamp, **fields))
+
+    def _replace(self, lamp: Lamp) -> None:
+        index = self.list.currentIndex()
+        self.set_lamps((*self._lamps[:index], lamp, *self._lamps[index + 1 :]))
+        self.edited.emit(self._lamps)
+
+
+def polar(lamp: Lamp) -> tuple[float, float, float]:
+    """Return azimuth and elevation in degrees and the distance in metres of where a lamp's light comes from.
+
+    >>> [round(value, 3) for value in polar(Lamp(position=(0.0, 3.0, 3.0)))]
+    [0.0, 45.0, 4.243]
+    """
+    if lamp.kind == "directional":
+        return (lamp.azimuth_deg + 180.0) % 360.0 - 180.0, lamp.elevation_deg, hypot(*lamp.position)
+    x, y, z = lamp.position
+    level = hypot(x, z)
+    return degrees(atan2(x, z)), degrees(atan2(y, level)), max(0.05, hypot(level, y))
+
+
+def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float) -> Lamp:
+    """Return the lamp at another place; both forms of it are kept in step, so that a change of kind keeps it."""
+    azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
+    level = distance * cos(elevation)
+    position = (level * sin(azimuth), distance * sin(elevation), level * cos(azimuth))
+    return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
+
+
+def _button(name: str, tip: str, slot: object) -> QToolButton:
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setToolTip(plain_tip(tip))
+    button.setAccessibleName(tip)
+    button.clicked.connect(lambda _=False: slot())
+    return button

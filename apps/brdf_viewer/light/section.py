@@ -1,0 +1,141 @@
+"""The light booth's buttons, the colour of its lamps, how the eye takes it, and how the exposure is found."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
+
+from brdf_suite.documents.view_settings import PARAMETERS, LightColour
+from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.light.lamps_section import LampFields
+from brdf_viewer.light.presets import PRESETS, is_tinted
+
+ILLUMINANT_TITLES = {
+    "environment": "As the environment has it",
+    "D65": "D65, daylight",
+    "D50": "D50, warm daylight",
+    "A": "A, incandescent",
+    "TL84": "TL84 (CIE F11)",
+    "CWF": "Cool white (CIE F2)",
+    "LED": "LED (CIE LED-B3)",
+}
+EXPOSURE_TITLES = {"locked": "Locked", "automatic": "Automatic"}
+_COLUMNS = 3
+Spectra = Literal["unknown", "in work", "used"]
+"""What is known of a paint's colour in another light."""
+
+
+class LightingSection(Section):
+    """Presets of a light booth; light colour; exposure locked or automatic; lamps beside the environment.
+
+    Signals: ``preset_chosen(key)``, ``illuminant_edited(key)``, ``adapted_edited(bool)``,
+    ``exposure_mode_edited(key)``, ``brightness_edited(factor)``; those of the lamps are of ``lamps``.
+    """
+
+    preset_chosen = Signal(str)
+    illuminant_edited = Signal(str)
+    adapted_edited = Signal(bool)
+    exposure_mode_edited = Signal(str)
+    brightness_edited = Signal(float)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Lighting", "lighting", parent)
+        self.presets = QButtonGroup(self)
+        # None is pressed where the light is another.
+        self.presets.setExclusive(False)
+        self._buttons: dict[str, QToolButton] = {}
+        self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
+        self.illuminant.activated.connect(
+            lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
+        )
+        self.adapted = QCheckBox("Eye adapted to it")
+        self.adapted.setToolTip(
+            "On: white looks white, as to someone who has been in this light for minutes. "
+            "Off: the tint that an eye used to daylight sees at first"
+        )
+        self.adapted.clicked.connect(self.adapted_edited)
+        self.metamerism = note()
+        self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
+        self.exposure_mode.activated.connect(
+            lambda index: self.exposure_mode_edited.emit(self.exposure_mode.itemData(index))
+        )
+        light = PARAMETERS["light_colour.brightness"]
+        self.brightness = NumberField(
+            "Environment", light.unit, light.low, light.high, 0.05, 2, light.default
+        )
+        self.brightness.edited.connect(self.brightness_edited)
+        self.lamps = LampFields()
+        form = Form()
+        form.add_wide(self._preset_buttons())
+        form.add_row("Light colour", self.illuminant, "The lamp that the environment's white is taken for")
+        form.add_row("", self.adapted)
+        form.add_wide(self.metamerism)
+        form.add_row("Environment", self.brightness, light.meaning)
+        form.add_row(
+            "Exposure mode",
+            self.exposure_mode,
+            "Locked: the exposure stays as it is in every light. Automatic: the object's median luminance becomes "
+            "18 %, and the exposure counts from there",
+        )
+        self.add(form)
+        self.add(self.lamps)
+
+    def _preset_buttons(self) -> QWidget:
+        inside = QWidget()
+        grid = QGridLayout(inside)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(4)
+        for index, (key, preset) in enumerate(PRESETS.items()):
+            button = QToolButton()
+            button.setText(preset.title)
+            button.setToolTip(plain_tip(preset.tip))
+            button.setCheckable(True)
+            button.setObjectName(f"lighting_{key}")
+            button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
+            button.clicked.connect(lambda _=False, key=key: self._pressed(key))
+            self.presets.addButton(button)
+            self._buttons[key] = button
+            grid.addWidget(button, index // _COLUMNS, index % _COLUMNS)
+        return inside
+
+    def _pressed(self, key: str) -> None:
+        self._buttons[key].setChecked(True)  # a second press leaves it pressed
+        self.preset_chosen.emit(key)
+
+    def show_preset(self, key: str) -> None:
+        """Press the button of the present light; none where the key is empty."""
+        for name, button in self._buttons.items():
+            button.setChecked(name == key)
+            font = button.font()
+            font.setBold(name == key)  # what is chosen is told by more than a shade of grey
+            button.setFont(font)
+
+    def show_colour(self, colour: LightColour, spectra: Spectra) -> None:
+        """Show the light's colour, and what it can say about the paint."""
+        self.illuminant.setCurrentIndex(self.illuminant.findData(colour.illuminant))
+        self.adapted.setChecked(colour.adapted)
+        self.brightness.set_value(colour.brightness)
+        self.adapted.setEnabled(is_tinted(colour))
+        set_note(self.metamerism, colour_note(colour, spectra))
+
+    def show_exposure_mode(self, key: str) -> None:
+        """Show whether the exposure is locked."""
+        self.exposure_mode.setCurrentIndex(self.exposure_mode.findData(key))
+
+
+def colour_note(colour: LightColour, spectra: Spectra) -> str:
+    """Return what is to be known about a paint's colour in the light; empty where nothing is assumed."""
+    if not is_tinted(colour):
+        return ""
+    if spectra != "unknown":
+        return f"Colours {'are being' if spectra == 'in work' else 'were'} computed from the paint's spectra."
+    if colour.adapted:
+        return "No metamerism: the paint's spectrum is not known. To an adapted eye it is taken to look as in D65."
+    return "No metamerism: the paint's spectrum is not known. Its colours take on the light's tint (CAT16)."

@@ -1,0 +1,348 @@
+"""The studio that is edited: its document, its panel, and the picture that follows."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.store import DocumentStore
+from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject
+
+from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument
+from brdf_suite.documents.studio import Sky, Studio
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError, ValueRangeError
+from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_viewer.light.studio import edits
+from brdf_viewer.light.studio.document import FORMAT, StudioFiles
+from brdf_viewer.light.studio.fields import Edits
+from brdf_viewer.light.studio.lamp_form import changed_lamp
+from brdf_viewer.light.studio.live_light import LiveLight
+from brdf_viewer.light.studio.places import point_at, polar
+from brdf_viewer.light.studio.recovery_offer import offer_recovered
+from brdf_viewer.light.studio.surroundings_form import changed_surroundings
+from brdf_viewer.light.studio.templates import TEMPLATES
+from brdf_viewer.scene.control import SceneControl
+from brdf_viewer.scene.stage import Prop, Stage
+from brdf_viewer.window import ViewerWindow
+
+_BUSY = "studio"
+
+
+class StudioControl(QObject):
+    """Begins, opens and saves studios; puts the panel's edits into the document, and the document into the picture.
+
+    ``dialogs`` asks where to save, and about unsaved changes.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        scene: SceneControl,
+        dialogs: Dialogs,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._scene = stage, window, scene
+        self._panel = window.studio
+        self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
+        self.files = StudioFiles(self.store, dialogs, self)
+        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, self._tell, self)
+        self._open = False
+        self._index = 0
+        self._shown: PreparedEnvironment | None = None
+        self._seen: Prop[PreparedEnvironment] | None = None
+        self._live = LiveLight(self)
+        self._live.drawn.connect(self._drawn)
+        self._live.failed.connect(self._not_drawn)
+        self._live.moved.connect(lambda fraction, what: window.set_busy(_BUSY, fraction, self._told(what)))
+        self._live.ended.connect(lambda: window.set_idle(_BUSY))
+        window.busy_cancelled.connect(self._cancelled)
+        window.close_guards.append(self.may_close)
+        self._connect_document()
+        self._connect_panel()
+        self._add_commands()
+        self._contents_changed()
+        offer_recovered(self.recovery, window.messages, self._recover)
+
+    def new(self, template: str) -> bool:
+        """Begin a studio from a template, after asking about unsaved changes of the present one."""
+        return self._take(TEMPLATES[template][1])
+
+    def edit(self) -> bool:
+        """Edit the light of the picture, where it has a description; otherwise say what can be done."""
+        key = self._stage.view.environment
+        if key == "booth":
+            return self.new("booth")
+        if not key.lower().endswith(STUDIO_ENDING):
+            self._window.messages.show_message(
+                Message(
+                    _BUSY,
+                    "The light of the picture is an image, which has no lamps to edit.",
+                    todo="Begin a studio with File ▸ Studio ▸ New, or take the light booth.",
+                    severity="error",
+                )
+            )
+            return False
+        return self._edit_file(Path(key))
+
+    def _edit_file(self, path: Path) -> bool:
+        if self._open and self.store.path == path:
+            self._show_panel()
+            return True
+        if not self.files.open(path):
+            return False
+        self._opened()
+        # The picture shows it already; nothing is drawn until it is edited.
+        present = self._stage.environment
+        lit = present is not None and present.key == str(path) and present.value.is_final
+        if present is not None and lit:
+            self._shown = present.value
+            self._panel.preview.set_radiance(present.value.environment.radiance)
+        else:
+            self._shown = None
+            self._live.show(self.store.value)
+        self._show()
+        return True
+
+    def may_close(self) -> bool:
+        """Ask about unsaved changes, where there are any."""
+        return not self._open or self.files.may_discard()
+
+    def close(self) -> None:
+        """End the threads; what was unsaved has been asked about."""
+        self._live.close()
+        self.recovery.close(keep=False)
+
+    def _recover(self, item: Recovered[LightDocument]) -> bool:
+        """Open what an earlier run left; False where the user keeps the present studio."""
+        if self._open and not self.files.may_discard():
+            return False
+        self._open = False  # until it is there: what is replaced is not drawn
+        self.recovery.take(item)
+        self._opened()
+        self._live.show(self.store.value)
+        self._show()
+        return True
+
+    def _tell(self, error: BaseException) -> None:
+        self._window.messages.show_message(message_of(error, "autosave"))
+
+    def _take(self, light: LightDocument) -> bool:
+        if self._open and not self.files.may_discard():
+            return False
+        self.store.replace(light, None)  # clean: a template that nobody has edited is no work to be lost
+        self._opened()
+        self._live.show(light)
+        self._show()
+        return True
+
+    def _opened(self) -> None:
+        self._open, self._index = True, 0
+        self._window.messages.dismiss(_BUSY)
+        self._show_panel()
+
+    def _show_panel(self) -> None:
+        self._window.studio_dock.show()
+        self._window.studio_dock.raise_()
+
+    def _connect_document(self) -> None:
+        self.store.changed.connect(self._changed)
+        for signal in (self.store.clean_changed, self.store.path_changed, self.store.history_changed):
+            signal.connect(lambda *_: self._show_state())
+        self.files.failed.connect(self._window.messages.show_message)
+        self.files.succeeded.connect(self._written)
+        self._stage.contents_changed.connect(self._contents_changed)
+        self._stage.view_changed.connect(lambda _old, new: self._show_editable(new))
+
+    def _connect_panel(self) -> None:
+        panel, store = self._panel, self.store
+        panel.new_wanted.connect(self.new)
+        panel.edit_wanted.connect(self.edit)
+        self._window.environment.edit_wanted.connect(self.edit)
+        panel.save_wanted.connect(self.files.save)
+        panel.save_as_wanted.connect(self.files.save_as)
+        panel.undo_wanted.connect(store.undo)
+        panel.redo_wanted.connect(store.redo)
+        panel.show_wanted.connect(lambda: self._live.show(store.value))
+        panel.renamed.connect(lambda text: self._do("Rename", lambda light: _renamed(light, text)))
+        panel.chosen.connect(self._choose)
+        panel.add_wanted.connect(self._add)
+        panel.double_wanted.connect(self._double)
+        panel.remove_wanted.connect(self._remove)
+        panel.lamp.edits.changed.connect(self._edit_lamp)
+        panel.around.edits.changed.connect(
+            lambda name, value: self._do(
+                "Change Surroundings", lambda light: changed_surroundings(_studio(light), name, value)
+            )
+        )
+        panel.sky.edits.changed.connect(
+            lambda name, value: self._do("Change Sky", lambda light: _changed(light, name, value))
+        )
+        for source in (panel.lamp.edits, panel.around.edits, panel.sky.edits, panel.preview, panel.name):
+            source.gesture_started.connect(lambda source=source: store.begin_gesture(_gesture(source)))
+            source.gesture_finished.connect(store.end_gesture)
+        panel.preview.picked.connect(self._choose)
+        panel.preview.dragged.connect(self._drag)
+        panel.preview.scaled.connect(self._scale)
+
+    def _add_commands(self) -> None:
+        window, menu = self._window, self._window.commands.studio
+        for key, (title, _) in TEMPLATES.items():
+            window.add_action(menu, f"New Studio: {title}", lambda key=key: self.new(key))
+        menu.addSeparator()
+        window.add_action(menu, "&Edit the Picture's Light", self.edit, icon="pencil-simple")
+        self._save = window.add_action(menu, "&Save Studio", self.files.save, icon="floppy-disk")
+        self._save_as = window.add_action(menu, "Save Studio &As…", self.files.save_as)
+
+    def _do(self, name: str, edit: Callable[[LightDocument], LightDocument]) -> None:
+        """Make an edit; what cannot be is told in the panel, and the fields go back to what is."""
+        try:
+            value = edit(self.store.value)
+        except ValueRangeError as error:
+            self._panel.set_mistake(f"Not taken: {error.place}: {error.reason}")
+            self._show()
+            return
+        self._panel.set_mistake("")
+        if not self.store.set(value, name):
+            self._show()
+
+    def _edit_lamp(self, name: str, value: object) -> None:
+        index = self._index
+
+        def edit(light: LightDocument) -> Studio:
+            studio = _studio(light)
+            lamp = changed_lamp(studio.lamps[index], name, value)
+            if name in ("azimuth", "elevation", "distance"):
+                return edits.placed(studio, index, lamp.position_m)
+            return edits.with_lamp(studio, index, lamp)
+
+        self._do("Change Lamp", edit)
+
+    def _drag(self, index: int, azimuth_deg: float, elevation_deg: float) -> None:
+        def edit(light: LightDocument) -> LightDocument:
+            if isinstance(light, Sky):
+                return edits.with_sun(light, azimuth_deg, elevation_deg)
+            distance = polar(light.lamps[index].position_m)[2]
+            return edits.placed(light, index, point_at(azimuth_deg, elevation_deg, distance))
+
+        self._do("Move Lamp", edit)
+
+    def _scale(self, index: int, factor: float) -> None:
+        def edit(light: LightDocument) -> LightDocument:
+            studio = _studio(light)
+            return edits.with_lamp(studio, index, edits.scaled(studio.lamps[index], factor))
+
+        self._choose(index)
+        self._do("Scale Lamp", edit)
+
+    def _add(self, shape: str) -> None:
+        self._index = edits.lamp_count(self.store.value)
+        self._do("Add Lamp", lambda light: edits.added(_studio(light), shape))
+
+    def _double(self) -> None:
+        index = self._index
+        self._index = index + 1
+        self._do("Double Lamp", lambda light: edits.doubled(_studio(light), index))
+
+    def _remove(self) -> None:
+        index = self._index
+        self._do("Remove Lamp", lambda light: edits.removed(_studio(light), index))
+
+    def _choose(self, index: int) -> None:
+        if index != self._index:
+            self._index = index
+            self._show()
+
+    def _changed(self, _old: LightDocument, new: LightDocument) -> None:
+        self._index = min(self._index, edits.lamp_count(new) - 1) if isinstance(new, Studio) else 0
+        if self._open:
+            self._live.show(new)
+        self._show()
+
+    def _drawn(self, light: LightDocument, prepared: PreparedEnvironment) -> None:
+        if not self._open:
+            return
+        self._shown = prepared
+        if type(light) is type(self.store.value):
+            self._panel.preview.set_radiance(prepared.environment.radiance)
+        path = self.store.path
+        self._scene.show_edited(light.name if path is None else str(path), prepared)
+        if path is not None and self.store.is_clean and prepared.is_final:
+            self._scene.name_edited(str(path))
+
+    def _not_drawn(self, error: Exception) -> None:
+        if not isinstance(error, SuiteError):
+            raise error
+        todo = "The picture shows what could be drawn last."
+        self._window.messages.show_message(message_of(error, _BUSY, todo=todo))
+
+    def _cancelled(self, kind: str) -> None:
+        if kind == _BUSY:
+            self._live.stop()
+
+    def _written(self, what: str) -> None:
+        if what == "save" and self.store.path is not None and self._is_lit():
+            self._scene.name_edited(str(self.store.path))
+
+    def _contents_changed(self) -> None:
+        """Another light came into the picture: stop drawing this one, and offer it again."""
+        present = self._stage.environment
+        if present is self._seen:
+            return  # it was the paint or the surface that changed
+        self._seen = present
+        if self._open and not self._is_lit():
+            self._live.stop()
+        if self._open and present is not None and present.key == str(self.store.path) and self.store.is_clean:
+            self._shown = present.value  # read from the file that holds the same
+        self._show_editable(self._stage.view)
+        self._panel.set_lit(self._is_lit())
+
+    def _show_editable(self, view: View) -> None:
+        self._window.environment.set_editable(_has_description(view.environment))
+
+    def _is_lit(self) -> bool:
+        present = self._stage.environment
+        return present is not None and present.value is self._shown
+
+    def _show(self) -> None:
+        self._panel.set_light(self.store.value if self._open else None, self._index)
+        self._panel.set_lit(self._is_lit() or not self._open or self._shown is None)
+        self._show_state()
+
+    def _show_state(self) -> None:
+        where = "Not saved in a file yet" if self.store.path is None else self.store.path.name
+        changed = "" if self.store.is_clean else ", changed" if self.store.path is not None else ""
+        stack = self.store.stack
+        self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())
+        for action in (self._save, self._save_as):
+            action.setEnabled(self._open)
+
+    def _told(self, what: str) -> str:
+        return f"{self.store.value.name}: {what}"
+
+
+def _studio(light: LightDocument) -> Studio:
+    assert isinstance(light, Studio)
+    return light
+
+
+def _renamed(light: LightDocument, name: str) -> LightDocument:
+    return _changed(light, "name", name)
+
+
+def _changed(light: LightDocument, name: str, value: object) -> LightDocument:
+    return dataclasses.replace(light, **{name: value})
+
+
+def _gesture(source: object) -> str:
+    return "Change Lamp" if isinstance(source, Edits) else "Move Lamp"
+
+
+def _has_description(key: str) -> bool:
+    return key == "booth" or key.lower().endswith(STUDIO_ENDING)

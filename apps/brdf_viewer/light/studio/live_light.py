@@ -1,0 +1,137 @@
+"""The picture's light while it is edited: drafts follow the hand, the whole of it comes when the hand rests."""
+
+from __future__ import annotations
+
+from functools import partial as bound
+
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
+
+from brdf_suite.documents.light_store import LightDocument
+from brdf_suite.pipeline.light_in_work import prepare_light
+from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.progress import Progress
+
+REST_MS = 350
+_DRAFT, _WHOLE = "draft", "whole"
+
+
+class LiveLight(QObject):
+    """Draws and filters the newest light on threads. An edit does not stop a draft before it has shown something.
+
+    Signals
+    -------
+    drawn(light, prepared)
+        There is something to show of a light; drafts first, and environments of which maps are missing.
+    failed(error)
+        A light could not be drawn.
+    moved(fraction, what), ended()
+        Of the whole light, which takes seconds.
+    """
+
+    drawn = Signal(object, object)
+    failed = Signal(object)
+    moved = Signal(float, str)
+    ended = Signal()
+    _handed_out = Signal(int, object, object)
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._runner = TaskRunner(self)
+        self._newest: LightDocument | None = None
+        self._drafted: LightDocument | None = None
+        self._generation = 0
+        self._drafting = False
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS, timeout=self._make_whole)
+        self._handed_out.connect(self._on_handed_out, Qt.ConnectionType.QueuedConnection)
+
+    def show(self, light: LightDocument) -> None:
+        """Draw this light; what is in work of an older one is finished only as far as it can be seen soon."""
+        self._newest = light
+        self._rest.stop()
+        self._end_whole()
+        if not self._drafting:
+            self._make_draft()
+
+    def stop(self) -> None:
+        """Draw no more."""
+        self._newest = None
+        self._drafting = False
+        self._generation += 1
+        self._rest.stop()
+        self._runner.cancel(_DRAFT)
+        self._end_whole()
+
+    def close(self) -> None:
+        """End the threads; nothing is drawn after."""
+        self.stop()
+        self._runner.stop()
+
+    def _make_draft(self) -> None:
+        self._drafting, self._drafted = True, self._newest
+        self._submit(_DRAFT)
+
+    def _make_whole(self) -> None:
+        self._drafted = self._newest
+        self._submit(_WHOLE)
+
+    def _submit(self, key: str) -> None:
+        self._generation += 1
+        light = self._newest
+        hand_out = bound(
+            self._handed_out.emit, self._generation, light
+        )  # from the worker's thread to this one
+        self._runner.submit(
+            key,
+            _draft if key == _DRAFT else _whole,
+            (light, hand_out),
+            done=lambda value: self._done(key, value),
+            failed=lambda error: self._failed(key, error),
+            progress=self.moved.emit if key == _WHOLE else None,
+        )
+
+    def _on_handed_out(self, generation: int, light: LightDocument, prepared: PreparedEnvironment) -> None:
+        if generation != self._generation:
+            return
+        self.drawn.emit(light, prepared)
+        if self._drafting and self._newest is not self._drafted:
+            self._make_draft()  # takes the place of the one that runs
+
+    def _done(self, key: str, prepared: PreparedEnvironment) -> None:
+        self.drawn.emit(self._drafted, prepared)
+        self._over(key)
+
+    def _failed(self, key: str, error: Exception) -> None:
+        self.failed.emit(error)
+        self._over(key)
+
+    def _over(self, key: str) -> None:
+        if key == _WHOLE:
+            self.ended.emit()
+            return
+        self._drafting = False
+        if self._newest is None:
+            return
+        if self._newest is not self._drafted:
+            self._make_draft()
+        else:
+            self._rest.start()
+
+    def _end_whole(self) -> None:
+        self._runner.cancel(_WHOLE)
+        self.ended.emit()
+
+
+_Request = tuple[LightDocument, "bound[None]"]
+
+
+def _draft(request: _Request, progress: Progress) -> PreparedEnvironment:
+    light, hand_out = request
+    return prepare_light(light, progress, hand_out, draft=True)
+
+
+def _whole(request: _Request, progress: Progress) -> PreparedEnvironment:
+    light, hand_out = request
+    prepared = prepare_light(light, progress, hand_out)
+    _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
+    return prepared

@@ -1,0 +1,71 @@
+"""H: the figures over the picture, a heads-up display of what is drawn, how, and how fast."""
+
+from __future__ import annotations
+
+from brdf_qt.program.settings import settings
+from PySide6.QtCore import QObject
+
+from brdf_suite.documents.view import View
+from brdf_viewer.overlay.frame_meter import FrameMeter
+from brdf_viewer.overlay.readout import Readout
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.tone.section import TONE_TITLES
+from brdf_viewer.window import ViewerWindow
+
+_KEY = "figures"
+SPARKLE_WORDS = {"off": "no sparkle", "texture": "flake texture", "glints": "glints"}
+FRESNEL_WORDS = {"off": "no Fresnel", "raised": "Fresnel raised", "multi_angle": "Fresnel by angle"}
+
+
+class FiguresOverlay(QObject):
+    """Shows and hides the figures; remembers which."""
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        meter: FrameMeter,
+        readout: Readout,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._meter, self._readout = stage, window, meter, readout
+        self._on = bool(settings().value(_KEY, False, type=bool))
+        window.commands.figures_wanted.connect(self.set_on)
+        window.commands.figures.setChecked(self._on)
+        meter.shown.connect(self._show)
+        readout.changed.connect(self._show)
+        stage.view_changed.connect(self._show)
+        stage.contents_changed.connect(self._show)
+
+    def set_on(self, on: bool) -> None:
+        """Show the figures, or hide them."""
+        self._on = on
+        settings().setValue(_KEY, on)
+        self._window.commands.figures.setChecked(on)
+        self._show()
+
+    def _show(self, *_: object) -> None:
+        lines = self._lines() if self._on and self._stage.is_complete else []
+        self._window.overlay.show_figures(tuple(lines))
+
+    def _lines(self) -> list[str]:
+        stage, size = self._stage, self._window.picture.device_size
+        lines = [f"{self._meter.words or '–'}   {size[0]} × {size[1]}"]
+        if stage.fit is not None:
+            lines[0] += f"   {len(stage.fit.weights.exponents)} lobes"
+        return [*lines, how(stage.exposed_view), *self._readout.lines]
+
+
+def how(view: View) -> str:
+    """Return in one line how a view is drawn.
+
+    >>> how(View(fresnel="off"))
+    'Faithful, soft highlights   +0.0 EV   no Fresnel   glints, 8 lights'
+    """
+    sparkle = SPARKLE_WORDS[view.sparkle.mode]
+    if view.sparkle.mode != "off":
+        sparkle += f", {view.sparkle.light_count} lights"
+    return "   ".join(
+        [TONE_TITLES[view.tone_curve], f"{view.exposure_ev:+.1f} EV", FRESNEL_WORDS[view.fresnel], sparkle]
+    )

@@ -1,0 +1,98 @@
+"""The readout under the cursor: in the status bar, and in full among the figures over the picture.
+
+It is read when hand and picture have come to rest for a moment, never while something is dragged, so it costs no
+frame of an interaction.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QGuiApplication, QMouseEvent
+from PySide6.QtWidgets import QWidget
+
+from brdf_viewer.light.dominant import dominant_light
+from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
+from brdf_viewer.scene.drawn_part import DrawnPart
+from brdf_viewer.traced.wanted import first_size
+
+REST_MS = 60
+_TIP = (
+    "The pixel under the cursor. L*a*b*: exposed light before the tone curve, D65 and 10°, a white of radiance 1 has "
+    "L* 100. View: angle to the surface's normal. Aspecular: angle from the mirror direction of "
+)
+
+
+class Readout(DrawnPart):
+    """Signals: ``changed(reading)`` with a :class:`CursorReading`, or None where the cursor is elsewhere."""
+
+    changed = Signal(object)
+
+    def _set_up(self) -> None:
+        window = self._window
+        self._place: QPointF | None = None
+        self.reading: CursorReading | None = None
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS, timeout=self._read)
+        window.picture.canvas_changed.connect(self._listen)
+        window.picture.frame_drawn.connect(self._later)
+        self._listen(window.picture.canvas)
+
+    @property
+    def lines(self) -> list[str]:
+        """The reading in full, line by line; none where the cursor is elsewhere."""
+        return [] if self.reading is None else long_lines(self.reading)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if kind == QEvent.Type.MouseMove and isinstance(event, QMouseEvent):
+            self._place = event.position()
+            self._later()
+        elif kind in (QEvent.Type.Leave, QEvent.Type.Hide):
+            self._place = None
+            self._show(None)
+        return super().eventFilter(watched, event)
+
+    def _listen(self, canvas: QWidget) -> None:
+        canvas.installEventFilter(self)
+
+    def _later(self, *_: object) -> None:
+        if self._place is not None:
+            self._rest.start()
+
+    def _read(self) -> None:
+        drawer, place, stage = self._drawer(), self._place, self._stage
+        if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self._rest.start()
+            return
+        if drawer is None or place is None or not drawer.is_complete:
+            return
+        picture = self._window.picture
+        size, ratio = picture.device_size, picture.canvas.devicePixelRatioF()
+        pixel = (int(place.x() * ratio), int(place.y() * ratio))
+        light = dominant_light(stage.view, stage.light_figures)
+        second = None if stage.compared is None or stage.view.compare.mode == "off" else stage.compared.value
+        picture.look(
+            lambda: self._show(
+                read_pixel(
+                    drawer.probe,
+                    stage.exposed_view,
+                    size,
+                    pixel,
+                    second,
+                    light,
+                    shows_second=stage.shows_second,
+                    traced=drawer.traced_light(first_size(stage.view, size)),
+                )
+            )
+        )
+
+    def _show(self, reading: CursorReading | None) -> None:
+        if reading == self.reading:
+            return
+        self.reading = reading
+        cell = self._window.status.cell("readout", right=True)
+        if reading is None:
+            cell.set("")
+        else:
+            light = "no light: none stands out" if reading.light is None else reading.light.words
+            cell.set(short_words(reading), f"{_TIP}{light}.\n" + "\n".join(long_lines(reading)))
+        self.changed.emit(reading)

@@ -1,0 +1,1 @@
+"""The paint that is shown."""

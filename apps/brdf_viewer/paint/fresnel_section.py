@@ -1,0 +1,57 @@
+"""How lobes follow the angle of view, and where in the maps they are looked up."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from brdf_viewer.fields.choice_box import ChoiceBox
+
+FRESNEL_TITLES = {
+    "raised": "Raised",
+    "multi_angle": "Several angles",
+    "off": "Off",
+}
+FRESNEL_TIPS = {
+    "raised": "The lobes fitted at 45°, the coat brightened and the base dimmed by the exact Fresnel equations",
+    "multi_angle": "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
+    "which have no coat to be told apart, are raised",
+    "off": "The lobes as they are at 45°, at every angle",
+}
+LOOK_UP_TITLES = {"shifted": "Shifted (exact horizon)", "paper": "Mirror direction (paper)"}
+LOOK_UP_TIPS = {
+    "shifted": "Each lobe is looked up between mirror direction and normal, as what lies above the surface",
+    "paper": "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
+    "Meyer: broad lobes take light from below the surface, towards grazing angles",
+}
+
+
+class FresnelSection(Section):
+    """The Fresnel mode and the form of the look-up.
+
+    Signals: ``fresnel_edited(mode)`` and ``look_up_edited(form)``, words of :class:`documents.view.View`.
+    """
+
+    fresnel_edited = Signal(str)
+    look_up_edited = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Fresnel", "fresnel", parent)
+        self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
+        self.mode.activated.connect(lambda index: self.fresnel_edited.emit(self.mode.itemData(index)))
+        self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
+        self.look_up.activated.connect(lambda index: self.look_up_edited.emit(self.look_up.itemData(index)))
+        form = Form()
+        form.add_row("Coat and base", self.mode, "How they follow the angle from which the surface is seen")
+        form.add_row("Look-up", self.look_up, "Where in the filtered light a lobe is looked up")
+        self.add(form)
+
+    def set_mode(self, mode: str) -> None:
+        """Show the present Fresnel mode."""
+        self.mode.setCurrentIndex(self.mode.findData(mode))
+
+    def set_look_up(self, form: str) -> None:
+        """Show the present form of the look-up."""
+        self.look_up.setCurrentIndex(self.look_up.findData(form))

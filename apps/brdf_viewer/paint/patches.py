@@ -1,0 +1,170 @@
+"""The paint's colours at its measured angles, each beside what the fitted lobes give."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.work.fit_error import is_large, large_error_tip, marked
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from brdf_suite.appearance.colour.colorimetry import in_srgb_gamut, lab_to_working, working_to_display
+
+Lab = tuple[float, float, float]
+_GAP = 8
+_HEIGHT = 84
+_MOST = 6
+
+
+@dataclass(frozen=True)
+class Patch:
+    """One measured angle: what was asked for and what the fit gives, both L*a*b* (D65, 10°).
+
+    ``illumination_deg`` is the incidence of the light from the normal. ``time_limited``: the limit came before the
+    optimum; ``exact_follows``: which is still looked for.
+    """
+
+    aspecular_deg: float
+    asked: Lab
+    fitted: Lab
+    delta_e_2000: float
+    time_limited: bool = False
+    exact_follows: bool = False
+    illumination_deg: float = 45.0
+
+
+class PaintPatches(QWidget):
+    """A row of patches: the upper part as measured, the lower strip as fitted, the angle under each.
+
+    Readings under several lights stand light by light, with the light's angle under its patches. An angle that the
+    fit misses by much stands out: bold and marked.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._patches: tuple[Patch, ...] = ()
+        self._colours: list[tuple[QColor, QColor, bool]] = []
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setMinimumHeight(_HEIGHT)
+        self.setAccessibleName("Colours at the measured angles")
+
+    def set_patches(self, patches: Sequence[Patch]) -> None:
+        """Show ``patches``, by light and from the smallest aspecular angle on; many angles are thinned."""
+        ordered = sorted(patches, key=lambda patch: (patch.illumination_deg, patch.aspecular_deg))
+        keep = np.unique(np.linspace(0, len(ordered) - 1, min(_MOST, len(ordered))).round().astype(int))
+        self._patches = tuple(ordered[i] for i in keep) if ordered else ()
+        self.setMinimumHeight(_HEIGHT + (self._line() if self.names_lights else 0))
+        self.updateGeometry()
+        self._colours = [
+            (_screen(p.asked), _screen(p.fitted), bool(in_srgb_gamut(np.array(p.asked))))
+            for p in self._patches
+        ]
+        self.setAccessibleDescription("; ".join(_words(patch) for patch in self._patches))
+        self.update()
+
+    @property
+    def patches(self) -> tuple[Patch, ...]:
+        """The patches that are shown."""
+        return self._patches
+
+    @property
+    def names_lights(self) -> bool:
+        """Whether there are readings under more than one light, which are then named."""
+        return len({patch.illumination_deg for patch in self._patches}) > 1
+
+    def sizeHint(self) -> QSize:
+        return QSize(240, self.minimumHeight())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        label = self.fontMetrics().height()
+        below = label + 4 + (self._line() if self.names_lights else 0)
+        for patch, (asked, fitted, inside), box in zip(
+            self._patches, self._colours, self._boxes(), strict=True
+        ):
+            body = box.adjusted(0, 0, 0, -below)
+            split = round(body.height() * 0.7)  # whole pixels: no seam where both colours are one
+            painter.fillRect(QRectF(body.left(), body.top(), body.width(), split), asked)
+            painter.fillRect(
+                QRectF(body.left(), body.top() + split, body.width(), body.height() - split), fitted
+            )
+            if not inside:
+                _mark_out_of_gamut(painter, body, asked)
+            painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
+            under = QRectF(box.left(), body.bottom() + 4, box.width(), label)
+            font = painter.font()
+            font.setBold(is_large(patch.delta_e_2000))
+            painter.setFont(font)
+            angle = marked(f"{patch.aspecular_deg:g}°", patch.delta_e_2000)
+            painter.drawText(under, Qt.AlignmentFlag.AlignCenter, angle)
+        if self.names_lights:
+            self._paint_lights(painter, label)
+
+    def _paint_lights(self, painter: QPainter, label: int) -> None:
+        """Write each light's angle under its patches, with a line over it from the first to the last."""
+        font = painter.font()
+        font.setBold(False)
+        painter.setFont(font)
+        placed = zip(self._patches, self._boxes(), strict=True)
+        for degrees, group in itertools.groupby(placed, key=lambda item: item[0].illumination_deg):
+            boxes = [box for _, box in group]
+            area = QRectF(boxes[0].left(), self.height() - label, boxes[-1].right() - boxes[0].left(), label)
+            painter.fillRect(QRectF(area.left(), area.top() - 1, area.width(), 1), painter.pen().color())
+            forms = (f"light {degrees:g}°", f"{degrees:g}°")
+            fitting = (form for form in forms if self.fontMetrics().horizontalAdvance(form) <= area.width())
+            painter.drawText(area, Qt.AlignmentFlag.AlignCenter, next(fitting, forms[-1]))
+
+    def _line(self) -> int:
+        return self.fontMetrics().height() + 3
+
+    def event(self, event: QHelpEvent) -> bool:
+        if event.type() == QHelpEvent.Type.ToolTip:
+            for patch, box in zip(self._patches, self._boxes(), strict=True):
+                if box.contains(QPointF(event.pos())):
+                    QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)
+                    return True
+            QToolTip.hideText()
+            return True
+        return super().event(event)
+
+    def _boxes(self) -> list[QRectF]:
+        count = max(1, len(self._patches))
+        lefts = [round(i * (self.width() + _GAP) / count) for i in range(count + 1)]
+        return [
+            QRectF(left, 0, right - _GAP - left, self.height()) for left, right in itertools.pairwise(lefts)
+        ][: len(self._patches)]
+
+
+def _screen(lab: Lab) -> QColor:
+    red, green, blue = np.clip(working_to_display(lab_to_working(np.array(lab))), 0.0, 1.0)
+    return QColor.fromRgbF(float(red), float(green), float(blue))
+
+
+def _mark_out_of_gamut(painter: QPainter, body: QRectF, asked: QColor) -> None:
+    """A small triangle in the corner, black or white against the colour: this screen cannot show it."""
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(Qt.GlobalColor.black if asked.lightnessF() > 0.5 else Qt.GlobalColor.white)
+    corner = body.topRight()
+    painter.drawPolygon([corner, corner + QPointF(-9, 0), corner + QPointF(0, 9)])
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def _words(patch: Patch) -> str:
+    def lab(values: Lab) -> str:
+        return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
+
+    shown = "" if in_srgb_gamut(np.array(patch.asked)) else "\nOutside this screen's colours: shown clipped"
+    large = ""
+    if is_large(patch.delta_e_2000):
+        large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
+    light = f"Light {patch.illumination_deg:g}°, aspecular"
+    return (
+        f"{light} {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
+        f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
+    )

@@ -1,0 +1,55 @@
+"""Which paint, and what the fit makes of it."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.window.section import Section
+from brdf_qt.work.fit_error import fit_tips, is_large, marked
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QWidget
+
+from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.fields.source_chooser import SourceChooser
+from brdf_viewer.paint.patches import PaintPatches
+
+
+class PaintSection(Section):
+    """Which paint: the one in Designer, a shipped one, or a file; and what the fit makes of it."""
+
+    follow_edited = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Paint", "paint", parent)
+        self.follow = QCheckBox("Follow Designer")
+        self.follow.setToolTip("Show the paint that is being edited in Designer, at every change")
+        self.follow.clicked.connect(self.follow_edited)
+        self.chooser = SourceChooser("Open a paint (.brdfpaint) or a measured file")
+        self.patches = PaintPatches()
+        self.fit, self.facts = note(), note()
+        form = Form()
+        form.add_row("", self.follow)
+        form.add_row("Paint", self.chooser, "Taking another paint ends following Designer")
+        form.add_wide(self.patches)
+        form.add_wide(self.fit)
+        form.add_wide(self.facts)
+        self.add(form)
+
+    def set_fit_error(self, worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> None:
+        """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""
+        limited = ", time-limited" if time_limited else ""
+        if worst_delta_e is None:
+            text = f"Fit: no angle to compare colours at{limited}"
+        else:
+            bound = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles{limited}"
+            text = marked(bound, worst_delta_e)
+        set_note(self.fit, text)
+        font = self.fit.font()
+        font.setBold(worst_delta_e is not None and is_large(worst_delta_e))
+        self.fit.setFont(font)
+        self.fit.setToolTip(plain_tip(fit_tips(worst_delta_e, time_limited, exact_follows)))
+
+    def set_following(self, following: bool, linked: bool) -> None:
+        """Show whether Designer is followed, and whether it is there."""
+        self.follow.setChecked(following)
+        self.follow.setText("Follow Designer" if linked else "Follow Designer (not open)")

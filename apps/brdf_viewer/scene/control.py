@@ -1,0 +1,343 @@
+"""Environment and surface: chosen, dropped or opened, loaded in the background, and told when they fail."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_qt.documents.watch import FileWatch
+from brdf_qt.window.message_bar import Message, message_of
+from PySide6.QtCore import QObject, Signal
+
+from brdf_suite.documents.light_store import STUDIO_ENDING
+from brdf_suite.documents.view import View
+from brdf_suite.lighting.statistics import EnvironmentStatistics
+from brdf_suite.pipeline.environments import AUTOMATIC
+from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
+from brdf_suite.realtime.camera import frame
+from brdf_suite.surface.mesh import Mesh
+from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.fields.note import set_note
+from brdf_viewer.fields.source_chooser import Source, title_of
+from brdf_viewer.light.environment_facts import environment_facts
+from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+SHIPPED_TITLES = {
+    "booth": "Light booth",
+    "sunny": "Sunny sky",
+    "overcast": "Overcast sky",
+    "speed_form": "Speed form",
+    "sphere": "Sphere",
+    "panel": "Curved panel",
+    "car": "Car",
+}
+
+
+class SceneControl(QObject):
+    """Loads what the view names; the view changes only once that is there.
+
+    Signals: ``failed(kind, text)`` where something could not be loaded.
+    """
+
+    failed = Signal(str, str)
+
+    def __init__(
+        self, stage: Stage, window: ViewerWindow, loader: SceneLoader, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._loader = loader
+        self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
+        self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
+        self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
+        self._loading: dict[str, str] = {}
+        self._edited = ""  # the title of a light that is shown and edited, and that the view cannot name
+        self._layout = stage.view.environment_layout
+        self._watch = FileWatch(self)
+        self._watch.changed.connect(self._changed_on_disk)
+        for kind, names in self._names.items():
+            window.commands.set_sources(kind, [Source(n, title_of(n, SHIPPED_TITLES)) for n in names])
+        window.commands.source_wanted.connect(self.open)
+        for kind, chooser in self._choosers.items():
+            chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
+            self._list(kind)
+            self._show(kind)
+        loader.loaded.connect(self._loaded)
+        loader.partly_loaded.connect(self._partly_loaded)
+        loader.failed.connect(self._not_loaded)
+        loader.moved.connect(self._moved)
+        loader.ended.connect(self._ended)
+        loader.counted.connect(self._counted)
+        window.environment.layout_edited.connect(self.set_layout)
+        window.busy_cancelled.connect(self.cancel)
+        stage.view_changed.connect(self._view_changed)
+
+    @property
+    def loading(self) -> dict[str, str]:
+        """What is being loaded, by kind."""
+        return dict(self._loading)
+
+    @property
+    def edited(self) -> bool:
+        """Whether the light on show is edited, and in no file as it is: the view names another."""
+        return bool(self._edited)
+
+    def load_first(self) -> None:
+        """Load what the view names."""
+        self.open(SURFACE, self._stage.view.surface)
+        self._open_environment(self._stage.view.environment, self._stage.view.environment_layout)
+
+    def open(self, kind: str, key: str) -> None:
+        """Load a shipped name or a file of a kind; the old picture stays until it is there."""
+        if kind == ENVIRONMENT:
+            self._open_environment(key, AUTOMATIC)
+            return
+        self._window.messages.dismiss(kind)
+        self._begin(kind, key)
+
+    def set_layout(self, layout: str) -> None:
+        """Read the present environment's file again as an image of another layout."""
+        self._open_environment(self._stage.view.environment, layout)
+
+    def _open_environment(self, key: str, layout: str) -> None:
+        self._window.messages.dismiss(ENVIRONMENT)
+        self._layout = layout
+        self._begin(ENVIRONMENT, key)
+
+    def _changed_on_disk(self, path: str) -> None:
+        """A description was edited: draw it again, unless another environment is on its way."""
+        if ENVIRONMENT not in self._loading or self._loading[ENVIRONMENT] == path:
+            self._open_environment(path, self._layout)
+
+    def _begin(self, kind: str, key: str) -> None:
+        if key not in self._names[kind]:
+            key = str(Path(key).absolute())
+        self._loading[kind] = key
+        self._show_facts()
+        self._show_choice(kind, key)
+        self._loader.load(kind, key, self._layout, self._stage.view.surface_look)
+
+    def cancel(self, kind: str) -> None:
+        """Stop loading. A whole picture that was shown comes back; where there was none, what is there stays."""
+        if kind not in self._choosers:
+            return  # the work of another
+        self._loader.cancel(kind)
+        if kind == ENVIRONMENT:
+            self._take_partial_back()
+
+    def refused(self, kind: str, error: Exception) -> None:
+        """The graphics card did not take what was loaded; the view goes back to what is drawn."""
+        if kind in self._loading:
+            self.cancel(kind)  # the rest of it would be refused as well
+        drawn = self._drawn_key(kind)
+        if drawn:
+            self._stage.change_view(**{kind: drawn})
+        self._tell(kind, error)
+
+    def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
+        if kind == ENVIRONMENT:
+            first = not self._drawn_key(ENVIRONMENT)
+            self._edited = ""
+            self._stage.set_environment(key, value)
+            change = self._stage.follow_view if first else self._stage.step_view
+            change(environment=key, environment_layout=self._layout)
+            self._show_facts()
+            self._forget_figures()
+            self._loader.count(key, value.environment)
+        else:
+            first = self._stage.surface is None
+            self._stage.set_surface(key, value)
+            if first:
+                self._stage.follow_view(surface=key)
+            elif key != self._stage.view.surface:  # otherwise a view brought its own camera with it
+                self._stage.step_view(surface=key, camera=frame(self._stage.view.camera))
+            set_note(self._window.surface.facts, _surface_facts(value))
+        if key not in self._names[kind]:
+            self._recent[kind].add(key)
+            self._list(kind)
+        self._show(kind)
+
+    def show_edited(self, key: str, prepared: PreparedEnvironment) -> None:
+        """Show a light that is being edited: under its file's path, or under its name while it has none.
+
+        The view goes on to name what it did; it cannot name what no file holds.
+        """
+        if ENVIRONMENT in self._loading:
+            self._loader.cancel(ENVIRONMENT)
+        self._edited = key
+        self._stage.set_environment(key, prepared)
+        self._show_facts()
+        self._show(ENVIRONMENT)
+        if prepared.is_final:
+            self._loader.count(key, prepared.environment)
+
+    def name_edited(self, path: str) -> None:
+        """The light that was edited is now what a file holds: the view names it."""
+        present = self._stage.environment
+        if present is not None and self._edited:
+            self._stage.set_environment(path, present.value)
+        self._edited = ""
+        self._layout = AUTOMATIC
+        self._recent[ENVIRONMENT].add(path)
+        self._list(ENVIRONMENT)
+        self._watch.watch(path)  # what it holds now is what is shown: only a later change is one
+        self._stage.change_view(environment=path, environment_layout=AUTOMATIC)
+        self._show(ENVIRONMENT)
+
+    def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
+        """Show what there is of an environment that is on its way; the view names it when it is whole."""
+        self._edited = ""
+        present = self._stage.environment
+        if present is None or present.value.environment.content_hash != prepared.environment.content_hash:
+            self._forget_figures()  # they are of another light than the one on show
+        self._stage.set_environment(key, prepared)
+        self._show_facts()
+        self._show_environment_cell()
+
+    def _forget_figures(self) -> None:
+        self._stage.light_figures = None
+        self._window.environment.figures.set_statistics(None)
+
+    def _take_partial_back(self) -> None:
+        self._stage.take_partial_back()
+        present = self._stage.environment
+        if present is not None and self._stage.light_figures is None:
+            self._loader.count(present.key, present.value.environment)
+        self._show_facts()
+        self._show(ENVIRONMENT)
+
+    def _show_facts(self) -> None:
+        present = self._stage.environment
+        text = "" if present is None else environment_facts(present.value, ENVIRONMENT in self._loading)
+        section = self._window.environment
+        set_note(section.facts, text)
+        # While another light is on its way they are of the one that is still on show, not of the one that is named;
+        # and of one that is being edited the figures are counted when it is as it will stay.
+        loading = self._loading.get(ENVIRONMENT)
+        old = present is not None and loading is not None and loading != present.key
+        section.facts.setEnabled(not old)
+        section.figures.setEnabled(not old and (present is None or not present.value.draft))
+
+    def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
+        if self._stage.environment is not None and key == self._stage.environment.key:
+            self._stage.light_figures = statistics
+            self._window.environment.figures.set_statistics(statistics)
+
+    def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
+        if kind == ENVIRONMENT:
+            self._take_partial_back()
+        self._tell(kind, error)
+        self._keep_drawn(kind, key)
+        self._show(kind)
+        default = getattr(default_view(), kind)
+        if not self._drawn_key(kind) and key != default:
+            self._layout = AUTOMATIC
+            self._begin(kind, default)  # a picture with a message beats a message alone
+
+    def _keep_drawn(self, kind: str, key: str) -> None:
+        """A view names what cannot be had: it names again what is drawn."""
+        drawn = self._drawn_key(kind)
+        if drawn and getattr(self._stage.view, kind) == key:
+            self._stage.follow_view(**{kind: drawn})
+
+    def _tell(self, kind: str, error: Exception) -> None:
+        shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
+        todo = (
+            f"The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
+        )
+        self._window.messages.show_message(message_of(error, kind, todo=todo))
+        self.failed.emit(kind, str(error))
+
+    def tell_unknown(self, path: str, known: str) -> None:
+        """A file was dropped that the Viewer does not open."""
+        what = f"The Viewer opens files that end in {known}."
+        self._window.messages.show_message(
+            Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
+        )
+
+    def _moved(self, kind: str, fraction: float, what: str) -> None:
+        title = title_of(self._loading.get(kind, ""), SHIPPED_TITLES)
+        self._window.set_busy(kind, fraction, f"{title}: {what}")
+
+    def _ended(self, kind: str) -> None:
+        self._loading.pop(kind, None)
+        self._window.set_idle(kind)
+        self._show_facts()
+        self._show(kind)
+
+    def _drawn_key(self, kind: str) -> str:
+        if kind == ENVIRONMENT and self._edited:
+            return self._stage.view.environment
+        present = self._stage.environment if kind == ENVIRONMENT else self._stage.surface
+        return "" if present is None else present.key
+
+    def _list(self, kind: str) -> None:
+        shipped = [Source(name, title_of(name, SHIPPED_TITLES)) for name in self._names[kind]]
+        files = self._recent[kind].paths()
+        self._choosers[kind].set_sources(shipped, [Source(p, title_of(p, {})) for p in files])
+        self._window.commands.set_recent(kind, files)
+
+    def _show(self, kind: str) -> None:
+        edited = self._edited if kind == ENVIRONMENT else ""
+        self._show_choice(kind, self._loading.get(kind) or edited or getattr(self._stage.view, kind))
+
+    def _show_choice(self, kind: str, key: str) -> None:
+        if kind == ENVIRONMENT:
+            on_disk = key.lower().endswith(STUDIO_ENDING)
+            described = on_disk or key == self._edited
+            loading = ENVIRONMENT in self._loading
+            layout = self._layout if loading else self._stage.view.environment_layout
+            self._window.environment.set_layout(layout, not described and key not in self._names[kind])
+            # An edit that makes it faulty keeps picture and watch: the next save may put it right.
+            if (key if on_disk else "") != self._watch.path and (on_disk or not loading):
+                self._watch.watch(key if on_disk else "")
+        self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
+        self._window.commands.show_source(kind, key)
+        self._show_environment_cell()
+
+    def _view_changed(self, old: View, new: View) -> None:
+        for kind in self._choosers:
+            if getattr(old, kind) != getattr(new, kind):
+                self._show(kind)
+        if (old.environment, old.environment_layout) != (new.environment, new.environment_layout):
+            self._bring(ENVIRONMENT, new.environment, new.environment_layout)
+        if old.surface != new.surface:
+            self._bring(SURFACE, new.surface, new.environment_layout)
+
+    def _bring(self, kind: str, key: str, layout: str) -> None:
+        """Load what a view names that was undone or opened, unless it is drawn or on its way."""
+        is_environment = kind == ENVIRONMENT
+        drawn = self._drawn_key(kind) == key and kind not in self._loading
+        coming = self._loading.get(kind) == key
+        if (drawn or coming) and not (is_environment and layout != self._layout):
+            return
+        if is_environment:
+            self._open_environment(key, layout)
+        else:
+            self.open(kind, key)
+
+    def _show_environment_cell(self) -> None:
+        loading = self._loading.get(ENVIRONMENT)
+        title = title_of(loading or self._edited or self._stage.view.environment, SHIPPED_TITLES)
+        cell, present = self._window.status.cell("environment"), self._stage.environment
+        if present is None or present.value.is_final:
+            cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
+            return
+        title = title_of(present.key, SHIPPED_TITLES)
+        if present.value.draft:
+            cell.set(f"{title}, draft", "The light as it will be follows when the hand rests", "stale")
+            return
+        counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
+        tip = "Sharp reflections follow" if loading else "Stopped; choose the light again to finish it"
+        cell.set(f"{title}, {counts}", tip, "stale")
+
+
+def _surface_facts(mesh: Mesh) -> str:
+    low, high = mesh.bounds()
+    size = " × ".join(f"{edge:.3g}" for edge in high - low)
+    parts = "part" if len(mesh.parts) == 1 else "parts"
+    return "\n".join(
+        [f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}", f"{size} m", *mesh.notes]
+    )

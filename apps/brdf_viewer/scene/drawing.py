@@ -1,0 +1,233 @@
+"""Draws the stage: whatever of it has changed since the last frame is handed to the renderer first."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from brdf_qt.work.angle_fits import AngleFits
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.exposure import automatic_ev, exposed
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.picture import PAINT_MATERIAL, SECOND_MATERIAL, SceneRenderer
+from brdf_suite.pipeline.surface_images import SurfaceImages
+from brdf_suite.realtime.gl.context import Context
+from brdf_suite.realtime.gl.objects import Counters
+from brdf_suite.realtime.pictures.comparison import ComparedPicture, ComparisonRenderer
+from brdf_suite.realtime.pictures.probe import PixelProbe
+from brdf_suite.realtime.pictures.renderer import Renderer
+from brdf_suite.realtime.pictures.traced_light import TracedLight
+from brdf_viewer.scene.stage import Prop, Stage
+from brdf_viewer.traced.wanted import first_size
+
+if TYPE_CHECKING:
+    from brdf_viewer.traced.process import TracedPicture
+
+Grey = tuple[float, float, float]
+SECOND_MATERIALS = {PAINT_MATERIAL: SECOND_MATERIAL}
+
+
+class StageDrawer:
+    """Draws one stage in one OpenGL context; a new context gets a new drawer, which uploads all that there is.
+
+    Parameters
+    ----------
+    surround
+        Returns the grey (R = G = B, 0…1) that is shown while there is nothing to draw.
+    refused
+        Called with the kind and the error where the graphics card does not take a new environment or surface;
+        the old one is drawn on.
+    """
+
+    def __init__(
+        self,
+        context: Context,
+        stage: Stage,
+        surround: Callable[[], Grey],
+        refused: Callable[[str, SuiteError], None],
+    ) -> None:
+        self._stage = stage
+        self._surround = surround
+        self._refused = refused
+        self.angle_fits = AngleFits(stage)
+        self.angle_fits.arrived.connect(stage.contents_changed)
+        self._renderer = SceneRenderer(context, self.angle_fits.angles)
+        # The first picture waits for no map and no program that it does not show; see prepare_edits.
+        self._renderer.renderer.only_needed = True
+        self._prepared = True
+        self._uploads: dict[str, Callable[[Any], None]] = {
+            "environment": self._renderer.set_environment,
+            "surface": lambda mesh: self._renderer.set_surface(mesh, self._uploading.baked),
+        }
+        self._drawn: dict[str, Prop[Any]] = {}
+        self._uploading: Any = None
+        self._images: SurfaceImages | None = None
+        self._fit: object = None
+        self._second: Prop[Any] | None = None
+        self._comparison: ComparisonRenderer | None = None
+        self._probe: PixelProbe | None = None
+        self._traced: TracedLight | None = None
+        self._traced_picture: TracedPicture | None = None
+        self._with_own: ComparisonRenderer | None = None
+        stage.contents_changed.connect(self._prepare)
+        stage.view_changed.connect(self._prepare)
+        self._prepare()
+
+    @property
+    def counters(self) -> Counters:
+        """OpenGL objects made and written since the start."""
+        return self._renderer.counters
+
+    @property
+    def renderer(self) -> Renderer:
+        """The renderer below, for whoever draws or reads beside the frames; its context must be current."""
+        return self._renderer.renderer
+
+    @property
+    def probe(self) -> PixelProbe:
+        """Reads single pixels; the context must be current."""
+        if self._probe is None:
+            self._probe = PixelProbe(self._renderer.renderer)
+        return self._probe
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether a paint has been drawn on a surface in an environment."""
+        return self._fit is not None
+
+    def draw(self, framebuffer: Any, size: tuple[int, int], view: object) -> bool:
+        """Draw one frame; a new paint costs one buffer write, and only the newest since the last frame.
+
+        Return whether it was an ordinary one, without an upload.
+        """
+        uploads = [self._bring(kind) for kind in self._uploads]
+        fit = self._stage.drawn_fit
+        if fit is None or len(self._drawn) < len(self._uploads) or not isinstance(view, View):
+            framebuffer.clear(*self._surround(), 1.0)
+            return False
+        if fit is not self._fit:
+            self._renderer.set_paint_fit(fit)
+            self._fit = fit
+        uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
+        self._renderer.prepare(view)
+        if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
+            self.meter(view, size)
+        shown = exposed(view, self._stage.metered_ev)
+        traced = self.traced_light(first_size(shown, size))
+        comparison = self._compared()
+        if comparison is not None and shown.compare.mode != "off":
+            comparison.traced = traced
+            comparison.draw(shown, framebuffer, size, show_second=self._stage.shows_second)
+        elif traced is not None and traced.size == size:
+            traced.render(shown, framebuffer, size)
+        else:
+            self._renderer.draw(shown, framebuffer, size)
+        # A frame that compiles, too, tells nothing of the time that frames take.
+        prepared, self._prepared = self._prepared, True
+        return prepared and not any(uploads)
+
+    def traced_light(self, size: tuple[int, int]) -> TracedLight | None:
+        """Return what shows the traced picture where there is one of this size on the stage."""
+        there = self._traced is not None and self._traced_picture is not None and self._traced.size == size
+        return self._traced if there else None
+
+    def meter(self, view: View, size: tuple[int, int]) -> None:
+        """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
+        if self._fit is not None:
+            self._stage.metered_ev = automatic_ev(self._renderer.renderer, view, size) or 0.0
+
+    def prepare_edits(self) -> None:
+        """Upload what the first picture did without, and compile it with the next frame, so that no edit waits."""
+        self._renderer.renderer.only_needed = False
+        self._prepared = False
+
+    def release(self) -> None:
+        """Give every OpenGL object back."""
+        self._stage.contents_changed.disconnect(self._prepare)
+        self._stage.view_changed.disconnect(self._prepare)
+        self._renderer.release()
+
+    def _prepare(self, *_: object) -> None:
+        """Have the weights over the angle fitted that the next frame takes: here, and not in the frame."""
+        stage = self._stage
+        second = None if stage.drawn_second is None else stage.drawn_second.value
+        for fit in (stage.drawn_fit, second, None if stage.images is None else stage.images.second_paint):
+            if isinstance(fit, LobeFit):
+                self.angle_fits.angles.prepare(fit, stage.view)
+
+    def _bring_second(self) -> bool:
+        """Bring what is compared with; tell whether a picture was uploaded."""
+        wanted = self._stage.drawn_second
+        if wanted is self._second:
+            return False
+        if self._comparison is None:
+            self._comparison = ComparisonRenderer(self._renderer.renderer, SECOND_MATERIALS)
+        picture = wanted.value if wanted is not None and isinstance(wanted.value, ComparedPicture) else None
+        self._second = wanted
+        try:
+            self._comparison.set_picture(picture)
+            if wanted is not None and picture is None:
+                self._renderer.set_paint_fit(wanted.value, SECOND_MATERIAL)
+        except SuiteError as error:
+            self._second = None
+            self._refused("compare", error)
+        return picture is not None
+
+    def _compared(self) -> ComparisonRenderer | None:
+        """Return what draws two pictures, where there are two."""
+        if self._second is not None:
+            return self._comparison
+        if self._stage.compared is None:
+            return None
+        if self._with_own is None:
+            self._with_own = ComparisonRenderer(self._renderer.renderer, {})
+        return self._with_own
+
+    def _bring_traced(self) -> bool:
+        """Bring the newest traced picture; tell whether one was uploaded."""
+        wanted = self._stage.traced
+        if wanted is self._traced_picture:
+            return False
+        self._traced_picture = wanted
+        if self._traced is None:
+            self._traced = TracedLight(self._renderer.renderer)
+        try:
+            if wanted is not None:
+                self._traced.set_picture(wanted.pixels)
+        except SuiteError as error:
+            self._traced_picture = None
+            self._refused("traced", error)
+        return wanted is not None
+
+    def _bring_images(self) -> bool:
+        """Upload what lies on the paint; tell whether there was something."""
+        images = self._stage.images
+        if images is None or images is self._images:
+            return False
+        self._images = images
+        try:
+            self._renderer.set_surface_images(images)
+        except SuiteError as error:
+            self._refused("images", error)
+        return True
+
+    def _bring(self, kind: str) -> bool:
+        """Upload the stage's environment or surface where it is another than the one drawn; tell whether."""
+        wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
+        if wanted is None or wanted is drawn:
+            return False
+        try:
+            self._uploading = wanted
+            self._uploads[kind](wanted.value)
+        except SuiteError as error:
+            if drawn is None:
+                raise
+            self._uploading = drawn
+            self._uploads[kind](drawn.value)
+            setattr(self._stage, kind, drawn)
+            self._refused(kind, error)
+        else:
+            self._drawn[kind] = wanted
+        return True

@@ -1,0 +1,1 @@
+"""The surface, its parts and its relief."""

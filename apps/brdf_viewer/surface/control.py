@@ -1,0 +1,207 @@
+"""The surface's settings: what changes its shape loads it again; what is baked for it comes in the background."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from brdf_qt.window.message_bar import message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
+from PySide6.QtGui import QMouseEvent
+
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Material, PartMaterial
+from brdf_suite.lighting.cache.occlusion import baked_occlusion
+from brdf_suite.pipeline.surface import wants_baking
+from brdf_suite.realtime.camera import matrices
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.picking import pick
+from brdf_viewer.fields.note import set_note
+from brdf_viewer.scene.control import SceneControl
+from brdf_viewer.scene.loading import SURFACE
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+OCCLUSION = "occlusion"
+_SHAPE = ("unit", "scale", "recentre", "flip_normals", "normals")
+_CLICK_PIXELS = 4.0
+_CLOSING_MS = 60_000
+"""Baking hears of its end within a fraction of a second, and on a crowded machine later."""
+_RELOAD_MS = 250
+"""A number that is dragged loads the surface when the hand rests."""
+
+
+class SurfaceControl(QObject):
+    """Wires the Surface section to the stage, bakes occlusion, and picks parts in the picture."""
+
+    def __init__(
+        self, stage: Stage, window: ViewerWindow, scene: SceneControl, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._stage = stage
+        self._window = window
+        self._scene = scene
+        self._section = window.surface
+        self._runner = TaskRunner(self, threads=1)
+        self._mesh: Mesh | None = None
+        self._baking: Mesh | None = None
+        self._declined: Mesh | None = None
+        self._pressed: QPointF | None = None
+        self._reload = QTimer(self, singleShot=True, interval=_RELOAD_MS, timeout=self._load_again)
+        self._section.edited.connect(self._edited)
+        self._section.parts.material_edited.connect(self._material_edited)
+        self._section.again.clicked.connect(self.bake)
+        stage.view_changed.connect(self._view_changed)
+        stage.contents_changed.connect(self._contents_changed)
+        window.busy_cancelled.connect(self._cancelled)
+        window.picture.canvas_changed.connect(self._watch)
+        self._watch(window.picture.canvas)
+        self._section.set_look(stage.view.surface_look)
+
+    @property
+    def baking(self) -> bool:
+        """Whether occlusion is being baked."""
+        return self._baking is not None
+
+    def bake(self) -> None:
+        """Bake for the present surface; what is drawn stays until it is there."""
+        surface = self._stage.surface
+        if surface is None:
+            return
+        mesh = surface.value
+        self._baking, self._declined = mesh, None
+        self._window.messages.dismiss(OCCLUSION)
+        self._show_state()
+        self._runner.submit(
+            OCCLUSION,
+            baked_occlusion,
+            mesh,
+            done=lambda baked: self._baked(mesh, baked),
+            failed=self._failed,
+            progress=lambda fraction, what: self._window.set_busy(OCCLUSION, fraction, what),
+        )
+
+    def close(self) -> None:
+        """End what runs."""
+        self._reload.stop()
+        self._runner.stop(_CLOSING_MS)
+
+    def pick_at(self, place: QPointF, *, add: bool = False) -> str | None:
+        """Pick the part that is seen at ``place`` of the picture (widget pixels, from the upper left)."""
+        surface, canvas = self._stage.surface, self._window.picture.canvas
+        if surface is None:
+            return None
+        size = self._window.picture.device_size
+        camera = matrices(self._stage.view.camera, self._stage.bounds, size)
+        right = (2.0 * place.x() / max(1, canvas.width()) - 1.0) * camera.half_tangents[0]
+        up = (1.0 - 2.0 * place.y() / max(1, canvas.height())) * camera.half_tangents[1]
+        hit = pick(surface.value, camera.eye, camera.view_to_world @ np.array([right, up, -1.0]))
+        if hit is None:
+            return None
+        name = surface.value.parts[hit.part].name
+        self._section.parts.pick(name, add=add)
+        return name
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Notice clicks, and leave every event to the camera's gestures."""
+        if isinstance(event, QMouseEvent) and event.button() == Qt.MouseButton.LeftButton:
+            if event.type() == QEvent.Type.MouseButtonPress:
+                plain = not event.modifiers() & ~Qt.KeyboardModifier.ControlModifier
+                self._pressed = event.position() if plain else None
+            elif event.type() == QEvent.Type.MouseButtonRelease and self._pressed is not None:
+                moved = event.position() - self._pressed
+                self._pressed = None
+                if abs(moved.x()) + abs(moved.y()) < _CLICK_PIXELS:
+                    held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+                    self.pick_at(event.position(), add=bool(held))
+        return super().eventFilter(watched, event)
+
+    def _watch(self, canvas: QObject) -> None:
+        canvas.installEventFilter(self)
+
+    def _edited(self, field: str, value: Any) -> None:
+        look = dataclasses.replace(self._stage.view.surface_look, **{field: value})
+        self._stage.change_view(surface_look=look)
+
+    def _material_edited(self, names: list[str], material: Material | str) -> None:
+        look = self._stage.view.surface_look
+        chosen = {item.part: item for item in look.materials if item.part not in names}
+        if material:
+            chosen |= {name: PartMaterial(name, material) for name in names}
+        self._stage.change_view(surface_look=dataclasses.replace(look, materials=tuple(chosen.values())))
+
+    def _view_changed(self, old: View, new: View) -> None:
+        if old.surface_look == new.surface_look:
+            return
+        self._section.set_look(new.surface_look)
+        if any(getattr(old.surface_look, name) != getattr(new.surface_look, name) for name in _SHAPE):
+            self._reload.start()
+        elif self._baking is not None and not wants_baking(new.surface_look):
+            self._stop()
+        else:
+            self._bake_where_wanted()
+
+    def _load_again(self) -> None:
+        self._scene.open(SURFACE, self._stage.view.surface)
+
+    def _contents_changed(self) -> None:
+        surface = self._stage.surface
+        mesh = None if surface is None else surface.value
+        if mesh is not self._mesh:
+            self._mesh = mesh
+            self._stop()
+            parts = [] if mesh is None else [(part.name, part.material) for part in mesh.parts]
+            self._section.parts.set_parts(parts)
+            self._bake_where_wanted()
+
+    def _bake_where_wanted(self) -> None:
+        surface = self._stage.surface
+        wanted = wants_baking(self._stage.view.surface_look)
+        if surface is None or not wanted or surface.baked is not None or self._baking is surface.value:
+            self._show_state()
+        elif self._declined is not surface.value:
+            self.bake()
+        else:
+            self._show_state()
+
+    def _baked(self, mesh: Mesh, baked: BakedMesh) -> None:
+        self._end()
+        if self._stage.surface is not None and self._stage.surface.value is mesh:
+            self._stage.set_baked(baked)
+        self._show_state()
+
+    def _failed(self, error: Exception) -> None:
+        self._declined = self._baking
+        self._end()
+        todo = "The surface is shown without occlusion."
+        self._window.messages.show_message(message_of(error, OCCLUSION, todo=todo))
+        self._show_state()
+
+    def _cancelled(self, kind: str) -> None:
+        if kind == OCCLUSION and self._baking is not None:
+            self._declined = self._baking
+            self._stop()
+
+    def _stop(self) -> None:
+        if self._baking is not None:
+            self._runner.cancel(OCCLUSION)
+            self._end()
+        self._show_state()
+
+    def _end(self) -> None:
+        self._baking = None
+        self._window.set_idle(OCCLUSION)
+
+    def _show_state(self) -> None:
+        surface = self._stage.surface
+        declined = (
+            surface is not None
+            and self._declined is surface.value
+            and wants_baking(self._stage.view.surface_look)
+        )
+        text = "Occlusion is being baked." if self._baking is not None else ""
+        set_note(self._section.baking, "Not baked: shown without occlusion." if declined else text)
+        self._section.again.setVisible(declined)

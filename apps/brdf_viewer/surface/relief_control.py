@@ -1,0 +1,117 @@
+"""Relief and two-tone paint: what the view names is loaded in the background and laid on the paint."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from typing import Any
+
+from brdf_qt.window.message_bar import message_of
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import QObject
+
+from brdf_suite.documents.view import View
+from brdf_suite.pipeline.material import paint_names
+from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
+from brdf_viewer.documents.file_kinds import AskFile
+from brdf_viewer.fields.source_chooser import Source, title_of
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+IMAGES = "images"
+_CLOSING_MS = 60_000
+_NONE = Source("", "None")
+
+
+class ReliefControl(QObject):
+    """Wires the section to the stage; an image that cannot be read is told, and what was shown stays."""
+
+    def __init__(
+        self, stage: Stage, window: ViewerWindow, ask: AskFile, parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._ask = stage, window, ask
+        self._section = window.relief
+        self._runner = TaskRunner(self, threads=1)
+        self._wanted = ImageRequest()
+        section = self._section
+        section.paint.set_sources([_NONE, *(Source(name, title_of(name, {})) for name in paint_names())], [])
+        section.relief_edited.connect(lambda field, value: self._change("relief", field, value))
+        section.two_tone_edited.connect(lambda field, value: self._change("two_tone", field, value))
+        section.browse_wanted.connect(self._browse)
+        section.paint_browse_wanted.connect(self._browse_paint)
+        window.busy_cancelled.connect(self._cancelled)
+        stage.view_changed.connect(lambda _old, new: self._show(new))
+        stage.contents_changed.connect(self._show_own_peel)
+        self._show(stage.view)
+
+    @property
+    def loading(self) -> bool:
+        """Whether images are on their way."""
+        return self._runner.busy
+
+    def refused(self, error: Exception) -> None:
+        """The graphics card did not take the images."""
+        self._tell(error)
+
+    def close(self) -> None:
+        """End what runs."""
+        self._runner.stop(_CLOSING_MS)
+
+    def _change(self, group: str, field: str, value: Any) -> None:
+        old = getattr(self._stage.view, group)
+        self._stage.change_view(**{group: dataclasses.replace(old, **{field: value})})
+
+    def _browse(self, kind: str) -> None:
+        path = self._ask(self._window, kind)
+        if path:
+            self._change("relief" if kind.endswith("_map") else "two_tone", kind, str(Path(path).absolute()))
+
+    def _browse_paint(self) -> None:
+        path = self._ask(self._window, "paint")
+        if path:
+            self._change("two_tone", "paint", str(Path(path).absolute()))
+
+    def _show(self, view: View) -> None:
+        paint = view.two_tone.paint
+        self._section.set_relief(view.relief)
+        self._section.set_two_tone(view.two_tone, _NONE.title if paint is None else title_of(paint, {}))
+        request = ImageRequest.of(view)
+        if request == self._wanted:
+            return
+        self._wanted = request
+        self._window.messages.dismiss(IMAGES)
+        if request == ImageRequest():
+            self._runner.cancel(IMAGES)
+            self._window.set_idle(IMAGES)
+            self._stage.set_images(SurfaceImages(request))
+            return
+        self._runner.submit(
+            IMAGES,
+            load_surface_images,
+            request,
+            done=self._loaded,
+            failed=self._failed,
+            progress=lambda fraction, what: self._window.set_busy(IMAGES, fraction, what),
+        )
+
+    def _show_own_peel(self) -> None:
+        fit = self._stage.fit
+        self._section.set_own_peel(None if fit is None else fit.orange_peel)
+
+    def _loaded(self, images: SurfaceImages) -> None:
+        self._window.set_idle(IMAGES)
+        self._stage.set_images(images)
+
+    def _failed(self, error: Exception) -> None:
+        self._window.set_idle(IMAGES)
+        self._tell(error)
+
+    def _tell(self, error: Exception) -> None:
+        todo = "The picture stays as it was. Open another file in the inspector."
+        self._window.messages.show_message(message_of(error, IMAGES, todo=todo))
+
+    def _cancelled(self, kind: str) -> None:
+        if kind == IMAGES:
+            self._runner.cancel(IMAGES)
+            self._window.set_idle(IMAGES)

@@ -1,0 +1,176 @@
+"""Small shapes of the paint and a second colour: orange peel, a normal map, a mask for two-tone paint."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
+
+from brdf_suite.documents.paint import OrangePeel
+from brdf_suite.documents.parameter import Parameter
+from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
+from brdf_suite.surface.orange_peel import height_rms_um
+from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.fields.source_chooser import SourceChooser, title_of
+
+PROJECTION_TITLES = {
+    "uv": "Tiled on the surface",
+    "side": "Over the box, from the side",
+    "front": "Over the box, from the front",
+    "top": "Over the box, from above",
+}
+
+
+class FileChoice(QWidget):
+    """A file that may be none: its name, a button that asks for one, and one that takes it away."""
+
+    browse = Signal()
+    cleared = Signal()
+
+    def __init__(self, what: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.name = PlainLabel("None")
+        self.name.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.open = QToolButton()
+        self.open.setIcon(icon("folder-open"))
+        self.open.setToolTip(plain_tip(f"Open {what}"))
+        self.open.setAccessibleName(f"Open {what}")
+        self.open.clicked.connect(self.browse)
+        self.clear = QToolButton()
+        self.clear.setIcon(icon("x"))
+        self.clear.setToolTip(plain_tip(f"Take {what} away"))
+        self.clear.setAccessibleName(f"Take {what} away")
+        self.clear.clicked.connect(self.cleared)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        row.addWidget(self.name, 1)
+        row.addWidget(self.open)
+        row.addWidget(self.clear)
+        self.setFocusProxy(self.open)
+        self.set_path(None)
+
+    def set_path(self, path: str | None) -> None:
+        """Show a file's name, or that there is none."""
+        self.name.setText("None" if path is None else title_of(path, {}))
+        self.name.setToolTip(plain_tip(path or ""))
+        self.clear.setEnabled(path is not None)
+
+
+class ReliefSection(Section):
+    """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
+
+    ``browse_wanted(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``; ``paint_browse_wanted()``
+    for a second paint.
+    """
+
+    relief_edited = Signal(str, object)
+    two_tone_edited = Signal(str, object)
+    browse_wanted = Signal(str)
+    paint_browse_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Relief and two-tone", "relief", parent)
+        self.orange_peel = self._number("orange_peel", PARAMETERS["relief.orange_peel"], 0.02, 2)
+        self.orange_peel_mm = self._number("orange_peel_mm", PARAMETERS["relief.orange_peel_mm"], 0.5, 1)
+        self.peel_facts = note()
+        self._relief = Relief()
+        self._own_peel: OrangePeel | None = None
+        self.normal_map = self._file("normal_map", "a normal map", self.relief_edited)
+        self.tangent_map = self._file("tangent_map", "a tangent map", self.relief_edited)
+        self.normal_strength = self._number("normal_strength", PARAMETERS["relief.normal_strength"], 0.1, 2)
+        self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
+        self.paint = SourceChooser("Open a second paint")
+        self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
+        self.paint.browse.connect(self.paint_browse_wanted)
+        self.mask = self._file("mask", "a mask", self.two_tone_edited)
+        self.projection = QuietComboBox()
+        for key, title in PROJECTION_TITLES.items():
+            self.projection.addItem(title, key)
+        self.projection.activated.connect(
+            lambda index: self.two_tone_edited.emit("projection", self.projection.itemData(index))
+        )
+        self.mask_width_mm = NumberField("Mask width", *_of(PARAMETERS["two_tone.mask_width_mm"], 50.0, 1))
+        self.mask_width_mm.edited.connect(lambda value: self.two_tone_edited.emit("mask_width_mm", value))
+        self.two_tone_facts = note()
+        form = Form()
+        form.add_row("Orange peel", self.orange_peel, PARAMETERS["relief.orange_peel"].meaning)
+        form.add_row("Wavelength", self.orange_peel_mm, PARAMETERS["relief.orange_peel_mm"].meaning)
+        form.add_wide(self.peel_facts)
+        form.add_row("Normal map", self.normal_map, "An image of normals (PNG, EXR …), tiled over the paint")
+        form.add_row(
+            "Tangent map",
+            self.tangent_map,
+            "An image of the grain's direction in anisotropic factored paints",
+        )
+        form.add_row("Strength", self.normal_strength, PARAMETERS["relief.normal_strength"].meaning)
+        form.add_row("Tile width", self.normal_width_mm, PARAMETERS["relief.normal_width_mm"].meaning)
+        form.add_row("Second paint", self.paint, "Stands where the mask is white")
+        form.add_row("Mask", self.mask, "An image: black is the first paint, white the second")
+        form.add_row("Lies", self.projection, "How the mask is laid on the surface")
+        form.add_row("Mask width", self.mask_width_mm, PARAMETERS["two_tone.mask_width_mm"].meaning)
+        form.add_wide(self.two_tone_facts)
+        self.add(form)
+
+    def set_relief(self, relief: Relief) -> None:
+        """Show the present relief."""
+        for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):
+            getattr(self, name).set_value(getattr(relief, name))
+        self.normal_map.set_path(relief.normal_map)
+        self.tangent_map.set_path(relief.tangent_map)
+        self._relief = relief
+        self._show_peel()
+
+    def set_own_peel(self, peel: OrangePeel | None) -> None:
+        """Show the orange peel that the paint itself has; it is drawn while the view sets none."""
+        self._own_peel = peel
+        self._show_peel()
+
+    def _show_peel(self) -> None:
+        relief, own, text = self._relief, self._own_peel, ""
+        if relief.orange_peel > 0.0:
+            height = height_rms_um(relief.orange_peel, relief.orange_peel_mm)
+            text = tr("Waves of {height:.2g} µm (RMS height)").format(height=height)
+            if own is not None:
+                text = tr("{waves}, in place of the paint's own").format(waves=text)
+        elif own is not None:
+            text = tr(
+                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope that is set here takes its place."
+            ).format(height=own.amplitude_um, length=own.wavelength_mm)
+        set_note(self.peel_facts, text)
+
+    def set_two_tone(self, two_tone: TwoTone, title: str) -> None:
+        """Show the second paint, by its ``title``, and where it is."""
+        self.paint.show_source(two_tone.paint or "", title)
+        self.mask.set_path(two_tone.mask)
+        self.projection.setCurrentIndex(self.projection.findData(two_tone.projection))
+        self.mask_width_mm.set_value(two_tone.mask_width_mm)
+        self.mask_width_mm.setEnabled(two_tone.projection == "uv")
+        missing = ""
+        if two_tone.paint is not None and two_tone.mask is None:
+            missing = "Open a mask to see the second paint."
+        elif two_tone.mask is not None and two_tone.paint is None:
+            missing = "Choose a second paint to see the mask."
+        set_note(self.two_tone_facts, missing)
+
+    def _number(self, field: str, parameter: Parameter, step: float, decimals: int) -> NumberField:
+        made = NumberField(*(parameter.label, *_of(parameter, step, decimals)))
+        made.edited.connect(lambda value: self.relief_edited.emit(field, value))
+        return made
+
+    def _file(self, field: str, what: str, edited: Signal) -> FileChoice:
+        made = FileChoice(what)
+        made.setObjectName(f"relief_{field}")
+        made.browse.connect(lambda: self.browse_wanted.emit(field))
+        made.cleared.connect(lambda: edited.emit(field, None))
+        return made
+
+
+def _of(parameter: Parameter, step: float, decimals: int) -> tuple[str, float, float, float, int, float]:
+    return (parameter.unit, parameter.low, parameter.high, step, decimals, parameter.default)

@@ -1,0 +1,91 @@
+"""Which form carries the paint, how it is taken, what its parts are made of, and what is baked for it."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import NumberField
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QWidget
+
+from brdf_suite.documents.view_settings import PARAMETERS, SurfaceLook
+from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.fields.note import note
+from brdf_viewer.fields.source_chooser import SourceChooser
+from brdf_viewer.surface.parts_section import SurfaceParts
+
+UNIT_TITLES = {
+    "file": "As the file says",
+    "m": "Metres",
+    "cm": "Centimetres",
+    "mm": "Millimetres",
+    "in": "Inches",
+}
+NORMALS_TITLES = {"file": "As in the file", "smooth": "Smooth, edges above 40°", "flat": "Flat"}
+
+
+class SurfaceSection(Section):
+    """Emits ``edited(field, value)`` with a field of :class:`SurfaceLook`; setters are silent."""
+
+    edited = Signal(str, object)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Surface", "surface", parent)
+        self.chooser = SourceChooser("Open a mesh (.glb, .gltf, .obj, .stl, .ply)")
+        self.facts = note()
+        self.occlusion = self._check("occlusion", "Occlusion")
+        self.occlusion.setToolTip("Recesses get less light: baked once for each surface, in the background")
+        self.ground = self._check("ground", "Ground with contact shadow")
+        self.ground.setToolTip(
+            "A ground under the surface's lowest point, which takes its shadow in the environment's light"
+        )
+        self.baking = note()
+        self.again = QPushButton("Bake now")
+        self.again.setToolTip("Begin again what was cancelled")
+        self.again.hide()
+        self.parts = SurfaceParts()
+        self.unit = self._list("unit", UNIT_TITLES)
+        scale = PARAMETERS["surface.scale"]
+        self.scale = NumberField("Scale", "", scale.low, scale.high, 0.1, 4, scale.default)
+        self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
+        self.recentre = self._check("recentre", "In the middle, on the ground")
+        self.normals = self._list("normals", NORMALS_TITLES)
+        self.flip_normals = self._check("flip_normals", "Turned inside out")
+        form = Form()
+        form.add_row("Form", self.chooser, "The surface on which the paint is judged")
+        form.add_wide(self.facts)
+        form.add_row("", self.occlusion)
+        form.add_row("", self.ground)
+        form.add_wide(self.baking)
+        form.add_wide(self.again)
+        form.add_wide(self.parts)
+        form.add_row("Unit", self.unit, "The unit of the lengths in the file")
+        form.add_row("Scale", self.scale, scale.meaning)
+        form.add_row(
+            "Place", self.recentre, "Puts the middle over the origin and the lowest point at height 0"
+        )
+        form.add_row("Normals", self.normals, "Taken from the file, or made anew")
+        form.add_row("", self.flip_normals, "For a file whose triangles and normals look inwards")
+        self.add(form)
+
+    def set_look(self, look: SurfaceLook) -> None:
+        """Show the present settings."""
+        for name in ("occlusion", "ground", "recentre", "flip_normals"):
+            getattr(self, name).setChecked(getattr(look, name))
+        for name in ("unit", "normals"):
+            box: QComboBox = getattr(self, name)
+            box.setCurrentIndex(box.findData(getattr(look, name)))
+        self.scale.set_value(look.scale)
+        self.parts.set_chosen({item.part: item.material for item in look.materials})
+
+    def _check(self, field: str, title: str) -> QCheckBox:
+        box = QCheckBox(title)
+        box.setObjectName(f"surface_{field}")
+        box.clicked.connect(lambda on: self.edited.emit(field, on))
+        return box
+
+    def _list(self, field: str, titles: dict[str, str]) -> ChoiceBox:
+        box = ChoiceBox(titles)
+        box.setObjectName(f"surface_{field}")
+        box.picked.connect(lambda key: self.edited.emit(field, key))
+        return box

@@ -1,0 +1,1 @@
+"""The tone curve and the monitor."""

@@ -1,0 +1,153 @@
+"""The tone section: curve, marks, the count of what the screen cannot show, and the monitor's profile."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from brdf_qt.program.monitor_profile import Monitor, monitor_of
+from brdf_qt.program.settings import settings
+from PySide6.QtCore import QEvent, QObject, QTimer
+from PySide6.QtGui import QImage, QScreen
+
+from brdf_suite.appearance.colour.display_space import SRGB_SPACE
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
+from brdf_viewer.scene.drawing import StageDrawer
+from brdf_viewer.scene.stage import Stage
+from brdf_viewer.window import ViewerWindow
+
+COUNT_AFTER_MS = 300
+"""Counting draws a picture of its own, so it waits until things have come to rest."""
+
+_COUNTED_WIDTH = 480
+_PROFILE_KEY = "tone/monitor_profile"
+
+
+class ToneControl(QObject):
+    """Puts the section's edits into the view, and the monitor's colours into the renderer.
+
+    Parameters
+    ----------
+    drawer
+        Returns what draws at present; None while nothing does.
+    find_monitor
+        Returns what is known of a screen.
+    """
+
+    def __init__(
+        self,
+        stage: Stage,
+        window: ViewerWindow,
+        drawer: Callable[[], StageDrawer | None],
+        parent: QObject | None = None,
+        *,
+        find_monitor: Callable[[QScreen | None], Monitor] = monitor_of,
+    ) -> None:
+        super().__init__(parent)
+        self._stage, self._window, self._drawer = stage, window, drawer
+        self._find_monitor = find_monitor
+        self._monitor = Monitor(SRGB_SPACE, "", False)
+        self._used = bool(settings().value(_PROFILE_KEY, True, type=bool))
+        self._marked_by_curve = False
+        self.display: Display = SRGB
+        self.counted: Unshowable | None = None
+        self._count = QTimer(self, singleShot=True, interval=COUNT_AFTER_MS, timeout=self._measure)
+        section = window.tone
+        for signal in (section.tone_curve_edited, window.commands.tone_curve_wanted):
+            signal.connect(self.set_curve)
+        section.clipping_marks_edited.connect(lambda on: stage.change_view(clipping_marks=on))
+        section.gamut_marks_edited.connect(lambda on: stage.change_view(gamut_marks=on))
+        section.mark_style_edited.connect(lambda key: stage.change_view(mark_style=key))
+        section.profile_edited.connect(self.use_profile)
+        stage.view_changed.connect(self._changed)
+        stage.contents_changed.connect(self._count.start)
+        stage.traced_changed.connect(self._count.start)
+        window.picture.frame_drawn.connect(self._first_frame)
+        window.installEventFilter(self)
+        self._show(stage.view)
+
+    def set_curve(self, key: str) -> None:
+        """Take a tone curve; the linear one comes with its clipping marked, and takes the marks along."""
+        fields: dict[str, object] = {"tone_curve": key}
+        if key == "linear" and not self._stage.view.clipping_marks:
+            fields["clipping_marks"] = self._marked_by_curve = True
+        elif key != "linear" and self._marked_by_curve:
+            fields["clipping_marks"] = self._marked_by_curve = False
+        self._stage.change_view(**fields)
+
+    def use_profile(self, used: bool) -> None:
+        """Show the colours by the monitor's profile, or in sRGB; remembered."""
+        self._used = used
+        settings().setValue(_PROFILE_KEY, used)
+        self._show_monitor()
+
+    def find(self) -> None:
+        """Ask again what the window's screen is."""
+        self._monitor = self._find_monitor(self._window.screen())
+        self._show_monitor()
+
+    def prepare(self, drawer: StageDrawer) -> None:
+        """Tell a new drawer what it draws for."""
+        drawer.renderer.screen = self.display
+
+    def grab_srgb(self) -> QImage:
+        """Return the picture as it is on screen, in sRGB whatever the monitor is."""
+        drawer = self._drawer()
+        if drawer is None or self.display is SRGB:
+            return self._window.picture.grab_image()
+        drawer.renderer.screen = SRGB
+        try:
+            return self._window.picture.grab_image()
+        finally:
+            drawer.renderer.screen = self.display
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """The window was shown, or went to another monitor."""
+        if event.type() in (QEvent.Type.Show, QEvent.Type.ScreenChangeInternal):
+            QTimer.singleShot(0, self, self.find)
+        return super().eventFilter(watched, event)
+
+    def _show_monitor(self) -> None:
+        monitor = self._monitor
+        used = self._used and monitor.is_measured
+        space = monitor.space if used else SRGB_SPACE
+        if space is not self.display.space:
+            self.display = SRGB if space is SRGB_SPACE else Display(space)
+            if (drawer := self._drawer()) is not None:
+                self.prepare(drawer)
+                self._window.picture.redraw()
+            self._count.start()
+        text = monitor.told if used or not monitor.is_measured else f"sRGB; {monitor.told} is not used"
+        self._window.tone.set_profile(text, monitor.is_measured, used)
+
+    def _changed(self, _old: View, new: View) -> None:
+        self._show(new)
+        self._count.start()
+
+    def _first_frame(self) -> None:
+        if self.counted is None and not self._count.isActive():
+            self._count.start()
+
+    def _show(self, view: View) -> None:
+        section = self._window.tone
+        section.set_curve(view.tone_curve)
+        section.set_marks(view.clipping_marks, view.gamut_marks, view.mark_style)
+
+    def _measure(self) -> None:
+        drawer, picture = self._drawer(), self._window.picture
+        if drawer is None or not drawer.is_complete or not self._window.tone.isVisible():
+            return
+        width, height = picture.device_size
+        scale = min(1.0, _COUNTED_WIDTH / width)
+        size = (max(1, round(width * scale)), max(1, round(height * scale)))
+
+        def count() -> None:
+            view, whole = self._stage.exposed_view, picture.device_size
+            traced = drawer.traced_light(whole)
+            if traced is not None:  # its pixels are there, and in no other size
+                self.counted = traced.count_unshowable(view, whole, self.display)
+                return
+            self.counted = drawer.renderer.count_unshowable(view, size, self.display)
+
+        picture.with_context(count, redraw=False)
+        self._window.tone.set_counted(self.counted)

@@ -1,0 +1,129 @@
+"""How radiance becomes the light of the screen, and what the screen cannot show."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QWidget
+
+from brdf_suite.realtime.pictures.display import Unshowable
+from brdf_viewer.fields.note import note, set_note
+
+TONE_TITLES = {
+    "faithful": "Faithful, soft highlights",
+    "neutral": "Neutral (Khronos PBR)",
+    "characteristic": "Characteristic curve",
+    "aces": "ACES (fitted)",
+    "agx": "AgX",
+    "linear": "Linear, clipping marked",
+}
+TONE_TIPS = {
+    "faithful": "Shows the colours as they are; rolls off only what is brighter than 0.8",
+    "neutral": "Takes 4 % of reflection off the darks, keeps hue and saturation, rolls highlights off",
+    "characteristic": "A film's S-shaped response in log exposure",
+    "aces": "The film industry's rendering, as Hill fitted it: darker and with more contrast; 0.18 becomes 0.11",
+    "agx": "Sixteen stops in a soft curve; bright saturated light goes to white, as on film",
+    "linear": "No curve: the one for judging a colour; too bright is cut off, and marked",
+}
+STYLE_TITLES = {"zebra": "Stripes", "colour": "Colours"}
+
+
+class ToneSection(Section):
+    """How radiance becomes the light of the screen, and what the screen cannot show.
+
+    Signals: ``tone_curve_edited(key)``; ``clipping_marks_edited(on)``, ``gamut_marks_edited(on)``,
+    ``mark_style_edited(key)``; ``profile_edited(on)`` where the monitor's profile is to be used or not.
+    """
+
+    tone_curve_edited = Signal(str)
+    clipping_marks_edited = Signal(bool)
+    gamut_marks_edited = Signal(bool)
+    mark_style_edited = Signal(str)
+    profile_edited = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("Tone", "tone", parent)
+        self.curve = QuietComboBox()
+        for key, title in TONE_TITLES.items():
+            self.curve.addItem(title, key)
+            self.curve.setItemData(
+                self.curve.count() - 1, plain_tip(TONE_TIPS[key]), Qt.ItemDataRole.ToolTipRole
+            )
+        self.curve.activated.connect(lambda index: self.tone_curve_edited.emit(self.curve.itemData(index)))
+        self.clipping = QCheckBox("Too bright")
+        self.clipping.setToolTip(
+            "Mark what is brighter than the screen and cut off: black stripes, or orange"
+        )
+        self.clipping.clicked.connect(self.clipping_marks_edited)
+        self.gamut = QCheckBox("Out of gamut")
+        self.gamut.setToolTip(
+            "Mark what is more colourful than the screen: grey stripes the other way, or blue"
+        )
+        self.gamut.clicked.connect(self.gamut_marks_edited)
+        self.style_box = QuietComboBox()
+        for key, title in STYLE_TITLES.items():
+            self.style_box.addItem(title, key)
+        self.style_box.activated.connect(
+            lambda index: self.mark_style_edited.emit(self.style_box.itemData(index))
+        )
+        self.counted = note()
+        self.profile = QCheckBox("Monitor profile")
+        self.profile.setToolTip("Show the colours by the profile that the system has for this monitor")
+        self.profile.clicked.connect(self.profile_edited)
+        self.profile_told = note()
+        form = Form()
+        form.add_row("Tone curve", self.curve, "From radiance to the screen, before its transfer curve")
+        form.add_row("Mark", self.clipping)
+        form.add_row("", self.gamut)
+        form.add_row(
+            "Marks are", self.style_box, "How marks look; stripes leave the colour between them to be seen"
+        )
+        form.add_wide(self.counted)
+        form.add_row("Screen", self.profile)
+        form.add_wide(self.profile_told)
+        self.add(form)
+
+    def set_curve(self, key: str) -> None:
+        """Show the present curve."""
+        self.curve.setCurrentIndex(self.curve.findData(key))
+
+    def set_marks(self, clipping: bool, gamut: bool, style: str) -> None:
+        """Show what is marked, and how."""
+        self.clipping.setChecked(clipping)
+        self.gamut.setChecked(gamut)
+        self.style_box.setCurrentIndex(self.style_box.findData(style))
+        self.style_box.setEnabled(clipping or gamut)
+
+    def set_counted(self, counted: Unshowable | None) -> None:
+        """Show how much of the object the screen cannot show; None while nothing has been counted."""
+        set_note(self.counted, "" if counted is None else told(counted))
+
+    def set_profile(self, text: str, usable: bool, used: bool) -> None:
+        """Say whose colours are shown; ``usable``: the monitor has a profile that can be turned on and off."""
+        self.profile.setEnabled(usable)
+        self.profile.setChecked(used)
+        set_note(self.profile_told, text)
+
+
+def told(counted: Unshowable) -> str:
+    """Return in words how much of the object a screen cannot show.
+
+    >>> told(Unshowable(1000, 12, 0))
+    'Too bright for the screen: 1.2 % of the object; out of its gamut: none'
+    """
+    if counted.pixels == 0:
+        return "The object is not in the picture"
+    bright, colourful = (_share(part, counted.pixels) for part in (counted.too_bright, counted.too_colourful))
+    return f"Too bright for the screen: {bright} of the object; out of its gamut: {colourful}".replace(
+        "none of the object", "none"
+    )
+
+
+def _share(part: int, whole: int) -> str:
+    if part == 0:
+        return "none"
+    share = 100.0 * part / whole
+    return "less than 0.1 %" if share < 0.1 else f"{share:.1f} %"

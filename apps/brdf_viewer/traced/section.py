@@ -1,0 +1,111 @@
+"""Which renderer makes the picture, how good it is to become, and how far it is."""
+
+from __future__ import annotations
+
+from brdf_qt.fields.form import Form
+from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import tr
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QWidget
+
+from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
+
+DEFAULT_SAMPLES = 1024
+
+
+class RendererSection(Section):
+    """Signals: ``renderer_edited(key)``, ``quality_edited(key)``, ``samples_edited(count)``,
+    ``denoised_edited(on)``, ``stop_wanted()``, ``resume_wanted()``, ``save_wanted()``.
+    """
+
+    renderer_edited = Signal(str)
+    quality_edited = Signal(str)
+    samples_edited = Signal(int)
+    denoised_edited = Signal(bool)
+    stop_wanted = Signal()
+    resume_wanted = Signal()
+    save_wanted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Renderer"), "renderer", parent)
+        tips = {key: tr(tip) for key, tip in RENDERER_TIPS.items()}
+        self.renderer = ChoiceBox({key: tr(title) for key, title in RENDERER_TITLES.items()}, tips)
+        self.renderer.picked.connect(self.renderer_edited)
+        self.quality = ChoiceBox({key: tr(title) for key, title in QUALITY_TITLES.items()})
+        self.quality.picked.connect(self.quality_edited)
+        self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
+        self.samples.edited.connect(lambda value: self.samples_edited.emit(round(value)))
+        self.denoised = QCheckBox(tr("Without its noise"))
+        self.denoised.clicked.connect(self.denoised_edited)
+        self.stop = QPushButton(tr("Stop"))
+        self.stop.setToolTip(tr("Keep the picture as it is, and leave the processors to others"))
+        self.stop.clicked.connect(lambda: self.stop_wanted.emit())
+        self.resume = QPushButton(tr("Go On"))
+        self.resume.setToolTip(tr("Refine the picture further"))
+        self.resume.clicked.connect(lambda: self.resume_wanted.emit())
+        self.save = QPushButton(tr("Save EXR…"))
+        self.save.setToolTip(tr("Radiance of the picture as it is now, with the variance of each pixel"))
+        self.save.clicked.connect(lambda: self.save_wanted.emit())
+        buttons = QWidget()
+        row = QGridLayout(buttons)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(4)
+        for column, button in enumerate((self.stop, self.resume, self.save)):
+            row.addWidget(button, 0, column)
+        self.state = note()
+        self.facts = note()
+        form = Form()
+        form.add_row(tr("Picture"), self.renderer, tr("Which renderer makes the picture"))
+        tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
+        samples_tip = tr("Samples a pixel at which the path tracer stops; 0: it goes on without end")
+        self._rows = {
+            "raytraced": [(form.add_row(tr("Quality"), self.quality, tip), self.quality)],
+            "reference": [
+                (form.add_row(tr("Samples"), self.samples, samples_tip), self.samples),
+                (form.add_row("", self.denoised), self.denoised),
+            ],
+        }
+        form.add_wide(buttons)
+        form.add_wide(self.state)
+        form.add_wide(self.facts)
+        self._buttons = buttons
+        self.add(form)
+        self.set_denoiser(tr("The renderer has not been started yet."))
+        self.show_renderer("realtime", "fast", DEFAULT_SAMPLES, denoised=False)
+        self.show_work(running=False, stopped=False, has_picture=False)
+
+    def show_renderer(self, renderer: str, quality: str, samples: int, *, denoised: bool) -> None:
+        """Show the choice, without a signal; what says nothing of this renderer is hidden."""
+        self.renderer.show_choice(renderer)
+        self.quality.show_choice(quality)
+        self.samples.set_value(float(samples))
+        self.denoised.setChecked(denoised)
+        for key, rows in self._rows.items():
+            for label, field in rows:
+                label.setVisible(key == renderer)
+                field.setVisible(key == renderer)
+        self._buttons.setVisible(renderer != "realtime")
+
+    def set_denoiser(self, missing: str) -> None:
+        """Offer to take the noise away; ``missing`` says why that cannot be, empty where it can."""
+        self.denoised.setEnabled(not missing)
+        self.denoised.setToolTip(
+            plain_tip(
+                missing or tr("A denoiser guesses what the noise hides: good to look at, nothing to measure")
+            )
+        )
+
+    def show_work(self, *, running: bool, stopped: bool, has_picture: bool) -> None:
+        """Say what can be done now: stop what runs, go on with what was stopped, save what there is."""
+        self.stop.setEnabled(running)
+        self.resume.setEnabled(stopped)
+        self.save.setEnabled(has_picture)
+
+    def set_state(self, text: str, facts: str) -> None:
+        """Say how far the picture is, and what this renderer does not show."""
+        set_note(self.state, text)
+        set_note(self.facts, facts)

@@ -1,0 +1,1 @@
+"""Camera and lens, and where sphere, turntable and light are."""

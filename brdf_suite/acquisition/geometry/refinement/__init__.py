@@ -1,0 +1,1 @@
+"""Sphere, turntable and light refined together from all highlights."""

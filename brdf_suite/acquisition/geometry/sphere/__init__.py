@@ -1,0 +1,1 @@
+"""Where the sphere is in the photographs: outline, highlight, axis."""

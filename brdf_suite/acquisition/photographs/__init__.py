@@ -1,0 +1,1 @@
+"""Photographs read from files, and their order."""

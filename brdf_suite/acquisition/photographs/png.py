@@ -1,0 +1,113 @@
+"""PNG reader: 8 or 16 bits, grey or RGB (W3C, Portable Network Graphics, third edition).
+
+Written here because none of the imaging libraries that are always there reads 16-bit RGB.
+"""
+
+from __future__ import annotations
+
+import mmap
+import os
+import struct
+import sys
+import zlib
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.made_size import check_made
+
+_Path = str | os.PathLike[str]
+Content = bytes | mmap.mmap
+"""Of a file: as bytes, or mapped, so that only what is asked for is read."""
+
+SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
+MOST_PIXELS = 1 << 28
+
+
+@dataclass(frozen=True)
+class PngParts:
+    """Parsed chunks of a PNG: ``packed`` locates the pixels, ``exif`` is that block or None."""
+
+    width: int
+    height: int
+    channels: int
+    bits: int
+    interlaced: bool
+    packed: tuple[slice, ...]
+    exif: bytes | None
+
+
+def png_parts(content: Content, path: _Path) -> PngParts:
+    """Return the parts of a PNG; that it is whole is seen from its chunks, before anything is unpacked.
+
+    Raises
+    ------
+    FileError
+        It is cut off, damaged, too large, or has a palette.
+    """
+    at, header, exif, ended = len(SIGNATURE), b"", None, False
+    packed: list[slice] = []
+    while at + 12 <= len(content) and not ended:
+        (size,) = struct.unpack_from(">I", content, at)
+        kind, end = content[at + 4 : at + 8], at + 12 + size
+        if end > len(content):
+            break
+        data = slice(at + 8, end - 4)
+        if kind == b"IHDR":
+            header = content[data]
+        elif kind == b"IDAT":
+            packed.append(data)
+        elif kind == b"eXIf":
+            exif = content[data]
+        ended = kind == b"IEND"
+        at = end
+    if not ended:
+        raise FileError(
+            path, f"ends within a chunk, after {len(content):,} bytes; it was not copied whole", f"byte {at}"
+        )
+    if len(header) != 13 or not packed:
+        raise FileError(path, "has no header or no pixels; it is damaged", "byte 8")
+    width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", header)
+    if colour not in _CHANNELS or bits not in (8, 16):
+        raise FileError(
+            path, "has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel", "IHDR"
+        )
+    if not 0 < width * height <= MOST_PIXELS:
+        raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read", "IHDR")
+    check_made(path, width * height * _CHANNELS[colour] * bits // 8, "its pixels", "IHDR")
+    return PngParts(width, height, _CHANNELS[colour], bits, bool(interlace), tuple(packed), exif)
+
+
+def png_pixels(content: Content, path: _Path) -> NDArray[Any]:
+    """Return the pixels (h, w, channels) of a PNG, uint8 or uint16; errors as :func:`png_parts`."""
+    from brdf_suite.acquisition.photographs.png_filters import unfilter  # numba: half a second to import
+
+    parts = png_parts(content, path)
+    if parts.interlaced:
+        raise FileError(path, "is interlaced; write it without", "IHDR")
+    step = parts.channels * parts.bits // 8
+    length = parts.height * (1 + parts.width * step)
+    unpacker = zlib.decompressobj()
+    try:
+        raw = unpacker.decompress(b"".join(content[part] for part in parts.packed), length)
+    except zlib.error as error:
+        raise FileError(path, f"cannot be unpacked ({error}); it is damaged", "IDAT") from error
+    if len(raw) != length:
+        raise FileError(path, "holds fewer pixels than its header says; it is damaged", "IDAT")
+    rows = np.frombuffer(raw, np.uint8).reshape(parts.height, -1)
+    filters = rows[:, 0]
+    if filters.max() > 4:
+        raise FileError(path, f"uses a filter {filters.max()} that there is not; it is damaged", "IDAT")
+    plain = rows[:, 1:].copy()  # a single row is contiguous as it is, and read-only
+    if filters.any():
+        unfilter(plain, np.ascontiguousarray(filters), step)
+    shape = (parts.height, parts.width, parts.channels)
+    if parts.bits == 8:
+        return plain.reshape(shape)
+    pixels = plain.view(">u2").reshape(shape)
+    # In place: a photograph fills much of the memory once already.
+    return pixels.byteswap(inplace=True).view("<u2") if sys.byteorder == "little" else pixels.view("=u2")

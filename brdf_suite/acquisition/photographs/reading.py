@@ -1,0 +1,188 @@
+"""Photographs as sensor codes: PNG and TIFF of 8 or 16 bits, JPEG, OpenEXR and Radiance floats, and raw files.
+
+What a file is, is seen from its content; raw files alone are known by their endings, as most of them begin as TIFF.
+Nothing is converted: codes are those of the file, and of three equal channels where the picture is grey.
+"""
+
+from __future__ import annotations
+
+import mmap
+import os
+import stat
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.acquisition.photographs.jpeg import jpeg_parts, jpeg_pixels
+from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts, png_pixels
+from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_pixels
+from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
+from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
+from brdf_suite.errors import FileError
+from brdf_suite.files.made_size import within_memory
+
+_Path = str | os.PathLike[str]
+Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
+
+ENDINGS = (".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".hdr", *RAW_ENDINGS)
+"""Of files that can be photographs."""
+
+LARGEST_FILE = 2 << 30
+
+
+@dataclass(frozen=True)
+class PhotographFacts:
+    """Facts about a photograph known before its pixels are unpacked.
+
+    ``bits`` a channel, None of floats; ``exposure_s`` from EXIF, None where it is absent.
+    """
+
+    kind: Kind
+    width: int
+    height: int
+    bits: int | None
+    exposure_s: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class Photograph:
+    """A photograph: ``codes`` (h, w, 3) uint8, uint16 or float32, and its facts."""
+
+    codes: NDArray[Any]
+    facts: PhotographFacts
+
+
+def photograph_facts(path: _Path) -> PhotographFacts:
+    """Return the facts in a file's header without unpacking its pixels, where it is whole.
+
+    Raises
+    ------
+    FileError
+        It is missing, empty, cut off, or no photograph; the message says which.
+    """
+    with _opened(path) as content:
+        return _facts(content, path)
+
+
+@within_memory
+def read_photograph(path: _Path) -> Photograph:
+    """Read a photograph; errors as :func:`photograph_facts`, and where its pixels are damaged."""
+    with _opened(path) as content:
+        facts = _facts(content, path)
+        if facts.kind == "png":
+            codes: NDArray[Any] = png_pixels(content, path)
+        elif facts.kind == "tiff":
+            codes = tiff_pixels(path)
+        elif facts.kind == "jpeg":
+            codes = jpeg_pixels(content[:], path)
+        elif facts.kind == "raw":
+            codes = raw_pixels(path)
+        else:
+            codes = _float_pixels(facts.kind, path)
+    return Photograph(_three_channels(codes, path), facts)
+
+
+def exif_time(path: _Path) -> float | None:
+    """Return the exposure time in seconds stored in a photograph; errors as :func:`photograph_facts`."""
+    return photograph_facts(path).exposure_s
+
+
+@contextmanager
+def _opened(path: _Path) -> Iterator[Content]:
+    """Yield a file's content; of what is not asked for, nothing is read."""
+    try:
+        found = Path(path).stat()
+        # A pipe or a device would be waited for without end.
+        if not stat.S_ISREG(found.st_mode):
+            raise FileError(path, "is not a plain file")
+        if found.st_size == 0:
+            raise FileError(path, "is empty; it was not copied whole")
+        if found.st_size > LARGEST_FILE:
+            raise FileError(path, f"is larger than {LARGEST_FILE >> 30} GB")
+        with Path(path).open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            yield content
+    except FileNotFoundError as error:
+        raise FileError(path, "is missing") from error
+    except (OSError, ValueError) as error:  # ValueError: a zero byte in the name
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise FileError(path, f"cannot be read ({reason})") from error
+
+
+def _facts(content: Content, path: _Path) -> PhotographFacts:
+    kind = _kind(content[:16], path)
+    if kind == "png":
+        parts = png_parts(content, path)
+        time = None if parts.exif is None else _exposure(parts.exif.removeprefix(b"Exif\0\0"), path)
+        return PhotographFacts(kind, parts.width, parts.height, parts.bits, time)
+    if kind == "tiff":
+        return PhotographFacts(kind, *tiff_facts(path))
+    if kind == "jpeg":
+        jpeg = jpeg_parts(content[:], path)
+        return PhotographFacts(
+            kind, jpeg.width, jpeg.height, 8, _exposure(jpeg.exif, path) if jpeg.exif else None
+        )
+    if kind == "raw":
+        return PhotographFacts(kind, *raw_facts(path))
+    height, width = _float_pixels(kind, path).shape[:2]
+    return PhotographFacts(kind, width, height, None, None)
+
+
+def _kind(start: bytes, path: _Path) -> Kind:
+    if Path(path).suffix.lower() in RAW_ENDINGS:
+        return "raw"
+    known: dict[bytes, Kind] = {
+        SIGNATURE: "png",
+        b"II*\0": "tiff",
+        b"MM\0*": "tiff",
+        b"\xff\xd8\xff": "jpeg",
+        b"\x76\x2f\x31\x01": "exr",
+        b"#?": "hdr",
+    }
+    for magic, kind in known.items():
+        if start.startswith(magic):
+            return kind
+    raise FileError(
+        path,
+        "is no photograph that is read here: PNG, TIFF, JPEG, OpenEXR, Radiance or a camera's raw file",
+        "byte 0",
+    )
+
+
+def _exposure(block: bytes, path: _Path) -> float | None:
+    """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
+    try:
+        with first_page(block, path) as page:
+            return read_exposure(page)
+    except FileError:
+        return None
+
+
+def _float_pixels(kind: Kind, path: _Path) -> NDArray[np.float32]:
+    if kind == "exr":
+        from brdf_suite.files.images.exr.image import read_exr
+
+        pixels = read_exr(path).pixels
+    else:
+        from brdf_suite.files.images.radiance import read_radiance
+
+        pixels = read_radiance(path)[0]
+    if not np.isfinite(pixels).all():
+        raise FileError(path, "holds values that are no numbers (NaN or infinite)")
+    return pixels
+
+
+def _three_channels(codes: NDArray[Any], path: _Path) -> NDArray[Any]:
+    """Return (h, w, 3): grey three times, and without an alpha channel."""
+    if codes.dtype == np.float16:
+        codes = codes.astype(np.float32)
+    channels = codes.shape[2]
+    if channels in (1, 2):
+        return np.repeat(codes[..., :1], 3, axis=2)
+    if channels not in (3, 4):
+        raise FileError(path, f"has {channels} channels; expected grey or red, green, blue")
+    return np.ascontiguousarray(codes[..., :3])

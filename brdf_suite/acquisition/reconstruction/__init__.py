@@ -1,0 +1,1 @@
+"""The steps of a reconstruction, from photographs to a table."""

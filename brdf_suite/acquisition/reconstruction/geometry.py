@@ -1,0 +1,227 @@
+"""Where sphere and light are, from some positions of a session: the outline first, then the highlights."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.errors import AcquisitionError
+from brdf_suite.progress import Progress, report, subrange
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.geometry.refinement.refinement import Refinement
+    from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
+    from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
+    from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
+    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
+    from brdf_suite.acquisition.radiance.merge import MergedRadiance
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+HIGHLIGHT_STEP_DEG = 5.0
+"""Between the positions whose highlights are looked for: 36 of 180 tell the geometry as well as all."""
+
+UNION_POSITIONS = 10
+
+_KEPT_BYTES = 600 << 20
+"""Merged pictures that are kept between the rounds of the geometry; of larger ones the last are merged anew."""
+
+
+@dataclass(frozen=True, eq=False)
+class FoundGeometry:
+    """What the geometry was found on, and how well it explains that; see
+    :class:`~brdf_suite.acquisition.reconstruction.reconstruction.Acquisition`."""
+
+    union: npt.NDArray[np.float32]
+    outline: SphereOutline
+    highlights: tuple[Highlight, ...]
+    refinement: Refinement | None
+    geometry: RigGeometry
+    figures: Mapping[str, Any]
+    notices: tuple[str, ...]
+    left_out: Mapping[int, str] = field(default_factory=dict)
+
+
+def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundGeometry:
+    """Find the sphere and, where the options say so, correct it and the light."""
+    from brdf_suite.acquisition.geometry.lens import Lens
+    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
+    from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
+    from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
+    from brdf_suite.acquisition.radiance.white_reference import with_refined_white
+
+    angles = tuple(position.angle_deg for position in road.session.positions)
+    shiny = highlight_positions(angles, road.positions) if road.options.refine else ()
+    union, kept = _read(road, union_positions(angles, road.positions), shiny, subrange(progress, 0.0, 0.8))
+    left_out: dict[int, str] = {}
+    picture = np.asarray(union.picture, np.float32)
+    lens = None if road.intrinsics is None else Lens.of(road.intrinsics.intrinsics)
+    irradiance, notices = _irradiance(road)
+    geometry = nominal_geometry(road.session, (picture.shape[0], picture.shape[1]), lens)
+    geometry = replace(geometry, irradiance_rgb=irradiance)
+    highlights: list[Highlight] = []
+
+    def find(tried: RigGeometry, among: tuple[int, ...] = shiny) -> list[Highlight]:
+        highlights.clear()
+        for k in among:
+            merged = kept.get(k)
+            if merged is None and (stack := road.readable(k)) is not None:
+                merged = road.merged_stack(stack, k)
+            if merged is None:
+                continue
+            clipped = merged.saturated
+            seen = find_highlight(merged.radiance, tried, k, merged.good | clipped, clipped)
+            if seen is not None:
+                highlights.append(seen)
+        return list(highlights)
+
+    with road.clock.step("calibrate"):
+        outline = find_outline(union, geometry, road.mask(None))
+        figures: dict[str, Any] = {"outline_rms_px": outline.rms_px}
+        if not road.options.refine:
+            return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
+        try:
+            refinement = calibrate_geometry(outline, find, subrange(progress, 0.8, 0.9))
+        except AcquisitionError as error:
+            # A matt sphere has none; what the session states of the lamp is then all there is.
+            notices += (
+                f"Light and sphere could not be corrected by highlights, and stand as stated: {error}",
+            )
+            return FoundGeometry(
+                picture, outline, tuple(highlights), None, outline.geometry, figures, notices, left_out
+            )
+        if refinement.movements:
+            before = list(highlights)
+            try:
+                union, outline, refinement = _where_it_stood(
+                    road, refinement, geometry, shiny, find, subrange(progress, 0.9, 1.0)
+                )
+            except AcquisitionError as error:
+                highlights[:] = before
+                notices += (
+                    f"The sphere's outline is that of all positions, before and after it moved: {error}",
+                )
+            else:
+                picture = np.asarray(union.picture, np.float32)
+                figures["outline_rms_px"] = outline.rms_px
+    figures |= {
+        "highlights": len(highlights),
+        "highlight_rms_px": refinement.rms_px,
+        "highlight_rms_deg": refinement.rms_deg,
+    }
+    notices += _movements(road, refinement)
+    for k in refinement.moved_positions:
+        name = road.session.positions[k].photographs[0]
+        left_out.setdefault(k, f"{name}: the sphere has moved and stands elsewhere here")
+    return FoundGeometry(
+        picture,
+        outline,
+        tuple(highlights),
+        refinement,
+        with_refined_white(road.session, refinement.geometry),
+        figures,
+        notices,
+        left_out,
+    )
+
+
+def _where_it_stood(
+    road: Acquisition,
+    refinement: Refinement,
+    geometry: RigGeometry,
+    shiny: tuple[int, ...],
+    find: Callable[[RigGeometry, tuple[int, ...]], list[Highlight]],
+    progress: Progress | None,
+) -> tuple[PhotographUnion, SphereOutline, Refinement]:
+    """Return what the longest part without movement tells alone: a sum over two places has a blurred outline."""
+    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
+    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
+
+    moved = frozenset(refinement.moved_positions)
+    chosen = tuple(k for k in road.positions if k not in moved)
+    angles = tuple(position.angle_deg for position in road.session.positions)
+    union, _ = _read(road, union_positions(angles, chosen), (), subrange(progress, 0.0, 0.5))
+    outline = find_outline(union, geometry, road.mask(None))
+    among = tuple(k for k in shiny if k not in moved)
+    again = calibrate_geometry(outline, lambda tried: find(tried, among), subrange(progress, 0.5, 1.0))
+    movements = sorted((*refinement.movements, *again.movements), key=lambda row: row.before)
+    return union, outline, replace(again, movements=tuple(movements))
+
+
+def _read(
+    road: Acquisition, wide: tuple[int, ...], shiny: tuple[int, ...], progress: Progress | None
+) -> tuple[PhotographUnion, dict[int, MergedRadiance]]:
+    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
+
+    union: PhotographUnion | None = None
+    kept: dict[int, MergedRadiance] = {}
+    wanted = sorted({*wide, *shiny})
+    for n, k in enumerate(wanted):
+        report(progress, n / len(wanted), "reading for the geometry")
+        stack = road.readable(k)
+        if stack is None:
+            continue
+        merged = road.merged_stack(stack, k)
+        if k in wide:
+            rows, columns = merged.radiance.shape[:2]
+            union = union or PhotographUnion((rows, columns))
+            union.add(k, merged.radiance, merged.good)
+        if k in shiny and (len(kept) + 1) * merged.radiance.nbytes <= _KEPT_BYTES:
+            # The variance is not asked for: it would double what is kept.
+            kept[k] = replace(merged, variance=merged.radiance)
+    if union is None:
+        raise AcquisitionError("None of the positions that light the sphere's outline can be read.")
+    return union, kept
+
+
+def _irradiance(road: Acquisition) -> tuple[tuple[float, float, float] | None, tuple[str, ...]]:
+    """Return what arrives at the sphere, by statement or by the white reference, and what to tell of it."""
+    light = road.session.light.irradiance_rgb
+    if light is not None:
+        return light, ()
+    white = road.series("white")
+    if white is None or road.session.white is None:
+        sentence = (
+            "The scale is unknown: the session states no irradiance and has no white reference, so the table is right "
+            "but for one factor per channel."
+        )
+        return None, (sentence,)
+    from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white
+
+    left, top, width, height = road.session.white.region
+    merged = road.merged_stack(white, None, (slice(top, top + height), slice(left, left + width)))
+    if not merged.good.any():
+        raise AcquisitionError(f"The white reference ({white.names[0]} …) is saturated in all exposures.")
+    return irradiance_from_white(
+        road.session, merged.radiance[merged.good].mean(axis=0, dtype=np.float64)
+    ), ()
+
+
+def _movements(road: Acquisition, refinement: Refinement) -> tuple[str, ...]:
+    if not refinement.movements:
+        return ()
+    from brdf_suite.acquisition.geometry.refinement.refinement import format_movement_notice
+
+    return (
+        format_movement_notice(refinement, [position.photographs[0] for position in road.session.positions]),
+    )
+
+
+def highlight_positions(angles_deg: tuple[float, ...], chosen: tuple[int, ...]) -> tuple[int, ...]:
+    """Return the positions to look for highlights at: those chosen, every :data:`HIGHLIGHT_STEP_DEG`."""
+    found: list[int] = []
+    for k in chosen:
+        if not found or angles_deg[k] - angles_deg[found[-1]] >= HIGHLIGHT_STEP_DEG - 1e-6:
+            found.append(k)
+    return tuple(found)
+
+
+def union_positions(angles_deg: tuple[float, ...], chosen: tuple[int, ...]) -> tuple[int, ...]:
+    """Return up to :data:`UNION_POSITIONS` positions that light the whole outline between them: 40° to 150°."""
+    wide = [k for k in chosen if 40.0 <= angles_deg[k] <= 150.0] or list(chosen)
+    places = np.linspace(0, len(wide) - 1, min(UNION_POSITIONS, len(wide)))
+    return tuple(wide[round(float(place))] for place in places)

@@ -1,0 +1,133 @@
+"""A whole reconstruction in one call, and where its table goes: taken up again where it was, nothing overwritten."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.acquisition.reconstruction.options import Acquired
+from brdf_suite.acquisition.reconstruction.table import kept_calibration, kept_positions, reconstruct
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+
+
+def work_path(output: Path) -> Path:
+    """Return the work file that belongs to an output file."""
+    return output.with_name(output.name + ".work")
+
+
+def acquire(
+    road: Acquisition,
+    output: Path,
+    progress: Progress | None = None,
+    *,
+    overwrite: bool = False,
+    restart: bool = False,
+) -> Acquired:
+    """Take all steps of ``road``, write ``output`` (``.brdftable`` or ``.binary``), and return what was written.
+
+    What is done is kept in ``OUTPUT.work`` until the output is whole: after a cancellation, a kill, or a failure the
+    same call goes on where it was.
+
+    Raises
+    ------
+    FileError
+        ``output`` exists and may not be overwritten, has another ending, or cannot be written; the work file is
+        another reconstruction's.
+    SuiteError
+        As the steps.
+    """
+    check_output(output, overwrite)
+    work = work_path(output)
+    calibration = None if restart else kept_calibration(road, work)
+    if calibration is None:
+        _check_files(road, progress)
+        road.calibrate(subrange(progress, 0.0, 0.25))
+    else:
+        road.take_calibration(calibration)
+    found = reconstruct(road, subrange(progress, 0.25, 0.99), work, restart=restart)
+    write_acquired(found, output, overwrite=overwrite)
+    work.unlink()
+    return found
+
+
+def _check_files(road: Acquisition, progress: Progress | None) -> None:
+    """Refuse what nothing can be made of, and keep the warnings for the user."""
+    report(progress, 0.0, "checking the files")
+    for finding in road.check(None):
+        if finding.severity == "fatal":
+            raise finding.error()
+        if finding.severity == "warning":
+            road.notice(f"{finding.path}: {finding.reason}.")
+
+
+def acquire_partial(
+    road: Acquisition,
+    output: Path,
+    progress: Progress | None = None,
+    *,
+    overwrite: bool = False,
+    restart: bool = False,
+) -> Acquired:
+    """Write the table of the positions that an unfinished :func:`acquire` has done; its work file stays.
+
+    Raises
+    ------
+    FileError
+        As :func:`acquire`; or nothing is done yet. ``restart`` contradicts the wish and is refused so.
+    """
+    check_output(output, overwrite)
+    work = work_path(output)
+    done = () if restart else kept_positions(road, work)
+    if not done:
+        raise FileError(work, "holds no finished position, so there is nothing to write yet")
+    calibration = kept_calibration(road, work)
+    if calibration is None:
+        raise FileError(work, "holds no calibration")
+    road.take_calibration(calibration)
+    road.options = replace(road.options, positions=tuple(sorted(done)))
+    found = reconstruct(road, progress, work)
+    write_acquired(found, output, overwrite=overwrite)
+    return found
+
+
+def check_output(output: Path, overwrite: bool = False) -> None:
+    """Raise :class:`FileError` where ``output`` could not be written in the end."""
+    if output.suffix.lower() not in WRITERS:
+        raise FileError(
+            output, f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
+        )
+    if output.exists() and not overwrite:
+        raise FileError(output, "exists already and is left as it is; choose another name, or --overwrite")
+    if not output.parent.is_dir():
+        raise FileError(output, "cannot be written: there is no such folder")
+
+
+def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) -> tuple[str, ...]:
+    """Write a table as its ending says, whole or not at all; return notes."""
+    check_output(output, overwrite)
+    return WRITERS[output.suffix.lower()](found.table, output)
+
+
+def _write_own(table: IsotropicTable, path: Path) -> tuple[str, ...]:
+    from brdf_suite.files.measured.brdftable import write_brdftable
+
+    return write_brdftable(table, path)
+
+
+def _write_merl(table: IsotropicTable, path: Path) -> tuple[str, ...]:
+    from brdf_suite.files.measured.merl import write_merl
+
+    return (*write_merl(table, path), "coverage and uncertainty are not held by this format")
+
+
+WRITERS: dict[str, Callable[[IsotropicTable, Path], tuple[str, ...]]] = {
+    ".brdftable": _write_own,
+    ".binary": _write_merl,
+}

@@ -1,0 +1,207 @@
+"""Where the photographs of a reconstruction come from: a session's folder, or anything that gives the same."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.acquisition.session.session import Session
+from brdf_suite.errors import FileError
+from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.session.finding import SessionFinding
+    from brdf_suite.acquisition.session.series import PhotographSeries
+
+Codes = npt.NDArray[Any]
+Bools = npt.NDArray[np.bool_]
+SeriesKind = Literal["dark", "white", "flat_field"]
+
+_PIECE = 1 << 20
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """One series of exposures.
+
+    Attributes
+    ----------
+    codes
+        (exposures, rows, columns, 3) uint8, uint16, or float32 for photographs that are linear already.
+    exposures_s
+        (exposures,) seconds.
+    names
+        (exposures,) the files, as the session names them.
+    findings
+        What is wrong with photographs that were left out, each a sentence's clause that names its file.
+    """
+
+    codes: Codes
+    exposures_s: npt.NDArray[np.float64]
+    names: tuple[str, ...]
+    findings: tuple[str, ...] = ()
+
+    def without(self, names: set[str]) -> Stack:
+        """Return the stack without the photographs of these names."""
+        kept = [i for i, name in enumerate(self.names) if name not in names]
+        return replace(
+            self,
+            codes=self.codes[kept],
+            exposures_s=self.exposures_s[kept],
+            names=tuple(self.names[i] for i in kept),
+        )
+
+
+class PhotographSource(Protocol):
+    """Photographs of one session."""
+
+    @property
+    def session(self) -> Session:
+        """Return what the photographs show."""
+        ...
+
+    def position(self, k: int) -> Stack:
+        """Return the photographs of position ``k``; raises :class:`FileError` where there are none."""
+        ...
+
+    def series(self, kind: SeriesKind) -> Stack | None:
+        """Return the dark, white or flat-field photographs; None where the session has none."""
+        ...
+
+    def board(self) -> list[tuple[str, Codes]]:
+        """Return names and grey pictures (rows, columns) of the calibration board."""
+        ...
+
+    def mask(self, k: int | None) -> Bools | None:
+        """Return which pixels (rows, columns) may be used, at one position or at all; None: all of them."""
+        ...
+
+    def digest(self, k: int | None) -> str:
+        """Return a hash of what position ``k`` holds; of None: the session and all that belongs to no position."""
+        ...
+
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
+        """Return what is wrong with the files, without decoding them."""
+        ...
+
+
+@dataclass(frozen=True)
+class FolderSource:
+    """The photographs in a session's folder."""
+
+    folder: Path
+    session: Session
+
+    @cached_property
+    def _checked(self) -> tuple[SessionFinding, ...]:
+        return self.findings(None)
+
+    def position(self, k: int) -> Stack:
+        """Read one position; what cannot be read, or contradicts the session, is left out and told."""
+        from brdf_suite.acquisition.session.finding import exposures_lost
+        from brdf_suite.acquisition.session.series import read_position
+
+        for finding in self._checked:
+            if finding.severity == "position" and finding.position == k:
+                raise finding.error()
+        lost = exposures_lost(self._checked, k)
+        found = read_position(self.folder, self.session, k, leave_out=lost)
+        told = [one for one in self._checked if one.position == k and one.severity == "exposure"]
+        return _stack(found, told)
+
+    def series(self, kind: SeriesKind) -> Stack | None:
+        """Read a calibration series."""
+        from brdf_suite.acquisition.session import series as photograph_series
+
+        readers = {
+            "dark": photograph_series.read_dark,
+            "white": photograph_series.read_white,
+            "flat_field": photograph_series.read_flat_field,
+        }
+        found = readers[kind](self.folder, self.session)
+        return None if found is None else _stack(found, [])
+
+    def board(self) -> list[tuple[str, Codes]]:
+        """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
+        from brdf_suite.acquisition.photographs.reading import read_photograph
+
+        board = self.session.camera.board
+        lost = {finding.place for finding in self._checked}
+        found = []
+        for k, name in enumerate(() if board is None else board.photographs):
+            if f"camera.board.photographs[{k}]" in lost:
+                continue
+            codes = read_photograph(self.folder / name).codes
+            found.append((name, np.ascontiguousarray(codes[..., 1])))
+        return found
+
+    def mask(self, k: int | None) -> Bools | None:
+        """Read the masks."""
+        from brdf_suite.acquisition.session.series import read_mask
+
+        return read_mask(self.folder, self.session, k)
+
+    def digest(self, k: int | None) -> str:
+        """Hash the content of the files, and what the session says of them."""
+        from brdf_suite.acquisition.session.store import session_to_json
+
+        session = self.session
+        found = hashlib.sha256()
+        if k is None:
+            found.update(json.dumps(session_to_json(session), sort_keys=True).encode())
+            positions = {name for position in session.positions for name in position.photographs}
+            names = [name for _, name in session.files() if name not in positions]
+        else:
+            position = session.positions[k]
+            names = [*position.photographs, *([position.mask] if position.mask else [])]
+        for name in names:
+            found.update(f"\0{name}\0".encode())
+            try:
+                with (self.folder / name).open("rb") as stream:
+                    while piece := stream.read(_PIECE):
+                        found.update(piece)
+            except OSError:
+                # A file that is missing now and there later changes the hash, which is all that is asked here.
+                found.update(b"missing")
+        return found.hexdigest()
+
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
+        """Check the folder."""
+        from brdf_suite.acquisition.session.check import check_session
+
+        found = check_session(self.folder, self.session, progress)
+        # What is read afterwards goes by it, without another look at every file.
+        self.__dict__["_checked"] = found
+        return found
+
+
+def _stack(found: PhotographSeries, told: list[SessionFinding]) -> Stack:
+    findings = tuple(f"{one.path}: {one.reason}" for one in (*told, *found.findings))
+    return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
+
+
+def first_readable(read: Callable[[int], Stack], positions: tuple[int, ...]) -> Stack:
+    """Return the first of ``positions`` that ``read`` can read.
+
+    Raises
+    ------
+    FileError
+        None can; the last one's reason.
+    """
+    failure: FileError | None = None
+    for k in positions:
+        try:
+            return read(k)
+        except FileError as error:
+            failure = error
+    if failure is None:
+        raise ValueError("no positions are asked for")
+    raise failure

@@ -1,0 +1,286 @@
+"""The last step of a reconstruction: position by position into the table, kept on the disk as it goes."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from brdf_suite.acquisition.reconstruction.calibration import Calibration
+from brdf_suite.acquisition.reconstruction.options import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.source import Stack
+from brdf_suite.acquisition.reconstruction.work_file import (
+    CALIBRATION,
+    POSITION,
+    WorkFile,
+    WorkRecord,
+    open_work,
+)
+from brdf_suite.acquisition.table.finished import (
+    ParameterizedTable,
+    bin_means,
+    half_angle_table,
+    tabulate_means,
+)
+from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
+from brdf_suite.errors import AcquisitionError, FileError
+from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+
+if TYPE_CHECKING:
+    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition, Partial
+    from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
+
+ALGORITHM = 1
+"""Raised whenever the same photographs would give other sums: older work is then not taken up."""
+
+
+def reconstruct(
+    road: Acquisition,
+    progress: Progress | None = None,
+    work: Path | None = None,
+    partial: Partial | None = None,
+    restart: bool = False,
+) -> Acquired:
+    """Return the table of the positions of ``road``, whose calibration was taken.
+
+    Parameters
+    ----------
+    road
+        A session with its calibration.
+    progress
+        Told after each position; may raise :class:`~brdf_suite.errors.Cancelled`, and what is done stays in ``work``.
+    work
+        Where to keep what is done; what lies there of the same session, options and calibration is taken up.
+    partial
+        Called after each position with how many are done, of how many, and what gives the table so far.
+    restart
+        Whether to forget what lies in ``work``, whatever it belongs to.
+
+    Raises
+    ------
+    AcquisitionError
+        No position gave a reading; the message has the first one's reason.
+    FileError
+        ``work`` belongs to other photographs, is in use, or cannot be written.
+    """
+    with _opened(work) as kept:
+        key = work_key(road)
+        done: dict[int, WorkRecord] = {}
+        if kept is not None:
+            if restart:
+                kept.empty()
+            done = _taken_up(kept, key)
+            calibration = road.calibration.to_json()
+            if not kept.records:
+                kept.add(CALIBRATION, {"key": key, "calibration": calibration}, {})
+            elif json.dumps(kept.records[0].values["calibration"]) != json.dumps(calibration):
+                raise FileError(kept.path, "was begun with another calibration; take that one, or begin anew")
+        return _Reconstruction(road, kept, done).run(progress, partial)
+
+
+def kept_calibration(road: Acquisition, work: Path) -> Calibration | None:
+    """Return the calibration in a work file of the same session and options; None where there is none.
+
+    Raises
+    ------
+    FileError
+        The file belongs to other photographs or options, or is in use.
+    """
+    if not work.exists():
+        return None
+    with open_work(work) as kept:
+        if not kept.records:
+            return None
+        _taken_up(kept, work_key(road))
+        return Calibration.from_json(kept.records[0].values["calibration"])
+
+
+def kept_positions(road: Acquisition, work: Path) -> tuple[int, ...]:
+    """Return which positions are done in a work file of the same session and options; errors as above."""
+    if not work.exists():
+        return ()
+    with open_work(work) as kept:
+        return tuple(_taken_up(kept, work_key(road)))
+
+
+def work_key(road: Acquisition) -> str:
+    """Return a hash of the session, the options, and the photographs that belong to no position."""
+    described = json.dumps([ALGORITHM, road.options.to_json(), road.source.digest(None)], sort_keys=True)
+    return hashlib.sha256(described.encode()).hexdigest()
+
+
+@contextmanager
+def _opened(work: Path | None) -> Iterator[WorkFile | None]:
+    with contextlib.nullcontext() if work is None else open_work(work) as kept:
+        yield kept
+
+
+def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
+    """Return the positions in a work file, the newest record of each."""
+    if not kept.records:
+        return {}
+    first = kept.records[0]
+    if first.tag != CALIBRATION or first.values.get("key") != key:
+        raise FileError(
+            kept.path,
+            "belongs to a reconstruction of other photographs or with other options; "
+            "go on with those, or begin anew (--restart)",
+        )
+    return {record.values["position"]: record for record in kept.records if record.tag == POSITION}
+
+
+class _Reconstruction:
+    """The sums as they grow."""
+
+    def __init__(self, road: Acquisition, kept: WorkFile | None, done: dict[int, WorkRecord]) -> None:
+        self.road = road
+        self.kept = kept
+        self.done = done
+        self.calibration = road.calibration
+        layouts = LAYOUTS if road.options.compare else LAYOUTS[:1]
+        self.sums = {layout: TableSums(Parameterization(layout, road.options.bins)) for layout in layouts}
+        self.succeeded: list[int] = []
+        self.failed: list[LeftOut] = []
+        self.findings: list[str] = []
+        self.resumed = 0
+        self.readings = 0
+
+    def run(self, progress: Progress | None, partial: Partial | None) -> Acquired:
+        positions = self.road.positions
+        sampler: SphereSampler | None = None
+        # The next position is read while this one is reckoned: both take about as long.
+        with ThreadPoolExecutor(1, "photographs") as pool:
+            ahead: Future[Stack] | None = None
+            for n, k in enumerate(positions):
+                report(progress, 0.97 * n / len(positions), f"position {n + 1} of {len(positions)}")
+                record = self._still_valid(k)
+                if k in self.calibration.left_out:
+                    self.failed.append(LeftOut(k, self.calibration.left_out[k]))
+                elif record is not None:
+                    self._add_kept(k, record)
+                else:
+                    reading = ahead or pool.submit(self.road.stack, k)
+                    ahead = None
+                    following = positions[n + 1] if n + 1 < len(positions) else None
+                    sampler = sampler or self.road.sampler()
+                    try:
+                        stack = reading.result()
+                        if following is not None and following not in {
+                            *self.done,
+                            *self.calibration.left_out,
+                        }:
+                            ahead = pool.submit(self.road.stack, following)
+                        self._add_new(k, stack, sampler)
+                    except FileError as error:
+                        self.failed.append(LeftOut(k, str(error)))
+                if partial is not None:
+                    partial(n + 1, len(positions), self._table_so_far)
+        if not self.succeeded:
+            reason = f" The first: {self.failed[0].reason}" if self.failed else ""
+            raise AcquisitionError(f"No position gave a reading.{reason}")
+        report(progress, 0.97, "filling holes")
+        with self.road.clock.step("finish"):
+            table = self._table()
+            compared: dict[str, ParameterizedTable] = {
+                layout: tabulate_means(bin_means(sums, self._colour()))
+                for layout, sums in self.sums.items()
+                if layout != "half-angle"
+            }
+        return Acquired(
+            table,
+            tuple(self.succeeded),
+            tuple(self.failed),
+            self.resumed,
+            self.readings,
+            self.calibration,
+            (*self.calibration.notices, *self.findings),
+            dict(self.road.clock.seconds),
+            compared,
+        )
+
+    def _still_valid(self, k: int) -> WorkRecord | None:
+        record = self.done.get(k)
+        if record is None or record.values["digest"] != self.road.source.digest(k):
+            return None
+        return record
+
+    def _add_kept(self, k: int, record: WorkRecord) -> None:
+        if self.kept is None:
+            raise RuntimeError("a record without its file")
+        arrays = self.kept.arrays(record)
+        self.resumed += 1
+        self._take(
+            k,
+            {
+                layout: PositionSums(arrays[f"{layout} places"], arrays[f"{layout} sums"])
+                for layout in self.sums
+            },
+            record.values["readings"],
+            record.values["findings"],
+        )
+
+    def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
+        found, findings = self.road.checked_samples(k, sampler, stack)
+        with self.road.clock.step("table"):
+            position = {
+                layout: self._binned(found, sums.parameterization) for layout, sums in self.sums.items()
+            }
+        readings = int(sum(sums.sums[:, 0].sum(dtype=np.float64) for sums in list(position.values())[:1]))
+        if self.kept is not None:
+            arrays: dict[str, Any] = {}
+            for layout, sums in position.items():
+                arrays |= {f"{layout} places": sums.places, f"{layout} sums": sums.sums}
+            values = {
+                "position": k,
+                "digest": self.road.source.digest(k),
+                "readings": readings,
+                "findings": list(findings),
+            }
+            self.kept.add(POSITION, values, arrays)
+        self._take(k, position, readings, findings)
+
+    def _take(self, k: int, position: dict[Any, PositionSums], readings: int, findings: Any) -> None:
+        for layout, sums in position.items():
+            self.sums[layout].add(sums)
+        self.succeeded.append(k)
+        self.readings += readings
+        self.findings += [f"{finding}." for finding in findings]
+
+    @staticmethod
+    def _binned(found: PositionSamples, parameterization: Parameterization) -> PositionSums:
+        weights = reading_weights(found.wi, found.wo, found.value, found.variance) * found.weight
+        places = parameterization.index_of(found.wi.astype(np.float64), found.wo.astype(np.float64))
+        return position_sums(parameterization, places, found.value, weights, found.variance)
+
+    def _colour(self) -> Any:
+        return self.road.session.camera.to_working
+
+    def _table_so_far(self) -> IsotropicTable:
+        # Without the rounds of centring: this one is for a plot while the work goes on.
+        return half_angle_table(bin_means(self.sums["half-angle"], self._colour(), centre=False))
+
+    def _table(self) -> IsotropicTable:
+        session = self.road.session
+        facts = {
+            "format": "acquired",
+            "session": session.name,
+            "date": session.date,
+            "positions": len(self.succeeded),
+            "positions_left_out": len(self.failed),
+            "exposures": len(session.exposures_s),
+            "readings": self.readings,
+            "grazing_deg": self.road.options.grazing_deg,
+            "notes": (*self.calibration.notices, *self.findings, *(one.reason for one in self.failed)),
+            **{f"calibration_{name}": value for name, value in self.calibration.figures.items()},
+        }
+        means = bin_means(self.sums["half-angle"], self._colour())
+        return half_angle_table(means, session.name, facts)

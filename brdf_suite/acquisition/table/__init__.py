@@ -1,0 +1,1 @@
+"""From readings to a table of the reflectance."""

@@ -1,0 +1,1 @@
+"""Colour spaces: colorimetry, spectra, screens, flat colours."""

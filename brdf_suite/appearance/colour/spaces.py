@@ -1,0 +1,109 @@
+"""Further colour spaces: LCh, XYZ of the 2° observer, Display P3, and Bradford adaptation.
+
+The working space itself (linear Rec. 2020, D65) and L*a*b* are in :mod:`brdf_suite.appearance.colour.colorimetry`; all
+colour arrays are (..., 3).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.colour.colorimetry import (
+    WHITE_D65_10,
+    WORKING_TO_SRGB,
+    WORKING_TO_XYZ,
+    AdaptationTransform,
+    adaptation,
+    lab_to_working,
+    lab_to_xyz,
+    primaries_to_xyz,
+    srgb_encode,
+    xyz_to_lab,
+)
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import Floats
+
+P3_PRIMARIES = ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060))
+"""Chromaticities x, y of the primaries of Display P3 (SMPTE EG 432-1), with the white of D65."""
+
+WORKING_TO_P3: Floats = np.asarray(
+    np.linalg.solve(primaries_to_xyz(P3_PRIMARIES), WORKING_TO_XYZ), np.float64
+)
+"""Working space to linear Display P3 (the same white: no adaptation)."""
+
+_XYZ_TO_WORKING: Floats = np.asarray(np.linalg.inv(WORKING_TO_XYZ) / 100.0, np.float64)
+_DISPLAYS: dict[str, Floats] = {"sRGB": WORKING_TO_SRGB, "Display P3": WORKING_TO_P3}
+
+
+def lab_to_lch(lab: npt.ArrayLike) -> Floats:
+    """Return L*, C*ab, hab: hue in degrees, 0 to 360, counter-clockwise from +a*; 0 for a grey.
+
+    >>> lab_to_lch([50.0, 0.0, 10.0]).tolist()
+    [50.0, 10.0, 90.0]
+    """
+    lab = np.asarray(lab, float)
+    hue = np.degrees(np.arctan2(lab[..., 2], lab[..., 1])) % 360.0
+    # A hue of -1e-15° comes out of the modulus as 360 itself.
+    hue = np.where(hue >= 360.0, 0.0, hue)
+    return np.stack((lab[..., 0], np.hypot(lab[..., 1], lab[..., 2]), hue), axis=-1)
+
+
+def lch_to_lab(lch: npt.ArrayLike) -> Floats:
+    """Return L*a*b* of L*, C*ab and hue in degrees; the inverse of :func:`lab_to_lch`."""
+    lch = np.asarray(lch, float)
+    hue = np.radians(lch[..., 2])
+    return np.stack((lch[..., 0], lch[..., 1] * np.cos(hue), lch[..., 1] * np.sin(hue)), axis=-1)
+
+
+def working_to_xyz(rho: npt.ArrayLike) -> Floats:
+    """Return XYZ of the 2° observer, the D65 white's Y = 100, of working-space values."""
+    return np.asarray(100.0 * (np.asarray(rho, float) @ WORKING_TO_XYZ.T))
+
+
+def xyz_to_working(xyz: npt.ArrayLike) -> Floats:
+    """Return working-space values of XYZ for the 2° observer under D65; no adaptation."""
+    return np.asarray(np.asarray(xyz, float) @ _XYZ_TO_WORKING.T)
+
+
+def adapt_xyz(
+    xyz: npt.ArrayLike,
+    white_from: npt.ArrayLike,
+    white_to: npt.ArrayLike,
+    transform: AdaptationTransform = "CAT16",
+) -> Floats:
+    """Return XYZ adapted completely from one white to another, by CAT16 or Bradford."""
+    return np.asarray(np.asarray(xyz, float) @ adaptation(white_from, white_to, transform).T)
+
+
+def lab_to_working_by(lab: npt.ArrayLike, transform: AdaptationTransform) -> Floats:
+    """Return ρ in the working space of L*a*b* (D65, 10°) with a stated adaptation to the 2° white.
+
+    ``CAT16`` is :func:`~brdf_suite.appearance.colour.colorimetry.lab_to_working`. Both leave greys grey; on saturated
+    colours they differ by some thousandths, as the two whites are close.
+    """
+    if transform == "CAT16":
+        return lab_to_working(lab)
+    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
+    return xyz_to_working(adapt_xyz(lab_to_xyz(lab), WHITE_D65_10, white, transform))
+
+
+def working_to_lab_by(rho: npt.ArrayLike, transform: AdaptationTransform) -> Floats:
+    """Return L*a*b* (D65, 10°) of ρ in the working space; the inverse of :func:`lab_to_working_by`."""
+    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
+    return xyz_to_lab(adapt_xyz(working_to_xyz(rho), white, WHITE_D65_10, transform))
+
+
+def working_to_p3(rho: npt.ArrayLike) -> Floats:
+    """Return Display P3 values with its transfer curve (that of sRGB) of working-space ones; not clipped."""
+    return srgb_encode(np.asarray(rho, float) @ WORKING_TO_P3.T)
+
+
+def in_display_gamut(
+    lab: npt.ArrayLike, display: str = "sRGB", tolerance: float = 1e-6
+) -> npt.NDArray[np.bool_]:
+    """Return whether (...) a display (``sRGB`` or ``Display P3``) can show L*a*b*; ``tolerance`` in linear light."""
+    if display not in _DISPLAYS:
+        raise ValueRangeError("display", f"expected one of {', '.join(_DISPLAYS)}, not {display!r}")
+    linear = lab_to_working(lab) @ _DISPLAYS[display].T
+    return np.asarray(np.all((linear >= -tolerance) & (linear <= 1.0 + tolerance), axis=-1))

@@ -1,0 +1,1 @@
+"""Colour differences, tolerances, and the words of the trade for them."""

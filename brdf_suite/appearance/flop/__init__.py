@@ -1,0 +1,1 @@
+"""Flop index, travel, and edits of the flop."""

@@ -1,0 +1,1 @@
+"""Colours under another light."""

@@ -1,0 +1,1 @@
+"""Commands on environments: information, studios and skies, lights, prefiltering."""

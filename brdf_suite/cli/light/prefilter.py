@@ -1,0 +1,52 @@
+"""``brdf-suite prefilter ENV``: make the prefiltered maps of an environment, or load them from the cache."""
+
+from __future__ import annotations
+
+import argparse
+
+from brdf_suite.cli.light.layout import add_layout
+from brdf_suite.cli.output import print_json, progress_bar
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "prefilter",
+        help="prefilter an environment, its maps kept in the cache",
+        description="Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
+        "which the Viewer and `render` take them.",
+    )
+    command.add_argument(
+        "environment",
+        metavar="ENV",
+        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
+    )
+    add_layout(command)
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Prefilter and print what there is now."""
+    from time import perf_counter
+
+    from brdf_suite.pipeline.scene import load_environment
+
+    start = perf_counter()
+    with progress_bar("prefiltering", quiet=options.json) as progress:
+        prepared = load_environment(options.environment, progress, layout=options.layout)
+    seconds = perf_counter() - start
+    facts = prepared.to_json() | {"seconds": seconds}
+    if options.json:
+        print_json(facts)
+        return 0
+    for note in prepared.environment.notes:
+        print(f"note: {note}")
+    rows, columns = prepared.environment.radiance.shape[:2]
+    sizes = ", ".join(
+        f"{exponent:,.0f}: {lobe.faces.shape[1]}"
+        for exponent, lobe in zip(prepared.maps.exponents, prepared.maps.lobes, strict=True)
+    )
+    source = " from the cache" if prepared.from_cache else ""
+    print(f"{prepared.name}: {columns}×{rows}, {seconds:.2f} s{source}; face size per exponent: {sizes}")
+    return 0

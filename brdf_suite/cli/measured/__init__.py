@@ -1,0 +1,1 @@
+"""Commands on measured reflectance: measure, compare, convert, fit, acquire."""

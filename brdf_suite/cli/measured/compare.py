@@ -1,0 +1,78 @@
+"""``brdf-suite compare A B``: differences of two reflectances, per angle and over all directions."""
+
+from __future__ import annotations
+
+import argparse
+
+from brdf_suite.cli.measured.measure import ANYTHING, add_instrument
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "compare",
+        help="compare two paints or measured files: colour differences per angle, RMS and log error",
+        description="Compare B with the reference A. With tolerances the exit status is 1 where B fails.",
+    )
+    command.add_argument("a", metavar="A", help=f"the reference: {ANYTHING}")
+    command.add_argument("b", metavar="B", help="the sample, likewise")
+    add_instrument(command)
+    add_tolerances(command)
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+_SHORT = {"cmc21": "CMC 2:1", "cmc11": "CMC 1:1", "cam02ucs": "CAM02"}
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compare and print; 1 where a tolerance is exceeded."""
+    from brdf_suite.appearance.difference.tolerance import difference_title
+    from brdf_suite.appearance.geometries import geometry_set
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.pipeline.measuring import compare
+    from brdf_suite.reflectance.instruments.aperture import aperture
+
+    geometry = geometry_set(options.geometry)
+    tolerances = parse_tolerances(options, [one.aspecular_deg for one in geometry.geometries])
+    first, second = (load_material(what, observer_deg=options.observer) for what in (options.a, options.b))
+    result = compare(first, second, geometry, aperture(options.aperture), tolerances)
+    failed = result.verdict is not None and result.verdict.passes is False
+    if options.json:
+        notices = {"a": list(first.notices), "b": list(second.notices)}
+        print_json({"a": first.name, "b": second.name, **result.to_json(), "notices": notices})
+        return 1 if failed else 0
+    names = [first.name, second.name]
+    if names[0] == names[1]:  # two paints of one name, or one paint twice: the typed names distinguish them
+        names = [f"{name} ({typed})" for name, typed in zip(names, (options.a, options.b), strict=True)]
+    print(f"{names[1]} against {names[0]}: {result.first.geometry_set.title}; {result.first.aperture.title}")
+    titles = [_SHORT.get(name) or difference_title(name) for name in result.differences]
+    columns = "".join(f" {title:>{max(8, len(title))}}" for title in titles)
+    print(f"{'geometry':>10}{columns}" + ("  verdict" if result.verdict else ""))
+    for k, reading in enumerate(result.first.readings):
+        numbers = "".join(
+            f" {values[k]:{max(8, len(title))}.3f}"
+            for title, values in zip(titles, result.differences.values(), strict=True)
+        )
+        row = None if result.verdict is None else result.verdict.angles[k]
+        verdict = "" if row is None or row.passes is None else f"  {verdict_text(row)}"
+        print(f"{reading.geometry.name:>10}{numbers}{verdict}")
+    print(f"  in words: {result.sentence}")
+    gloss = ", ".join(
+        f"{value:.1f} and {result.second.gloss[angle]:.1f} at {angle}°"
+        for angle, value in result.first.gloss.items()
+    )
+    print(f"  gloss (GU): {gloss}")
+    for title, figures in (("all directions", result.figures), ("5° off the mirror", result.away)):
+        print(
+            f"  {title:>18}: cosine RMS {figures.cosine_rms:.5g} 1/sr, cube-root RMS {figures.cube_root_rms:.5g}, "
+            f"log error {figures.log_rms:.5g}"
+        )
+    for light, values in (result.metamerism or {}).items():
+        print(f"  metamerism index, D65 to {light}: " + ", ".join(f"{value:.2f}" for value in values))
+    for measurable, name in zip((first, second), names, strict=True):
+        for notice in measurable.notices:
+            print(f"note: {name}: {notice}")
+    return 1 if failed else 0

@@ -1,0 +1,151 @@
+"""``brdf-suite factorize FILE|PAINT -o OUT.brdfpaint``: any reflectance as a product of textures."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json, progress_bar
+
+if TYPE_CHECKING:
+    from brdf_suite.model_fits.factors import FactoredFit
+
+_EXAMPLES = """\
+examples:
+  brdf-suite factorize cayman.brdf -o cayman.brdfpaint
+  brdf-suite factorize brushed.bsdf -o brushed.brdfpaint --factors "p:wo q:h p:wi" --resolution 64
+"""
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "factorize",
+        help="write anything that reflects as a product of textures",
+        description="Factor a reflectance into a product of maps, f_r = alpha p(wo) q(h) p(wi) or any other, by least "
+        "squares of the logarithm (McCool, Ang and Ahmad 2001), with the specular peak apart, and report how near the "
+        "product comes. The paint or table that is written opens in all programs.",
+        epilog=_EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    command.add_argument(
+        "reflectance", metavar="FILE|PAINT", help="a measured file, a .brdfpaint file, or the name of a paint"
+    )
+    command.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        type=Path,
+        required=True,
+        help="the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable",
+    )
+    command.add_argument(
+        "--factors",
+        metavar="WORDS",
+        help='the maps and what each is read by, "map:projection ...", a map twice if it is read twice, "@n" behind '
+        "it for its texels; projections: wi, wo, h, |wi|, |wo|, |h|, sqrt|h|, w.h, wi.wo, w.h,h.n and wi.n,wo.n; "
+        'default: "p:|wo| q:sqrt|h| p:|wi| d:w.h@16" of what is isotropic, else "p:wo q:h p:wi"',
+    )
+    command.add_argument(
+        "--resolution", metavar="N", type=int, default=32, help="texels along a map, 2 to 512; default: 32"
+    )
+    command.add_argument(
+        "--smoothness",
+        metavar="L",
+        type=float,
+        help="weight of the maps' Laplacian beside a sample's; default: 4 of measured files, 1 of paints",
+    )
+    command.add_argument(
+        "--bias",
+        metavar="E",
+        type=float,
+        help="what is added to each value, over their mean, as an error of measurement; default: 1e-2 of measured "
+        "files, 1e-5 of paints",
+    )
+    command.add_argument(
+        "--peak",
+        choices=("auto", "off", "radial", "map"),
+        default="auto",
+        help="keep the specular peak apart, over the half vector's radius or as a map; default: auto, radial of what "
+        "is isotropic",
+    )
+    command.add_argument(
+        "--keep-mean",
+        choices=("auto", "on", "off"),
+        default="auto",
+        help="scale the product so that it reflects as much as the samples do; default: auto, where that brings it "
+        "no farther from them",
+    )
+    command.add_argument(
+        "--radial",
+        action="store_true",
+        help="keep maps of two axes that are radially symmetric within 2 %% as their radius alone",
+    )
+    command.add_argument(
+        "--pairs",
+        metavar="N",
+        type=int,
+        default=57_600,
+        help="pairs of directions that are drawn of a paint; default: 57600",
+    )
+    command.add_argument("--overwrite", action="store_true", help="replace OUT where it is there")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Factor, write the paint and print a summary."""
+    from brdf_suite.documents.store import PAINT_ENDING
+    from brdf_suite.errors import FileError
+    from brdf_suite.model_fits.factors import (
+        TABLE_ENDING,
+        FactoringOptions,
+        check_target,
+        factor_any,
+        save_factored,
+    )
+
+    if options.output.suffix.lower() not in (PAINT_ENDING, TABLE_ENDING):
+        raise FileError(
+            options.output,
+            f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}; give it one of these endings",
+        )
+    if options.output.exists() and not options.overwrite:
+        raise FileError(options.output, "is there already; give another name, or --overwrite")
+    check_target(options.output)
+    chosen = FactoringOptions(
+        factors=options.factors,
+        resolution=options.resolution,
+        smooth=options.smoothness,
+        bias=options.bias,
+        peak=options.peak,
+        keep_mean=options.keep_mean,
+        radial=options.radial,
+        pairs=options.pairs,
+    )
+    with progress_bar("factoring", quiet=options.json) as progress:
+        found = factor_any(options.reflectance, chosen, progress=progress)
+    save_factored(found, options.output)
+    if options.json:
+        print_json({**found.to_json(), "file": str(options.output)})
+    else:
+        print(_summary(found, options.output))
+    return 0
+
+
+def _summary(found: FactoredFit, output: Path) -> str:
+    near = found.accuracy
+    peak = f", peak apart: {found.peak}" if found.peak else ""
+    lines = [f"{found.name}: {found.samples:,} samples, {found.factors}{peak}, {found.solver}"]
+    if found.left_out or found.raised:
+        lines.append(f"left out: {found.left_out:,} samples; negative ones taken for 0: {found.raised:,}")
+    lines.append(f"relative error: median {near.median_relative:.3f}; SNR {near.snr_db:.2f} dB")
+    from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
+
+    symmetric = [name for name, size in found.asymmetry.items() if size <= SYMMETRIC]
+    if symmetric:
+        verb = "is" if len(symmetric) == 1 else "are"
+        lines.append(f"{' and '.join(symmetric)} {verb} radially symmetric; --radial keeps the radius alone")
+    lines.append(f"{found.compression:.3g} samples a texel; written to {output}")
+    return "\n".join(lines)

@@ -1,0 +1,133 @@
+"""``brdf-suite fit FILE|PAINT``: lobe weights of any reflectance, their errors, and the fit time."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json, progress_bar
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
+    from brdf_suite.pipeline.lobe_fit import LobeFit
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "fit",
+        help="fit the cosine lobes to a paint or a measured file",
+        description="Fit the fixed set of cosine lobes to a paint of any kind or a measured file. "
+        "Weights are linear Rec. 2020, f_r·cosθ at the stated incidence: KD and KDD times N·L, KG without. Errors are "
+        "those of the fit (L1) and those where the fit did not look.",
+    )
+    command.add_argument(
+        "paint",
+        metavar="FILE|PAINT",
+        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+    )
+    command.add_argument(
+        "--angles",
+        metavar="K",
+        type=int,
+        help="fit a designed or Cook-Torrance paint at K incidences (3 or more; 16 is usual) with weights that change "
+        "calmly between them, and report the errors at other incidences",
+    )
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Fit and print."""
+    if options.angles is not None:
+        return _at_angles(options)
+    from brdf_suite.pipeline.lobe_fit import fit_material
+    from brdf_suite.pipeline.material import load_material
+
+    with progress_bar("fitting", quiet=options.json) as progress:
+        found = fit_material(load_material(options.paint), errors=True, progress=progress)
+    if options.json:
+        print_json(found.to_json())
+        return 0
+    _print_weights(found)
+    if found.readings:
+        print(" aspecular °    L* asked   fitted      ΔE00")
+        for row in found.readings:
+            print(
+                f"{row.aspecular_deg:12.0f}  {row.lab[0]:10.2f} {row.lab_fitted[0]:8.2f}  {row.delta_e_2000:8.3f}"
+            )
+    elif found.angles:
+        print("     light °  aspecular °          L*   fitted      ΔE00")
+        for row in found.angles:
+            print(
+                f"{row.illumination_deg:12.1f} {row.aspecular_deg:12.1f}  {row.lab[0]:10.2f} {row.lab_fitted[0]:8.2f}  "
+                f"{row.delta_e_2000:8.3f}" + ("" if row.fitted else "  (not fitted)")
+            )
+    for part, errors in found.l1_errors.items():
+        print(f"L1 error, {part}: " + ", ".join(f"{100.0 * error:.1f} %" for error in errors) + " (R, G, B)")
+    if found.held_out is not None:
+        _print_held_out(found.held_out)
+    for notice in found.notices:
+        print(f"note: {notice}")
+    return 0
+
+
+def _at_angles(options: argparse.Namespace) -> int:
+    from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
+
+    found = fit_at_angles(options.paint, options.angles)
+    if options.json:
+        print_json(found.to_json())
+        return 0
+    weights = found.weights
+    print(
+        f"{found.name}: {weights.exponents.size} lobes at {weights.grid.count} incidences, "
+        f"{found.fit.seconds * 1e3:.2f} ms" + (", time-limited" if found.fit.time_limited else "")
+    )
+    print(" incidence °         KD r         g         b   gloss energy r         g         b")
+    energy = weights.coat_energy()
+    for cosine, kd, gloss in zip(weights.cosines, weights.kd, energy, strict=True):
+        print(f"{math.degrees(math.acos(min(cosine, 1.0))):12.1f}  {_triple(kd)}      {_triple(gloss)}")
+    gammas = judged_gammas(45.0)
+    print("ΔE00 at light °  γ = " + "".join(f"{gamma:8.0f}" for gamma in gammas))
+    rows = {(row.illumination_deg, row.aspecular_deg): row.delta_e_2000 for row in found.errors}
+    for theta in dict.fromkeys(theta for theta, _ in rows):
+        values = (rows.get((theta, gamma)) for gamma in gammas)
+        print(f"{theta:15.0f}      " + "".join(f"{'':8}" if v is None else f"{v:8.2f}" for v in values))
+    for notice in found.notices:
+        print(f"note: {notice}")
+    return 0
+
+
+def _print_weights(found: LobeFit) -> None:
+    weights = found.weights
+    print(
+        f"{found.name}: {len(weights.exponents)} lobes, {found.fit_seconds * 1e3:.2f} ms"
+        + (", time-limited" if found.time_limited else "")
+    )
+    print(f"{'exponent':>17}  {'KDD r':>11}{'g':>10}{'b':>10} {'KG r':>11}{'g':>10}{'b':>10}")
+    for exponent, base, gloss in zip(weights.exponents, weights.kdd, weights.kg, strict=True):
+        print(f"{exponent:17,.1f}  {_triple(base)} {_triple(gloss)}")
+    print(f"               KD  {_triple(weights.kd)}")
+
+
+def _print_held_out(held_out: HeldOut) -> None:
+    print(f"where the fit did not look ({held_out.pairs:,} direction pairs: {held_out.where}):")
+    print(f"    {_figures(held_out.figures)}; {100.0 * held_out.relative_rms:.0f} % of the data's own RMS")
+    if held_out.away is not None:
+        print(f"    more than 5° from the mirror direction: {_figures(held_out.away)}")
+
+
+def _figures(figures: ErrorFigures) -> str:
+    return (
+        f"cosine-weighted RMS {figures.cosine_rms:.4g} 1/sr, cube-root RMS {figures.cube_root_rms:.4g}, "
+        f"log error {figures.log_rms:.4g}"
+    )
+
+
+def _triple(weights: NDArray[np.float64]) -> str:
+    return f"{weights[0]:11.4f}{weights[1]:10.4f}{weights[2]:10.4f}"

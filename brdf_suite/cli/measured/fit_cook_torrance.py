@@ -1,0 +1,210 @@
+"""``brdf-suite fit-cook-torrance FILE [-o OUT.brdfpaint]``: fit of Cook-Torrance lobes to a measured file."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json, progress_bar
+
+if TYPE_CHECKING:
+    from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors
+    from brdf_suite.model_fits.cook_torrance import FileFit
+
+_PAINT, _TABLE = ".brdfpaint", ".brdftable"
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "fit-cook-torrance",
+        help="fit Cook-Torrance lobes to a measured file and write them as a paint",
+        description="Fit kd and lobes (ks, m, r) to a table, to samples, or to a material of RGL, by the mean of "
+        "|log(fit/measured)| (Günther et al. 2005, section 4.2), report the errors and each parameter's uncertainty, "
+        "and write a paint that every program opens.",
+    )
+    command.add_argument(
+        "reflectance", metavar="FILE", help="a measured file; also a .brdfpaint file or the name of a paint"
+    )
+    command.add_argument(
+        "-o",
+        "--output",
+        metavar="OUT",
+        type=Path,
+        help="the .brdfpaint to write; a .brdftable takes any model, tabulated",
+    )
+    command.add_argument("--overwrite", action="store_true", help="write over OUT where it exists")
+    command.add_argument("--lobes", metavar="N", type=int, default=3, help="1 to 6; default: 3")
+    command.add_argument(
+        "--model",
+        metavar="MODEL",
+        default="cook-torrance",
+        help="cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a coat over the rest",
+    )
+    command.add_argument(
+        "--compare", action="store_true", help="fit the other models too, and print the errors side by side"
+    )
+    command.add_argument(
+        "--loss",
+        metavar="LOSS",
+        default="l1",
+        help="l1 (default): |log(fit/measured)|; l2: its square; robust: Cauchy's, deaf to outliers",
+    )
+    command.add_argument(
+        "--starts", metavar="N", type=int, default=8, help="from how many places to search; default: 8"
+    )
+    command.add_argument(
+        "--samples", metavar="N", type=int, default=6000, help="the most to look at; default: 6000"
+    )
+    command.add_argument(
+        "--grazing",
+        metavar="DEG",
+        type=float,
+        default=80.0,
+        help="leave out light or view beyond this angle from the normal; default: 80",
+    )
+    command.add_argument(
+        "--seed", metavar="N", type=int, default=0, help="of the choice of samples and starts"
+    )
+    command.add_argument(
+        "--state",
+        metavar="FILE",
+        type=Path,
+        help="where finished starts are kept, so that a fit that was broken off goes on; default: OUT with .starts "
+        "added, removed when the fit is done",
+    )
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Fit, write the files and print a summary."""
+    from dataclasses import asdict, replace
+
+    from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
+    from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
+    from brdf_suite.model_fits.cook_torrance import fit_cook_torrance, fit_reflectance_lobes
+    from brdf_suite.progress import subrange
+
+    settings = Settings(
+        options.lobes,
+        options.model,
+        options.loss,
+        options.starts,
+        options.seed,
+        options.samples,
+        options.grazing,
+    )
+    _check_output(options)
+    state = options.state
+    if state is None and options.output is not None:
+        state = options.output.with_name(options.output.name + ".starts")
+    others = [model for model in MODELS if model != settings.model] if options.compare else []
+    if "ggx-clearcoat" in others and settings.lobes < 2:
+        others.remove("ggx-clearcoat")
+    with progress_bar("fitting", quiet=options.json) as progress:
+        share = 1.0 / (1 + len(others))
+        found = fit_cook_torrance(
+            options.reflectance, settings, state=state, progress=subrange(progress, 0.0, share)
+        )
+        beside = [
+            fit_reflectance_lobes(
+                found.name,
+                found.reflectance,
+                replace(settings, model=model),  # type: ignore[arg-type] # one of the literals
+                progress=subrange(progress, share * (1 + k), share * (2 + k)),
+            )
+            for k, model in enumerate(others)
+        ]
+    if options.output is not None:
+        _write(found, options.output)
+    if state is not None and options.state is None:
+        StartsFile(state).remove()
+    rows = [found, *beside]
+    if options.json:
+        value = found.to_json()
+        if beside:
+            value["models"] = {row.fit.model.name: asdict(row.errors_within) for row in rows}
+        if options.output is not None:
+            value["file"] = str(options.output)
+        print_json(value)
+        return 0
+    _print_summary(found)
+    if beside:
+        print(f"the models side by side, within {settings.grazing_deg:g}°:")
+        for row in rows:
+            print(f"  {row.fit.model.name:14} {_errors(row.errors_within)}")
+    if options.output is not None:
+        print(f"written to {options.output}")
+    return 0
+
+
+def _check_output(options: argparse.Namespace) -> None:
+    """Refuse before the fit what could not be written after it."""
+    from brdf_suite.errors import FileError
+
+    output: Path | None = options.output
+    if output is None:
+        return
+    ending = output.suffix.lower()
+    if ending not in (_PAINT, _TABLE):
+        raise FileError(
+            output, f"lobes go into a {_PAINT}, or tabulated into a {_TABLE}; give it that ending"
+        )
+    if ending == _PAINT and options.model != "cook-torrance":
+        raise FileError(
+            output, f"lobes of the model {options.model} are no paint; name a {_TABLE}, or fit cook-torrance"
+        )
+    if output.exists() and not options.overwrite:
+        raise FileError(output, "exists already; name another file, or add --overwrite")
+    if not output.parent.is_dir():
+        raise FileError(output, "cannot be written: its folder does not exist")
+
+
+def _write(found: FileFit, output: Path) -> None:
+    from brdf_suite.documents.store import save_paint
+    from brdf_suite.files.measured.brdftable import write_brdftable
+
+    if found.paint is not None and output.suffix.lower() == _PAINT:
+        save_paint(found.paint, output)
+    else:
+        write_brdftable(found.fit, output)
+
+
+def _print_summary(found: FileFit) -> None:
+    fit, errors = found.fit, found.fit.standard_errors
+    print(
+        f"{found.name}: {fit.samples:,} samples, {fit.model.lobes} lobes of {fit.model.name}, {found.seconds:.1f} s"
+    )
+    print(f"     kd  {_colour(fit.kd, errors.kd)}")
+    for lobe in range(fit.model.lobes):
+        print(
+            f"  {lobe + 1}  ks  {_colour(fit.ks[lobe], errors.ks[lobe])}   m {_number(fit.m[lobe], errors.m[lobe])}"
+            f"   r {_number(fit.r[lobe], errors.r[lobe])}"
+        )
+    print(f"energy (mean |ln(fit/measured)|) {fit.energy_mean:.4f} where the solver looked")
+    print(f"within {fit.settings.grazing_deg:g}° of the normal: {_errors(found.errors_within)}")
+    print(f"over everything: {_errors(found.errors)}")
+    for notice in found.notices:
+        print(f"note: {notice}")
+
+
+def _errors(errors: FitErrors) -> str:
+    return (
+        f"mean |ln| {errors.l1_mean:.4f}, log RMS {errors.log_rms:.4f}, median {100.0 * errors.median_relative:.2f} %"
+        f" of {errors.compared:,} values"
+    )
+
+
+def _colour(values: object, errors: object) -> str:
+    from numpy import asarray
+
+    pairs = zip(asarray(values).tolist(), asarray(errors).tolist(), strict=True)
+    return "  ".join(_number(value, error) for value, error in pairs)
+
+
+def _number(value: float, error: float) -> str:
+    uncertainty = f" ± {error:<8.2g}" if math.isfinite(error) else "           "
+    return f"{value:9.4g}{uncertainty}"

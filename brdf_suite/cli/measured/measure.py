@@ -1,0 +1,167 @@
+"""``brdf-suite measure FILE|PAINT``: readings of a virtual multi-angle spectrophotometer and glossmeter."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json
+
+if TYPE_CHECKING:
+    from brdf_suite.appearance.light.colour import ColourUnderLight
+    from brdf_suite.pipeline.material import Material
+    from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
+
+GEOMETRY_HELP = (
+    "e2194 (15, 45, 110°), five, six, e2539, or your own: LIGHT:ANGLE,ANGLE[;LIGHT:…] in degrees, as in "
+    "45:15,45,110 (default: six)"
+)
+APERTURE_HELP = (
+    "half-angle of the receptor's cone in degrees, or LIGHT,RECEPTOR, or point (0,0), narrow (1,2), wide (2,4) "
+    "(default: point)"
+)
+# The chroma C* below which a hue is rounding alone.
+_GREY = 0.005
+
+ANYTHING = "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint"
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "measure",
+        help="measure paints and measured files: colour per angle, gloss, haze, flop, travel",
+        description="Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
+        "and glossmeter (20, 60, 85°).",
+    )
+    command.add_argument("what", metavar="FILE|PAINT", nargs="+", help=ANYTHING)
+    add_instrument(command)
+    command.add_argument(
+        "--solve",
+        action="store_true",
+        help="take a designed paint's own colours as read through the aperture, and solve it so",
+    )
+    command.add_argument(
+        "--illuminant",
+        choices=("D65", "A", "F11"),
+        default="D65",
+        help="also the colours under A or F11 (TL84-like): recomputed from spectra where they are known, else adapted",
+    )
+    form = command.add_mutually_exclusive_group()
+    form.add_argument(
+        "--json", action="store_true", help="print one JSON object (a list of several under 'paints')"
+    )
+    form.add_argument("--csv", action="store_true", help="print a table with one row for each paint")
+    command.set_defaults(run=run)
+
+
+def add_instrument(command: argparse.ArgumentParser) -> None:
+    """Declare the options of the virtual instrument."""
+    command.add_argument("--geometry", default="six", metavar="NAME", help=GEOMETRY_HELP)
+    command.add_argument("--aperture", default="point", metavar="DEG", help=APERTURE_HELP)
+    command.add_argument(
+        "--observer",
+        type=int,
+        choices=(2, 10),
+        default=10,
+        help="the observer through which a measured file's spectra become colour (default: 10)",
+    )
+
+
+def run(options: argparse.Namespace) -> int:
+    """Measure and print."""
+    from brdf_suite.appearance.geometries import geometry_set
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.pipeline.measuring import measurement_json
+    from brdf_suite.reflectance.instruments.aperture import aperture
+    from brdf_suite.reflectance.instruments.spectrophotometer import measure
+
+    geometries, through = geometry_set(options.geometry), aperture(options.aperture)
+    measured: list[tuple[Material, InstrumentReport]] = []
+    for what in options.what:
+        item = load_material(
+            what, observer_deg=options.observer, solved_through=through if options.solve else None
+        )
+        measured.append((item, measure(item.reflectance, geometries, through)))
+    if options.json:
+        answers = [measurement_json(item, report, options.illuminant) for item, report in measured]
+        print_json(answers[0] if len(answers) == 1 else {"paints": answers})
+    elif options.csv:
+        _print_csv(measured, options.illuminant)
+    else:
+        for item, report in measured:
+            _print_table(item, report, options.illuminant)
+    return 0
+
+
+def _under(item: Material, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
+    from brdf_suite.reflectance.instruments.under_light import readings_under
+
+    return readings_under(item.reflectance, report, illuminant, item.observer_deg)
+
+
+def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> None:
+    # Two paints may share a name, as the shipped blue and that of Table 1 do.
+    plain = Path(item.origin).name.replace("_", " ").lower()
+    named = "" if plain in ("", item.name.replace("_", " ").lower()) else f" ({item.origin})"
+    print(f"{item.name}{named}: {report.geometry_set.title}; {report.aperture.title}; D65, 10°")
+    print(
+        f"{'geometry':>10} {'L*':>8} {'a*':>8} {'b*':>8} {'C*':>8} {'h °':>7} {'X':>8} {'Y':>8} {'Z':>8}  factor"
+    )
+    for reading in report.readings:
+        # Adding 0 turns the -0 of a grey into 0.
+        numbers = "".join(f" {round(value, 2) + 0.0:8.2f}" for value in (*reading.lab, reading.lch[1]))
+        tristimulus = "".join(f" {value:8.3f}" for value in reading.xyz)
+        hue = f"{reading.lch[2]:7.1f}" if reading.lch[1] >= _GREY else f"{'–':>7}"
+        print(f"{reading.geometry.name:>10}{numbers} {hue}{tristimulus} {reading.factor:7.4f}")
+    gloss = ", ".join(f"{value:.1f} at {angle}°" for angle, value in report.gloss.items())
+    print(f"  gloss (GU, coat and base): {gloss}; haze {report.haze:.1f}")
+    if report.flop is not None:
+        print(f"  flop index: {report.flop.value:.2f}")
+    if report.travel is not None:
+        path = report.travel
+        print(
+            f"  travel, 15 to 110°: {path.length:.1f} in a*b*; hue {path.hue_deg:+.1f}° "
+            f"(path {path.hue_path_deg:.1f}°); chroma {path.chroma:+.1f}"
+        )
+    if illuminant != "D65":
+        colours = _under(item, report, illuminant)
+        print(f"  {colours[0].label}")
+        for reading, colour in zip(report.readings, colours, strict=True):
+            print(f"{reading.geometry.name:>10}" + "".join(f" {value:8.2f}" for value in colour.lab.tolist()))
+    for notice in (*item.notices, *report.notices):
+        print(f"note: {notice}")
+
+
+def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: str) -> None:
+    writer = csv.writer(sys.stdout, lineterminator="\n")
+    first = measured[0][1]
+    names = [_column(reading.geometry.name) for reading in first.readings]
+    head = ["name", "source", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
+    if illuminant != "D65":
+        head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
+    head += [f"factor_{name}" for name in names]
+    head += ["G20", "G60", "G85", "haze", "flop_index", "travel_ab", "hue_travel_deg", "chroma_travel"]
+    writer.writerow(head)
+    for item, report in measured:
+        row: list[str] = [item.name, item.origin]
+        row += [f"{value:.4f}" for reading in report.readings for value in reading.lab]
+        if illuminant != "D65":
+            colours = _under(item, report, illuminant)
+            row += [f"{value:.4f}" for colour in colours for value in colour.lab.tolist()]
+        row += [f"{reading.factor:.6f}" for reading in report.readings]
+        row += [f"{value:.3f}" for value in (*report.gloss.values(), report.haze)]
+        row.append("" if report.flop is None else f"{report.flop.value:.4f}")
+        path = report.travel
+        row += (
+            ["", "", ""] if path is None else [f"{v:.4f}" for v in (path.length, path.hue_deg, path.chroma)]
+        )
+        writer.writerow(row)
+
+
+def _column(geometry: str) -> str:
+    """Return the name of a column; those of the usual light are named by the aspecular angle alone."""
+    return geometry.removeprefix("45as")

@@ -1,0 +1,1 @@
+"""Commands on paints: design, judge, export."""

@@ -1,0 +1,155 @@
+"""``brdf-suite design``: a paint from a measurement, as a variation, or interpolated between two others."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
+from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.errors import SuiteError
+
+if TYPE_CHECKING:
+    from brdf_suite.documents.paint import Paint
+
+DIRECTIONS = ("lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command and its own commands."""
+    command = commands.add_parser(
+        "design", help="make a paint: from a measurement, a step away, or between two"
+    )
+    kinds = command.add_subparsers(dest="kind", metavar="KIND", required=True)
+    start = kinds.add_parser(
+        "start",
+        help="from anything that reflects, read by the virtual instruments",
+        description="Read colours and gloss, write the paint, and report how far it is from the original at angles "
+        "that were not read.",
+    )
+    start.add_argument("what", metavar="FILE|PAINT", help=ANYTHING)
+    start.add_argument(
+        "--geometry", default="e2194", metavar="NAME", help=GEOMETRY_HELP.replace(": six)", ": e2194)")
+    )
+    start.set_defaults(run=run_start)
+    step = kinds.add_parser("step", help="a step away from a paint: lighter, cleaner, with more flop …")
+    step.add_argument("what", metavar="PAINT", help="a .brdfpaint file or the name of a shipped paint")
+    step.add_argument("direction", choices=DIRECTIONS, metavar="DIRECTION", help=", ".join(DIRECTIONS))
+    step.add_argument("--step", type=float, default=2.0, metavar="UNITS", help="ΔL*, ΔC* or ΔH* (default: 2)")
+    step.set_defaults(run=run_step)
+    between = kinds.add_parser("between", help="between two paints, or a little beyond them")
+    between.add_argument("first", metavar="A", help="a .brdfpaint file or the name of a shipped paint")
+    between.add_argument("second", metavar="B", help=ANYTHING)
+    between.add_argument(
+        "--share", type=float, default=0.5, metavar="S", help="0 is A, 1 is B; -0.5 to 1.5 (default: 0.5)"
+    )
+    between.set_defaults(run=run_between)
+    for kind in (start, step, between):
+        kind.add_argument("-o", "--output", metavar="OUT", type=Path, help="the .brdfpaint file to write")
+        kind.add_argument("--json", action="store_true", help="print one JSON object")
+
+
+def run_start(options: argparse.Namespace) -> int:
+    """Read, write, and print the report."""
+    from brdf_suite.appearance.geometries import geometry_set
+    from brdf_suite.paint_design.measured_start import load_start
+
+    geometry = geometry_set(options.geometry)
+    _check_output(options.output)
+    with progress_bar("measuring", quiet=options.json) as progress:
+        start = load_start(options.what, geometry, progress)
+    facts: dict[str, object] = {
+        "gloss_read": {f"gu_{angle}": value for angle, value in start.gloss.readings.items()},
+        "gloss_used": start.gloss_used,
+        "held_out": [
+            {
+                "illumination_deg": row.illumination_deg,
+                "aspecular_deg": row.aspecular_deg,
+                "lab_original": list(row.original),
+                "lab_design": list(row.design),
+                "delta_e_2000": row.delta_e_2000,
+            }
+            for row in start.held_out
+        ],
+        "delta_e_2000_mean": start.mean_delta_e,
+        "delta_e_2000_worst": None if start.worst is None else start.worst.delta_e_2000,
+        "notices": list(start.notices),
+    }
+    lines = []
+    if start.worst is not None:
+        lines.append(
+            f"ΔE00 to the original at {len(start.held_out)} angles that were not read: mean "
+            f"{start.mean_delta_e:.2f}, at most {start.worst.delta_e_2000:.2f} ({start.worst.aspecular_deg:g}°, light "
+            f"{start.worst.illumination_deg:g}°)"
+        )
+    return _done(start.paint, options, facts, [*lines, *(f"note: {notice}" for notice in start.notices)])
+
+
+def run_step(options: argparse.Namespace) -> int:
+    """Take a step, write, and print."""
+    from brdf_suite.paint_design.variations import examined, variations
+    from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
+
+    _check_output(options.output)
+    found = {one.direction: one for one in variations(_design(options.what), options.step)}
+    fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
+    try:
+        one = examined(found[options.direction], fitter)
+    finally:
+        fitter.close()
+    if one.paint is None:
+        raise SuiteError(
+            f"{options.what}: there is no neighbour that is {one.word} by this step: {one.reason}"
+        )
+    lines = [f"{one.word}; the lobes give it within ΔE00 {one.missed:.2f}"]
+    return _done(one.paint, options, {"word": one.word, "delta_e_2000_missed": one.missed}, lines)
+
+
+def run_between(options: argparse.Namespace) -> int:
+    """Mix, write, and print."""
+    from brdf_suite.paint_design.mix import mixed, second_end
+    from brdf_suite.paint_design.standard_files import load_standards
+
+    _check_output(options.output)
+    first = _design(options.first)
+    second = second_end(first, load_standards(options.second)[0])
+    return _done(mixed(first, second, options.share), options, {"share": options.share}, [])
+
+
+def _design(name_or_path: str) -> Paint:
+    """Return the designed paint of a name or file; of anything else the design that is started from its readings."""
+    from brdf_suite.documents.paint import Paint
+    from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
+
+    found = load_paint_or_start(name_or_path)
+    return found if isinstance(found, Paint) else load_start(name_or_path).paint
+
+
+def _check_output(path: Path | None) -> None:
+    from brdf_suite.documents.store import PAINT_ENDING
+
+    if path is not None and path.suffix.lower() != PAINT_ENDING:
+        raise SuiteError(f"{path}: a paint is written to a file that ends in {PAINT_ENDING}.")
+
+
+def _done(paint: Paint, options: argparse.Namespace, facts: dict[str, object], lines: list[str]) -> int:
+    from brdf_suite.documents.store import paint_to_json, save_paint
+
+    if options.output is not None:
+        save_paint(paint, options.output)
+    if options.json:
+        written = None if options.output is None else str(options.output)
+        print_json({"paint": paint_to_json(paint), "output": written, **facts})
+        return 0
+    print(paint.name if options.output is None else f"{options.output}: {paint.name}")
+    for m in paint.measurements:
+        light = "" if m.illumination_deg == 45.0 else f", light {m.illumination_deg:g}°"
+        print(f"{m.aspecular_deg:8g}°{light}  L*a*b* " + " ".join(f"{value:7.2f}" for value in m.lab))
+    gloss = f"{paint.gloss.gu_20:g} GU at 20°"
+    if paint.gloss.gu_60 is not None:
+        gloss += f", {paint.gloss.gu_60:g} GU at 60°"
+    print(f"  gloss: {gloss}")
+    for line in lines:
+        print(f"  {line}")
+    return 0

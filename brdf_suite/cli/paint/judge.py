@@ -1,0 +1,115 @@
+"""``brdf-suite judge STANDARD BATCH…``: batches against a standard, by their readings."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
+from brdf_suite.errors import SuiteError
+
+if TYPE_CHECKING:
+    from brdf_suite.documents.paint import Paint
+    from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard
+
+KINDS = "a paint by name or file, a palette, CxF3, CSV or JSON of a hand-over, or a measured file"
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "judge",
+        help="judge batches against a standard: differences per angle, pass or fail, in words",
+        description="Judge each batch's readings against the standard's. What a standard was not read at is measured "
+        "of it where it is more than readings. With tolerances the exit status is 1 where a batch fails.",
+    )
+    command.add_argument("standard", metavar="STANDARD", help=KINDS)
+    command.add_argument(
+        "batch", metavar="BATCH", nargs="+", help="likewise; of several paints all are judged"
+    )
+    command.add_argument(
+        "--name", metavar="NAME", help="which standard of a file that holds several (default: the first)"
+    )
+    add_tolerances(command)
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Judge and print; 1 where a batch fails."""
+    from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
+    from brdf_suite.paint_design.standard import judge_all
+    from brdf_suite.paint_design.standard_files import load_standards
+
+    standard = _chosen(load_standards(options.standard), options.name, options.standard)
+    batches = _batches(options.batch, standard)
+    angles = [m.aspecular_deg for paint in batches for m in paint.measurements]
+    tolerances = parse_tolerances(options, angles) or Tolerances({}, None, options.difference)
+    reports = judge_all(standard, batches, tolerances)
+    failed = any(report.passes is False for report in reports)
+    if options.json:
+        print_json(
+            {
+                "standard": standard.name,
+                "origin": standard.origin,
+                "notices": list(standard.notices),
+                "batches": [report.to_json() for report in reports],
+            }
+        )
+        return 1 if failed else 0
+    title = difference_title(tolerances.difference)
+    for report in reports:
+        _print(report, standard, title)
+    for notice in standard.notices:
+        print(f"note: {standard.name}: {notice}")
+    return 1 if failed else 0
+
+
+def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Standard:
+    if name is None:
+        return standards[0]
+    found = [standard for standard in standards if standard.name == name]
+    if not found:
+        known = ", ".join(standard.name for standard in standards[:20])
+        raise SuiteError(f"{path}: holds no standard called {name!r}; there are {known}.")
+    return found[0]
+
+
+def _batches(paths: list[str], standard: Standard) -> list[Paint]:
+    from dataclasses import replace
+
+    from brdf_suite.paint_design.standard import paint_like
+    from brdf_suite.paint_design.standard_files import load_standards
+    from brdf_suite.pipeline.material import default_paint
+
+    # What is no designed paint is read at the standard's angles, or at the usual ones where it has none of its own.
+    like = standard.paint
+    if like is None and len(standard.readings) >= 3:
+        like = replace(default_paint(), measurements=standard.readings)
+    return [paint_like(one, like or default_paint()) for path in paths for one in load_standards(path)]
+
+
+def _print(report: BatchReport, standard: Standard, title: str) -> None:
+    word = {True: "pass", False: "FAIL", None: "not judged"}[report.passes]
+    print(f"{report.name} against {standard.name}: {word}")
+    print(f"{'angle':>16} {title:>9} {'ΔL*':>8} {'ΔC*':>8} {'ΔH*':>8}")
+    for row in report.rows:
+        print(f"{row.angle + ('*' if row.computed else ''):>16} {_numbers(row)}")
+    print(f"  in words: {report.sentence()}")
+    if report.flop is not None:
+        print(f"  flop index: {report.flop[0]:.1f} and {report.flop[1]:.1f}")
+    for angle, change in report.gloss.items():
+        print(f"  gloss at {angle}°: {change:+.1f} GU")
+    if any(row.computed for row in report.rows):
+        print(
+            "  * the standard was not read there: the virtual spectrophotometer's reading of its reflectance"
+        )
+
+
+def _numbers(row: AngleRow) -> str:
+    if row.verdict is None:
+        return "        –  the standard has no reading"
+    verdict = row.verdict
+    suffix = "" if verdict.passes is None else f"  {verdict_text(verdict)}"
+    return f"{verdict.difference:9.3f} {verdict.lightness:+8.2f} {verdict.chroma:+8.2f} {verdict.hue:+8.2f}{suffix}"

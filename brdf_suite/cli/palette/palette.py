@@ -1,0 +1,222 @@
+"""``brdf-suite palette``: convert palettes between common formats, describe and search them."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.palette import find as palette_find
+
+if TYPE_CHECKING:
+    from brdf_suite.documents.palette import Entry, Palette
+
+_FORMATS = (
+    "brdfpalette",
+    "ase",
+    "aco",
+    "gpl",
+    "kpl",
+    "sbz",
+    "cxf",
+    "scribus",
+    "soc",
+    "riff",
+    "jasc",
+    "csv",
+    "css",
+    "json",
+)
+_SHOWN = 20
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command and its parts."""
+    command = commands.add_parser(
+        "palette",
+        help="convert a palette, describe one, or find paints in it",
+        description="Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
+        "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV.",
+    )
+    parts = command.add_subparsers(dest="part", metavar="PART", required=True)
+    convert = parts.add_parser(
+        "convert",
+        help="write a palette in another format",
+        description="Read a palette and write it in the format that the ending of OUT names. What that format cannot "
+        "hold is reported; OUT is written whole or not at all.",
+    )
+    convert.add_argument("source", metavar="IN", type=Path, help="a palette of any format")
+    convert.add_argument("target", metavar="OUT", type=Path, help="the file to write")
+    convert.add_argument(
+        "--format", choices=_FORMATS, help="the format (default: what the ending of OUT names)"
+    )
+    convert.add_argument(
+        "--list-losses", action="store_true", help="list what the format cannot hold, and write nothing"
+    )
+    convert.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    convert.set_defaults(run=run_convert)
+    info = parts.add_parser(
+        "info",
+        help="describe a palette",
+        description="Print a palette's format, groups and entries, each with its own numbers and what it looks like.",
+    )
+    info.add_argument("file", metavar="FILE", type=Path, help="a palette of any format")
+    info.add_argument("--json", action="store_true", help="print everything as one JSON object")
+    info.set_defaults(run=run_info)
+    palette_find.add(parts)
+
+
+def run_convert(options: argparse.Namespace) -> int:
+    """Convert and print lines or a JSON object."""
+    from brdf_suite.files.palettes import find_format, format_for, losses, read_palette, write_palette
+
+    found = read_palette(options.source)
+    known = format_for(options.target) if options.format is None else find_format(options.format)
+    shown = _display_notes(found.palette)
+    if options.list_losses:
+        lost, size = losses(found.palette, known, options.target), None
+    else:
+        written = write_palette(found.palette, options.target, known)
+        lost, size = written.losses, written.size
+    if options.json:
+        print_json(
+            {
+                "input": str(options.source),
+                "input_format": found.format.name,
+                "output": None if size is None else str(options.target),
+                "output_format": known.name,
+                "entries": len(found.palette),
+                "bytes": size,
+                "losses": list(lost),
+                "notes": [*found.notes, *shown],
+            }
+        )
+        return 0
+    for note in (*found.notes, *shown):
+        print(f"note: {note}")
+    for loss in lost:
+        print(f"lost: {loss}")
+    if size is None:
+        print(f"{known.title} would hold all of {len(found.palette):,} entries." if not lost else known.title)
+    else:
+        print(f"{options.target}: {len(found.palette):,} entries, {known.title}, {size:,} bytes")
+    return 0
+
+
+def run_info(options: argparse.Namespace) -> int:
+    """Print what is in a palette."""
+    from brdf_suite.files.palettes import read_palette
+
+    found = read_palette(options.file)
+    palette = found.palette
+    notes = [*found.notes, *_display_notes(palette)]
+    if options.json:
+        print_json(
+            {
+                "file": str(options.file),
+                "format": found.format.name,
+                "name": palette.name,
+                "notes": palette.notes,
+                "colour": palette.colour,
+                "columns": palette.columns,
+                "groups": [
+                    {"path": list(group.path), "notes": group.notes, "colour": group.colour}
+                    for group in palette.groups
+                ],
+                "entries": [
+                    _entry_to_json(entry, shown)
+                    for entry, shown in zip(palette, _shown(palette), strict=True)
+                ],
+                "messages": notes,
+            }
+        )
+        return 0
+    print(
+        f"{options.file}: {palette.name}, {found.format.title}, {len(palette):,} entries, {len(palette.groups)} groups"
+    )
+    for note in notes:
+        print(f"note: {note}")
+    left = _SHOWN
+    for group, entries in palette.sections():
+        if group is not None and left > 0:
+            print(f"[{' / '.join(group.path)}]")
+        for entry in entries[: max(left, 0)]:
+            print(f"  {_line(entry)}")
+        left -= len(entries)
+    if left < 0:
+        print(f"  … and {-left:,} more; --json prints all")
+    return 0
+
+
+def _display_notes(palette: Palette) -> tuple[str, ...]:
+    from brdf_suite.appearance.colour.flat_colours import display_notes
+    from brdf_suite.documents.flat_colour import FlatColour
+
+    return display_notes([entry.content for entry in palette if isinstance(entry.content, FlatColour)])
+
+
+def _shown(palette: Palette) -> list[dict[str, object]]:
+    """Return each entry's appearance: L*a*b* (D65, 10°) of its one angle, or of its measured angles."""
+    from brdf_suite.appearance.colour.flat_colours import flat_labs, lab_to_hex
+    from brdf_suite.documents.flat_colour import FlatColour
+    from brdf_suite.documents.paint import Paint
+    from brdf_suite.files.palettes.conversions import face_lab
+
+    flat = [entry.content for entry in palette if isinstance(entry.content, FlatColour)]
+    labs = iter(flat_labs(flat).tolist())
+    rows: list[dict[str, object]] = []
+    for entry in palette:
+        face = next(labs) if isinstance(entry.content, FlatColour) else list(face_lab(entry.content))
+        row: dict[str, object] = {"lab": [round(value, 4) for value in face], "hex": lab_to_hex(face)}
+        if isinstance(entry.content, Paint):
+            row["readings"] = [
+                {"illumination_deg": m.illumination_deg, "aspecular_deg": m.aspecular_deg, "lab": list(m.lab)}
+                for m in entry.content.measurements
+            ]
+        rows.append(row)
+    return rows
+
+
+def _entry_to_json(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
+    from brdf_suite.documents.flat_colour import FlatColour
+    from brdf_suite.documents.palette_store import flat_to_json
+
+    content = entry.content
+    kind = "flat" if isinstance(content, FlatColour) else type(content).__name__
+    found: dict[str, object] = {
+        "name": entry.name,
+        "kind": {
+            "flat": "flat",
+            "Paint": "aspecular",
+            "CookTorrancePaint": "cook_torrance",
+            "FactoredPaint": "factored",
+        }[kind],
+        "group": list(entry.group),
+        "code": entry.code,
+        "tags": list(entry.tags),
+        "notes": entry.notes,
+        "usage": entry.usage,
+        "date": entry.date,
+    }
+    if isinstance(content, FlatColour):
+        found["flat"] = flat_to_json(content)
+    return {**found, **shown}
+
+
+def _line(entry: Entry) -> str:
+    from brdf_suite.documents.flat_colour import FlatColour
+    from brdf_suite.documents.paint import Paint
+
+    content = entry.content
+    if isinstance(content, FlatColour):
+        values = content.values if len(content.values) < 5 else content.values[:1]
+        numbers = " ".join(f"{value:.4g}" for value in values) + (" …" if len(content.values) > 4 else "")
+        kind = f"{content.model} {numbers}"
+    elif isinstance(content, Paint):
+        kind = "paint, " + ", ".join(f"{m.aspecular_deg:g}°" for m in content.measurements)
+    else:
+        kind = "paint, Cook-Torrance"
+    code = f" ({entry.code})" if entry.code else ""
+    usage = f", {entry.usage}" if entry.usage != "process" else ""
+    return f"{entry.name or '(no name)'}{code}: {kind}{usage}"

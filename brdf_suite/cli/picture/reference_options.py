@@ -1,0 +1,176 @@
+"""``brdf-suite render --renderer reference|raytraced``: the same picture by path tracing or ray tracing."""
+
+from __future__ import annotations
+
+import argparse
+import math
+
+from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.paint.export_progress import export_progress
+from brdf_suite.cli.picture.file_options import parse_settings
+from brdf_suite.documents.view import View
+from brdf_suite.errors import SuiteError
+
+RENDERERS = ("realtime", "reference", "raytraced")
+QUALITIES = ("fast", "medium", "high")
+_OF_OTHER = {
+    "realtime": ("spp", "time", "fresh", "denoise", "quality", "table_split"),
+    "reference": ("samples", "quality", "table_split"),
+    "raytraced": ("bits", "colour_space", "transparent", "follow", "samples", "denoise"),
+}
+_INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --samples"}
+
+
+def add_reference(command: argparse.ArgumentParser) -> None:
+    """Declare the choice of renderer and the budgets of those that trace."""
+    command.add_argument(
+        "--renderer",
+        choices=RENDERERS,
+        default=RENDERERS[0],
+        help="realtime (the default): lobes in prefiltered light; reference: path tracing with Mitsuba, an optional "
+        "extra; an EXR then holds its variance too; raytraced: directional lights and sampled reflections, Mitsuba too",
+    )
+    command.add_argument(
+        "--spp",
+        type=samples,
+        default=None,
+        metavar="N",
+        help="samples a pixel (default: reference 256; raytraced as the quality has them)",
+    )
+    command.add_argument(
+        "--time",
+        type=_seconds,
+        default=None,
+        metavar="S",
+        help="reference and raytraced: seconds to trace at most",
+    )
+    command.add_argument(
+        "--denoise",
+        action="store_true",
+        help="reference: take the noise out with OptiX, on an NVIDIA graphics card; an EXR keeps the noisy light too",
+    )
+    add_raytraced(command)
+
+
+def add_raytraced(command: argparse.ArgumentParser) -> None:
+    """Declare the options of the ray tracer, and the restart of a traced picture."""
+    command.add_argument(
+        "--quality",
+        choices=QUALITIES,
+        default=None,
+        help="raytraced: 16 lights and one mirrored ray; 128, 16 rays and 16 samples (the default); 1,024, 256 and 64",
+    )
+    command.add_argument(
+        "--table-split",
+        choices=("clamp", "subtract"),
+        default=None,
+        help="raytraced: how the peak is cut off a measured table (default: clamp)",
+    )
+    command.add_argument(
+        "--fresh",
+        action="store_true",
+        help="reference and raytraced: start again; else the same command resumes from what an interrupted one kept",
+    )
+
+
+def check_renderer(options: argparse.Namespace) -> None:
+    """Raise :class:`SuiteError` where an option is for the other renderer: left out silently, it would mislead."""
+    of_other = _OF_OTHER[options.renderer]
+    given = [f"--{name.replace('_', '-')}" for name in of_other if getattr(options, name, None)]
+    if given:
+        name = given[0]
+        instead = _INSTEAD.get(name[2:], "")
+        raise SuiteError(f"With --renderer {options.renderer} there is no {name}; leave it out{instead}.")
+
+
+def run_reference(options: argparse.Namespace, view: View) -> int:
+    """Path-trace and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.tracing.reference.picture import render_reference
+
+    with export_progress("path tracing", options) as progress:
+        picture = render_reference(
+            options.paint,
+            view,
+            options.size,
+            options.output,
+            settings=parse_settings(options),
+            denoise=options.denoise,
+            samples=options.spp,
+            seconds=options.time,
+            fresh=options.fresh,
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(picture)
+        facts["output"] = str(facts.pop("path"))
+        facts["noise"] = picture.noise if math.isfinite(picture.noise) else None
+        print_json(facts)
+        return 0
+    for notice in picture.notices:
+        print(f"note: {notice}")
+    before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
+    noise = f"noise {100.0 * picture.noise:.1f} %" if math.isfinite(picture.noise) else "noise not known"
+    print(
+        f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
+        f"{picture.environment}; {picture.samples} samples a pixel{before}, {noise}, "
+        f"{picture.seconds:.1f} s ({picture.renderer})"
+    )
+    return 0
+
+
+def run_raytraced(options: argparse.Namespace, view: View) -> int:
+    """Ray-trace and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.tracing.raytraced.file import render_raytraced
+
+    with progress_bar("ray tracing", quiet=options.json) as progress:
+        picture = render_raytraced(
+            options.paint,
+            view,
+            options.size,
+            options.output,
+            quality=options.quality or "medium",
+            samples=options.spp,
+            seconds=options.time,
+            fresh=options.fresh,
+            tables=options.table_split or "clamp",
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(picture)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return 0
+    for notice in picture.notices:
+        print(f"note: {notice}")
+    before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
+    rays = "one mirrored ray" if picture.reflections == 1 else f"{picture.reflections} reflected rays"
+    count = "one sample" if picture.samples == 1 else f"{picture.samples} samples"
+    print(
+        f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
+        f"{picture.environment}; {picture.lights} lights, {rays}, {count} a pixel{before}, "
+        f"{picture.seconds:.1f} s ({picture.renderer})"
+    )
+    return 0
+
+
+def samples(text: str) -> int:
+    """Parse a number of samples a pixel (an argparse type)."""
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of samples from 1 to 1,000,000")
+    return int(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = math.nan
+    if not 0.0 < seconds <= 1e6:
+        raise argparse.ArgumentTypeError(
+            f"{text!r} is not a time in seconds, more than 0 and at most a million"
+        )
+    return seconds

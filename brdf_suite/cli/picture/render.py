@@ -1,0 +1,78 @@
+"""``brdf-suite render FILE|PAINT -o out.png``: picture of a material on a surface in an environment."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.picture.file_options import add_picture, parse_settings
+from brdf_suite.cli.picture.reference_options import (
+    add_reference,
+    check_renderer,
+    run_raytraced,
+    run_reference,
+)
+from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "render",
+        help="render a paint or a measured file to a PNG or EXR",
+        description="Render a paint of any kind, or a measured file, on a surface in an environment: to a PNG as a "
+        "screen shows it, or to an EXR as radiance before exposure and tone curve. Pictures of any size are drawn in "
+        "tiles. The environment is prefiltered once and kept in the cache.",
+    )
+    command.add_argument(
+        "paint",
+        metavar="FILE|PAINT",
+        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint (blue, table1_white, …)",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="FILE", help="the picture to write (.png or .exr)"
+    )
+    add_scene(command)
+    add_picture(command)
+    add_reference(command)
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render and write; print a line or a JSON object."""
+    if options.renderer == "realtime":
+        # The light is filtered on threads of its own, which those of numpy's matrix products only hinder. Numpy reads
+        # this as it is imported.
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    from dataclasses import asdict
+
+    from brdf_suite.output.still import render_to_file
+
+    check_renderer(options)
+    view = parse_view(options)
+    if options.renderer == "reference":
+        return run_reference(options, view)
+    if options.renderer == "raytraced":
+        return run_raytraced(options, view)
+    with export_progress("rendering", options) as progress:
+        picture = render_to_file(
+            options.paint, view, options.size, options.output, parse_settings(options), progress=progress
+        )
+    if options.json:
+        facts = asdict(picture)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return 0
+    for notice in picture.notices:
+        print(f"note: {notice}")
+    fit = f"fit {picture.fit_ms:.2f} ms" + (", time-limited" if picture.time_limited else "")
+    print(
+        f"{picture.path}: {picture.width}×{picture.height}, "
+        f"{picture.paint} on {picture.surface} in {picture.environment}; "
+        f"{fit}, maps {picture.maps_s:.2f} s, draw {picture.draw_ms:.0f} ms ({picture.renderer})"
+    )
+    return 0

@@ -1,0 +1,76 @@
+"""``brdf-suite sheet PALETTE|FOLDER -o out.png|out.pdf``: contact sheet of paints in the same light, with figures."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.picture.file_options import add_picture, parse_settings
+from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "sheet",
+        help="render the paints of a palette or a folder to one PNG or PDF, with their figures",
+        description="Render every paint of a palette (of any format that palette info reads) or of a folder on the "
+        "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°.",
+    )
+    command.add_argument(
+        "source",
+        type=Path,
+        metavar="PALETTE|FOLDER|PAINT",
+        help="a palette, a folder of .brdfpaint files, or a single paint, measured file or name",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png or .pdf)"
+    )
+    command.add_argument(
+        "--columns", type=int, default=None, metavar="N", help="in a row (default: a sheet of 4 to 3)"
+    )
+    command.add_argument(
+        "--form",
+        choices=("surface", "chips", "flop_strip"),
+        default="surface",
+        help="the picture of a paint: the surface, bands of its colours at 15, 45 and 110°, or the strip of its flop "
+        "(default: surface)",
+    )
+    add_scene(command, (360, 240))
+    add_picture(command, radiance=False, sheet=True)
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render and write; print a line or a JSON object. 1 where a paint could not be drawn."""
+    from dataclasses import asdict
+
+    from brdf_suite.reports.contact_sheet.document import write_sheet
+
+    view = parse_view(options)
+    with export_progress("sheet", options) as progress:
+        made = write_sheet(
+            options.source,
+            view,
+            options.size,
+            options.output,
+            options.columns,
+            parse_settings(options),
+            form=None if options.form == "surface" else options.form,
+            progress=progress,
+        )
+    if options.json:
+        facts = asdict(made)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+    else:
+        for notice in made.notices:
+            print(f"note: {notice}")
+        for problem in made.problems:
+            print(f"not drawn: {problem}")
+        size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"
+        print(f"{made.path}: {made.paints} paints, {size}")
+    return 1 if made.problems else 0

@@ -1,0 +1,114 @@
+"""``brdf-suite turntable FILE|PAINT -o out.mp4``: turntable of the object as a video or a folder of pictures."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.picture.file_options import add_picture, parse_settings
+from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, samples
+from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+from brdf_suite.errors import SuiteError
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "turntable",
+        help="render one turn of the object to a video or a folder of PNG",
+        description="Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
+        "(needs the extra “video”), or to a new folder of PNG pictures.",
+    )
+    command.add_argument(
+        "paint",
+        metavar="FILE|PAINT",
+        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+    )
+    command.add_argument(
+        "-o", "--output", type=Path, required=True, metavar="PATH", help="an .mp4, a .webm, or a new folder"
+    )
+    command.add_argument("--frames", type=int, default=120, metavar="N", help="of the turn (default: 120)")
+    command.add_argument(
+        "--fps", type=float, default=30.0, metavar="N", help="frames a second of a video (default: 30)"
+    )
+    command.add_argument("--clockwise", action="store_true", help="seen from above")
+    command.add_argument(
+        "--renderer",
+        choices=RENDERERS,
+        default=RENDERERS[0],
+        help="realtime (the default), reference (path tracing) or raytraced; the last two with Mitsuba, an optional "
+        "extra; their finished frames are kept in PATH.part, and the same command resumes from there",
+    )
+    command.add_argument(
+        "--spp",
+        type=samples,
+        default=None,
+        metavar="N",
+        help="samples a pixel of each frame (default: reference 64; raytraced as the quality has them)",
+    )
+    add_raytraced(command)
+    add_scene(command)
+    add_picture(command, radiance=False)
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Render and write; print a line or a JSON object."""
+    from dataclasses import asdict
+
+    from brdf_suite.output.turntable import Turn, write_turntable
+
+    _check_renderer(options)
+    view = parse_view(options)
+    turn = Turn(options.frames, options.fps, options.clockwise)
+    with export_progress("turntable", options) as progress:
+        if options.renderer == "realtime":
+            made = write_turntable(
+                options.paint,
+                view,
+                options.size,
+                options.output,
+                turn,
+                parse_settings(options),
+                progress=progress,
+            )
+        else:
+            # Only where it is asked for: the optional extra comes with it.
+            from brdf_suite.tracing.turntable import Budget, write_traced_turntable
+
+            made = write_traced_turntable(
+                options.renderer,
+                options.paint,
+                view,
+                options.size,
+                options.output,
+                turn,
+                Budget(options.quality or "medium", options.spp, options.table_split or "clamp"),
+                fresh=options.fresh,
+                progress=progress,
+            )
+    if options.json:
+        facts = asdict(made)
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return 0
+    for notice in made.notices:
+        print(f"note: {notice}")
+    print(f"{made.path}: {made.frames} frames of {made.width}×{made.height}, {made.paint}")
+    return 0
+
+
+_OF_OTHER = {
+    "realtime": ("spp", "quality", "table_split", "fresh"),
+    "reference": ("quality", "table_split", "bits", "colour_space", "transparent"),
+    "raytraced": ("bits", "colour_space", "transparent"),
+}
+
+
+def _check_renderer(options: argparse.Namespace) -> None:
+    given = [f"--{name.replace('_', '-')}" for name in _OF_OTHER[options.renderer] if getattr(options, name)]
+    if given:
+        raise SuiteError(f"With --renderer {options.renderer} there is no {given[0]}; leave it out.")

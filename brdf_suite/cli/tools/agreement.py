@@ -1,0 +1,158 @@
+"""``brdf-suite agreement``: the real-time picture against the path-traced one, with figures, pictures and a page."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import replace
+from pathlib import Path
+
+from brdf_suite.cli.output import print_json, progress_bar, size
+from brdf_suite.cli.picture.reference_options import samples
+from brdf_suite.progress import subrange
+
+FORM_NAMES = (
+    "default",
+    "paper look-up",
+    "Fresnel off",
+    "weights over the angle",
+    "5 lobes",
+    "7 lobes",
+    "11 lobes",
+    "maps of half the edge",
+    "maps of a quarter",
+    "monotone rule",
+    "polynomial rule",
+    "near-specular × 0.7",
+)
+"""Of ``tracing.agreement.forms.FORMS``, which the start of the command must not import; a test holds them together."""
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "agreement",
+        help="compare the real-time picture with the path-traced one",
+        description="Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
+        "with -o write a page with pictures. What is path-traced can be kept, and is then not traced again.",
+    )
+    command.add_argument(
+        "--paints",
+        nargs="+",
+        metavar="FILE|PAINT",
+        default=None,
+        help="default: all shipped designed paints",
+    )
+    command.add_argument(
+        "--environments",
+        nargs="+",
+        metavar="FILE|NAME",
+        default=None,
+        help="default: all shipped environments",
+    )
+    command.add_argument(
+        "--mesh",
+        nargs="+",
+        default=["sphere"],
+        metavar="FILE|NAME",
+        help="the surfaces, each reported separately (default: sphere); all but the first in the shipped environments, "
+        "where one is among those given",
+    )
+    command.add_argument(
+        "--forms",
+        nargs="+",
+        choices=FORM_NAMES,
+        metavar="FORM",
+        default=None,
+        help=f"ways to draw, of {', '.join(FORM_NAMES)} (default: all; of further surfaces {FORM_NAMES[0]} alone)",
+    )
+    command.add_argument(
+        "--size", type=size, default=(128, 128), metavar="WxH", help="pixels (default: 128x128)"
+    )
+    command.add_argument(
+        "--spp",
+        type=samples,
+        default=512,
+        metavar="N",
+        help="samples a pixel of the path tracer (default: 512)",
+    )
+    command.add_argument(
+        "--lobes",
+        action="store_true",
+        help="trace the fitted lobes too: separates the fit's error from the look-up's",
+    )
+    command.add_argument(
+        "--keep", type=Path, default=None, metavar="FOLDER", help="keep what is traced in this folder"
+    )
+    command.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        default=None,
+        metavar="FILE",
+        help="a page (.md) to write; its pictures go into images/ beside it",
+    )
+    command.add_argument("--json", action="store_true", help="print every figure as one JSON object")
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Compare; print a table or a JSON object, and write the page."""
+    from brdf_suite.pipeline.material import paint_names
+    from brdf_suite.pipeline.scene import environment_names
+    from brdf_suite.tracing.agreement.comparison import DEFAULT_FORM, FORMS, Case, Order, compare, summary
+    from brdf_suite.tracing.agreement.page import check_page, groups, write_page
+
+    if options.output is not None:
+        check_page(options.output)
+    given = options.environments or environment_names()
+    first = Order(
+        paints=options.paints or paint_names(),
+        environments=given,
+        size=options.size,
+        samples=options.spp,
+        forms=options.forms or tuple(FORMS),
+        lobes=options.lobes,
+        surface=options.mesh[0],
+        keep=options.keep,
+    )
+    shipped = [name for name in given if name in environment_names()]
+    further = replace(
+        first, environments=shipped or given, forms=options.forms or (DEFAULT_FORM,), lobes=False
+    )
+    orders = [first, *(replace(further, surface=mesh) for mesh in options.mesh[1:])]
+    cases: list[Case] = []
+    with progress_bar("comparing", quiet=options.json) as progress:
+        for number, order in enumerate(orders):
+            step = subrange(progress, number / len(orders), (number + 1) / len(orders))
+            cases += compare(order, step)
+    if options.output is not None:
+        write_page(options.output, cases, first)
+    if options.json:
+        print_json(
+            {
+                "summary": {
+                    title: {form: summary(group, form) for form in group[0].errors}
+                    for title, group in groups(cases)
+                },
+                "cases": [case.to_json() for case in cases],
+            }
+        )
+        return 0
+    print(f"{'paint':24} {'environment':18} {'ΔE00':>6} {'99 %':>6} {'FLIP':>6} {'noise':>6}")
+    for case in cases:
+        e = case.errors[first.forms[0]]
+        print(
+            f"{case.paint[:24]:24} {case.environment[:18]:18} {e.mean:6.2f} {e.p99:6.2f} {e.flip:6.3f} "
+            f"{case.noise.mean:6.2f}"
+        )
+    for title, group in groups(cases):
+        print(title)
+        for form in group[0].errors:
+            s = summary(group, form)
+            print(
+                f"  {form}: mean ΔE00 {s['de00_mean']:.2f}, worst paint {s['de00_worst']:.2f}, "
+                f"99th percentile {s['de00_p99']:.2f}, FLIP {s['flip']:.3f}"
+            )
+    if options.output is not None:
+        print(f"{options.output}: written")
+    return 0

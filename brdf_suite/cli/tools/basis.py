@@ -1,0 +1,192 @@
+"""``brdf-suite basis``: search for the exponents that best fit a paint database (Westlund and Meyer, section 3.2)."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import sys
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from brdf_suite.cli.output import print_json
+from brdf_suite.cli.paint.export_progress import add_export, export_progress
+
+if TYPE_CHECKING:
+    from brdf_suite.fitting.basis_search.search import CountResult
+
+_OUTPUT = Path("basis.json")
+_MOST_STARTS, _MOST_WORKERS = 64, 64
+_LIBRARIES = ("brdf-suite", "numpy", "scipy", "highspy")
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Declare the command."""
+    command = commands.add_parser(
+        "basis",
+        help="search the lobe exponents that fit a database of paints best",
+        description="Search the exponents of the fixed cosine lobes: one lobe is added at a time, and each count is "
+        "optimized from several starts by Levenberg-Marquardt and a polish of maximum plus mean error. The same "
+        "command on the same machine gives the same file. What is found is kept in FILE.part after each count; the "
+        "same command resumes from there.",
+    )
+    command.add_argument(
+        "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
+    )
+    command.add_argument(
+        "--database",
+        metavar="DIR",
+        type=Path,
+        help="a folder of .brdfpaint files; default: the shipped paints",
+    )
+    command.add_argument(
+        "--lobes",
+        metavar="N",
+        type=_number(1, 12),
+        default=11,
+        help="the largest count, 1 to 12; default: 11",
+    )
+    command.add_argument(
+        "--starts", metavar="N", type=_number(2, _MOST_STARTS), default=4, help="starts per count; default: 4"
+    )
+    command.add_argument(
+        "--workers", metavar="N", type=_number(1, _MOST_WORKERS), help="processes; default: one per core"
+    )
+    command.add_argument(
+        "--default",
+        metavar="N",
+        type=_number(1, 12),
+        help="the count to be the default; left out, the rule of docs/method/basis.md chooses",
+    )
+    command.add_argument("--fresh", action="store_true", help="forget what an interrupted search found")
+    add_export(command)
+    command.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Search, write the file and print the table."""
+    from brdf_suite.errors import Cancelled, SuiteError
+    from brdf_suite.fitting.basis_search import document
+    from brdf_suite.fitting.basis_search.database import load_database
+    from brdf_suite.fitting.basis_search.search import search
+    from brdf_suite.fitting.basis_search.workers import usable_cores
+    from brdf_suite.resources import resource_root
+
+    if options.default is not None and options.default > options.lobes:
+        raise SuiteError(f"--default {options.default} is more than the {options.lobes} lobes of the search.")
+    database = load_database(options.database or resource_root() / "paints")
+    settings = document.settings_of(database, options.starts)
+    state = options.output.with_name(options.output.name + ".part")
+    done = [] if options.fresh else document.load_state(state, settings)
+    workers = options.workers or usable_cores()
+    results = list(done)
+
+    def found(result: CountResult) -> None:
+        results.append(result)
+        document.save_state(state, settings, results)
+
+    document.save_state(state, settings, results)  # a folder that cannot be written is reported now
+    try:
+        with export_progress("basis", options) as progress:
+            search(
+                database,
+                options.lobes,
+                starts=options.starts,
+                workers=workers,
+                done=done,
+                progress=progress,
+                found=found,
+            )
+    except (Cancelled, KeyboardInterrupt):
+        print(
+            f"brdf-suite: {len(results)} of {options.lobes} counts are kept in {state}; "
+            "the same command resumes from there.",
+            file=sys.stderr,
+        )
+        raise
+    except SuiteError:
+        if not results:  # refused before anything was found: nothing to resume from
+            state.unlink(missing_ok=True)
+        raise
+    results = results[: options.lobes]
+    answer = document.save_basis(
+        options.output,
+        database.names,
+        results,
+        options.default or document.choose_default(results),
+        _provenance(options, database.sha256, workers, len(done), results),
+    )
+    state.unlink(missing_ok=True)
+    if options.json:
+        print_json(answer)
+    else:
+        _print(options.output, answer["default_count"], results)
+    return 0
+
+
+def _number(low: int, high: int) -> Callable[[str], int]:
+    def parse(text: str) -> int:
+        if not (text.isascii() and text.isdigit() and low <= int(text) <= high):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from {low} to {high}")
+        return int(text)
+
+    return parse
+
+
+def _command(options: argparse.Namespace, workers: int) -> str:
+    """Return the command that makes this answer again; what was left out and has one default stays out."""
+    words = [
+        "brdf-suite",
+        "basis",
+        "--lobes",
+        options.lobes,
+        "--starts",
+        options.starts,
+        "--workers",
+        workers,
+    ]
+    if options.database is not None:
+        words += ["--database", options.database]
+    if options.output != _OUTPUT:
+        words += ["-o", options.output]
+    if options.default is not None:
+        words += ["--default", options.default]
+    return shlex.join(str(word) for word in words)
+
+
+def _provenance(
+    options: argparse.Namespace, sha256: str, workers: int, resumed: int, results: list[CountResult]
+) -> dict[str, object]:
+    """Return how, where and when the answer was made."""
+    from datetime import UTC, datetime
+
+    from brdf_suite.cli.tools.machine import describe_machine
+
+    machine = describe_machine()
+    return {
+        "command": _command(options, workers),
+        "database_sha256": sha256,
+        "starts": options.starts,
+        "workers": workers,
+        "counts_of_an_interrupted_run": resumed,
+        "seconds": sum(result.seconds for result in results),
+        "evaluations": sum(result.evaluations for result in results),
+        "date": datetime.now(UTC).date().isoformat(),
+        "versions": {name: version(name) for name in _LIBRARIES} | {"python": str(machine["python"])},
+        "processor": machine["processor"],
+        "cores": machine["cores"],
+        "system": machine["system"],
+    }
+
+
+def _print(path: Path, default: object, results: list[CountResult]) -> None:
+    print(f"{'lobes':>5} {'maximum':>8} {'mean':>8} {'seconds':>8}  exponents")
+    for result in results:
+        mean = sum(result.errors) / len(result.errors)
+        exponents = ", ".join(f"{exponent:,.4g}" for exponent in result.exponents)
+        mark = "*" if result.count == default else " "
+        print(
+            f"{result.count:4}{mark} {max(result.errors):8.3f} {mean:8.3f} {result.seconds:8.1f}  {exponents}"
+        )
+    print(f"{path}: {len(results)} counts, {sum(result.seconds for result in results):.0f} s; * the default")

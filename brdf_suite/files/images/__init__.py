@@ -1,0 +1,1 @@
+"""Images: environments, pictures, relief maps, colour profiles."""

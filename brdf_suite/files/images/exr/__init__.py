@@ -1,0 +1,1 @@
+"""OpenEXR: header check, channels, reading and writing."""

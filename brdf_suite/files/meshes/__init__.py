@@ -1,0 +1,1 @@
+"""Meshes: glTF, OBJ, STL and PLY."""

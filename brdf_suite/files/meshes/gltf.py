@@ -1,0 +1,347 @@
+"""glTF 2.0 reader: triangles, normals, texture coordinates and material names.
+
+Source: Khronos Group, glTF 2.0 Specification, and KHR_mesh_quantization. Textures, cameras, animations, skins and morph
+targets are not read. The scene graph is walked once, each node's matrix being its parent's times its own.
+"""
+
+from __future__ import annotations
+
+import base64
+import os
+from collections.abc import Iterator
+from pathlib import Path, PureWindowsPath
+from typing import Any
+from urllib.parse import unquote
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.errors import FileError
+from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made
+from brdf_suite.files.meshes.material_words import material_word
+from brdf_suite.surface.repair import RawPart
+
+_Path = str | os.PathLike[str]
+_Floats = NDArray[np.float64]
+_Ints = NDArray[np.int64]
+
+_COMPRESSED = {
+    "EXT_meshopt_compression": "meshopt compression",
+    "KHR_meshopt_compression": "meshopt compression",
+    "KHR_draco_mesh_compression": "Draco compression",
+}
+NO_SHAPE_PREFIXES = (
+    "KHR_materials_",
+    "ADOBE_materials_",
+    "KHR_texture_",
+    "KHR_xmp",
+    "KHR_lights_",
+    "EXT_lights_",
+)
+NO_SHAPE = frozenset(
+    {
+        "EXT_materials_specular_edge_color",
+        "EXT_mesh_features",
+        "EXT_mesh_manifold",
+        "EXT_structural_metadata",
+        "EXT_texture_astc",
+        "EXT_texture_avif",
+        "EXT_texture_webp",
+        "KHR_animation_pointer",
+        "KHR_node_hoverability",
+        "KHR_node_selectability",
+        "KHR_techniques_webgl",
+        "MSFT_packing_normalRoughnessMetallic",
+        "MSFT_packing_occlusionRoughnessMetallic",
+        "MSFT_texture_dds",
+    }
+)
+"""Extensions, with those of :data:`NO_SHAPE_PREFIXES`, that change neither triangles nor where they stand."""
+_QUANTIZED = "KHR_mesh_quantization"
+
+_COMPONENTS: dict[int, np.dtype[Any]] = {
+    5120: np.dtype("i1"),
+    5121: np.dtype("u1"),
+    5122: np.dtype("<i2"),
+    5123: np.dtype("<u2"),
+    5125: np.dtype("<u4"),
+    5126: np.dtype("<f4"),
+}
+_WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+_TRIANGLES, _STRIP, _FAN = 4, 5, 6
+
+_MOST_UNSTORED = 1 << 24
+"""Bytes of values that are zero because the file does not hold them; repair makes many times as much of triangles."""
+_SEPARATE, _MOST_TOGETHER = 64, 1 << 16
+"""Instances of one primitive, and vertices of instances that are joined to one part where there are more."""
+
+
+def read_gltf(path: _Path, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
+    """Return the parts of a glTF document with triangles, in world axes and the unit of the file, unchecked.
+
+    ``binary`` is the binary chunk of a ``.glb``. One part for each primitive of each node; a primitive that has more
+    than 64 instances is joined to parts of up to 65,536 vertices.
+
+    Raises
+    ------
+    FileError
+        An extension is required that is not decoded, something is damaged, or what it announces is too large.
+    OSError, LookupError, TypeError, ValueError
+        A buffer beside it cannot be read, or it refers to what it does not hold.
+    """
+    _check_extensions(path, document)
+    primitives = _Primitives(path, document, binary)
+    places: dict[tuple[int, int], list[_Floats]] = {}
+    for mesh, matrix in _walk(path, document):
+        for number, primitive in enumerate(_at(document["meshes"], mesh)["primitives"]):
+            if primitive.get("mode", _TRIANGLES) in (_TRIANGLES, _STRIP, _FAN):
+                places.setdefault((mesh, number), []).append(matrix)
+    parts: list[RawPart] = []
+    total = 0
+    for key, matrices in places.items():
+        part = primitives.read(*key)
+        if not len(part.triangles):
+            continue
+        arrays = (part.positions, part.triangles, part.normals, part.uvs)
+        total += len(matrices) * sum(array.nbytes for array in arrays if array is not None)
+        check_made(path, total, "the triangles of all nodes", "nodes")
+        together = 1 if len(matrices) <= _SEPARATE else max(1, _MOST_TOGETHER // len(part.positions))
+        for first in range(0, len(matrices), together):
+            parts.append(_placed(part, np.array(matrices[first : first + together])))
+    return parts
+
+
+def _check_extensions(path: _Path, document: dict[str, Any]) -> None:
+    required = document.get("extensionsRequired", [])
+    for name in required if isinstance(required, list) else []:
+        if name in _COMPRESSED:
+            what = f"its triangles are stored with {_COMPRESSED[name]} ({name})"
+            raise FileError(path, f"{what}, which cannot be read; export it again without compression")
+        if name != _QUANTIZED and name not in NO_SHAPE and not str(name).startswith(NO_SHAPE_PREFIXES):
+            reason = f"it requires the extension {str(name)[:80]}, which is not read; export it again without"
+            raise FileError(path, reason, "extensionsRequired")
+
+
+# The scene graph.
+
+
+def _walk(path: _Path, document: dict[str, Any]) -> Iterator[tuple[int, _Floats]]:
+    """Yield the mesh of each node of the scene that has one, and its matrix (4, 4) to world axes."""
+    nodes = document.get("nodes", [])
+    if not isinstance(nodes, list) or not all(isinstance(node, dict) for node in nodes):
+        raise FileError(path, "not a list of objects", "nodes")
+    parents = [-1] * len(nodes)
+    for place, node in enumerate(nodes):
+        for child in node.get("children", []):
+            if not isinstance(child, int) or not 0 <= child < len(nodes):
+                raise FileError(path, "a child that is not there", f"nodes[{place}].children")
+            if parents[child] >= 0:
+                raise FileError(path, "a child of two nodes", f"nodes[{place}].children")
+            parents[child] = place
+    roots = [place for place, parent in enumerate(parents) if parent < 0]
+    order = list(roots)
+    for place in order:  # grows as it is walked
+        order += nodes[place].get("children", [])
+    if len(order) < len(nodes):
+        raise FileError(path, "the scene graph runs in a circle", "nodes")
+    local = _local_matrices(path, nodes)
+    scenes = document.get("scenes")
+    shown = _at(scenes, document.get("scene", 0)).get("nodes", []) if scenes else roots
+    if any(_at(parents, place) >= 0 for place in shown) or len(set(shown)) < len(shown):
+        raise FileError(path, "a scene names a node twice, or one that stands below another", "scenes")
+    waiting = [(place, np.eye(4)) for place in shown]
+    while waiting:
+        place, above = waiting.pop()
+        node = _at(nodes, place)
+        with np.errstate(over="ignore", invalid="ignore"):
+            matrix = above @ local[place]
+        if "mesh" in node:
+            if not np.isfinite(matrix).all():
+                raise FileError(path, "its place in the scene is not finite", f"nodes[{place}]")
+            yield node["mesh"], matrix
+        waiting += [(child, matrix) for child in node.get("children", [])]
+
+
+def _local_matrices(path: _Path, nodes: list[dict[str, Any]]) -> _Floats:
+    """Return (n, 4, 4): the matrix of each node, or its translation times rotation times scale."""
+    count = len(nodes)
+    shift, scale, turn = np.zeros((count, 3)), np.ones((count, 3)), np.tile([0.0, 0.0, 0.0, 1.0], (count, 1))
+    whole: dict[int, _Floats] = {}
+    for place, node in enumerate(nodes):
+        try:
+            if "matrix" in node:
+                whole[place] = np.array(node["matrix"], np.float64).reshape(4, 4).T
+            for key, rows in (("translation", shift), ("scale", scale), ("rotation", turn)):
+                if key in node:
+                    rows[place] = node[key]
+        except (TypeError, ValueError, OverflowError) as error:
+            raise FileError(
+                path, "its matrix, translation, rotation or scale is damaged", f"nodes[{place}]"
+            ) from error
+    with np.errstate(all="ignore"):
+        x, y, z, w = (turn / np.linalg.norm(turn, axis=1, keepdims=True)).T
+    rotation = np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+            [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+            [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
+    result = np.zeros((count, 4, 4))
+    result[:, 3, 3] = 1.0
+    with np.errstate(all="ignore"):
+        result[:, :3, :3] = np.moveaxis(rotation, 2, 0) * scale[:, None, :]
+    result[:, :3, 3] = shift
+    for place, matrix in whole.items():
+        result[place] = matrix
+    return result
+
+
+def _placed(part: RawPart, matrices: _Floats) -> RawPart:
+    """Return the instances of a part at ``matrices`` (n, 4, 4), joined."""
+    turns, count = matrices[:, :3, :3], len(part.positions)
+    # What is not finite stays what it is, without a warning; the repair leaves it out and says so.
+    with np.errstate(all="ignore"):
+        positions = part.positions @ np.swapaxes(turns, 1, 2) + matrices[:, None, :3, 3]
+        turned = np.linalg.det(turns)
+        normals = None
+        if part.normals is not None and (turned != 0.0).all():
+            normals = (part.normals @ np.linalg.inv(turns)).reshape(-1, 3)
+    triangles = np.repeat(part.triangles[None], len(matrices), axis=0)
+    triangles[turned < 0.0] = triangles[turned < 0.0][..., ::-1]
+    missing = triangles < 0
+    triangles += (np.arange(len(matrices)) * count)[:, None, None]
+    triangles[missing] = -1
+    uvs = None if part.uvs is None else np.tile(part.uvs, (len(matrices), 1))
+    return RawPart(part.name, part.material, positions.reshape(-1, 3), triangles.reshape(-1, 3), normals, uvs)
+
+
+# Values.
+
+
+class _Primitives:
+    """Reader of a document's primitives from its buffers."""
+
+    def __init__(self, path: _Path, document: dict[str, Any], binary: memoryview | None) -> None:
+        self._path, self._document, self._binary = path, document, binary
+        self._buffers: dict[int, memoryview] = {}
+
+    def read(self, mesh: int, number: int) -> RawPart:
+        """Return a primitive in its own axes; its normals and texture coordinates where it has as many as positions."""
+        found = self._document["meshes"][mesh]
+        primitive = found["primitives"][number]
+        attributes = primitive["attributes"]
+        positions = self._values(attributes["POSITION"])
+        if positions.shape[1] != 3:
+            raise FileError(self._path, "its points do not have three coordinates each", f"meshes[{mesh}]")
+        positions[~(np.abs(positions) <= np.finfo(np.float32).max)] = np.nan
+        if "indices" in primitive:
+            corners = self._values(primitive["indices"]).ravel().astype(np.int64)
+        else:
+            corners = np.arange(len(positions))
+        normals = self._values(attributes["NORMAL"]) if "NORMAL" in attributes else None
+        uvs = self._values(attributes["TEXCOORD_0"]) if "TEXCOORD_0" in attributes else None
+        if uvs is not None:
+            uvs[:, 1] = 1.0 - uvs[:, 1]  # glTF counts v downwards
+        name = str(found.get("name", f"mesh {mesh}")) + (f"_{number}" if number else "")
+        material = ""
+        if "material" in primitive:
+            material = str(_at(self._document["materials"], primitive["material"]).get("name", ""))
+        triangles = _triangles(corners, primitive.get("mode", _TRIANGLES))
+        # The repair leaves these out and reports them; moved by the number of vertices, they would hit other instances.
+        triangles[((triangles < 0) | (triangles >= len(positions))).any(axis=1)] = -1
+        return RawPart(name, material_word(material, name), positions, triangles, normals, uvs)
+
+    def _values(self, index: int) -> _Floats:
+        """Return the values (count, width) of an accessor, normalized integers as the fractions that they represent."""
+        accessor, place = _at(self._document["accessors"], index), f"accessors[{index}]"
+        kind, width = _COMPONENTS[accessor["componentType"]], _WIDTHS[accessor["type"]]
+        count = self._whole(accessor, "count", place)
+        check_made(self._path, 8 * count * width, f"its {count:,} values", place)
+        if "bufferView" in accessor:
+            values = self._stored(accessor, kind, count, width, place).astype(np.float64)
+        else:
+            if 8 * count * width > _MOST_UNSTORED:
+                reason = f"its {count:,} values are not in the file; {_MOST_UNSTORED // (8 * width):,} may be left out"
+                raise FileError(self._path, reason, place)
+            values = np.zeros((count, width))
+        if "sparse" in accessor:
+            sparse = accessor["sparse"]
+            changed = self._whole(sparse, "count", place)
+            at = self._stored(
+                sparse["indices"], _COMPONENTS[sparse["indices"]["componentType"]], changed, 1, place
+            )
+            values[at[:, 0].astype(np.int64)] = self._stored(sparse["values"], kind, changed, width, place)
+        if accessor.get("normalized") and kind.kind in "iu":
+            values = np.maximum(values / np.iinfo(kind).max, -1.0)
+        return values
+
+    def _stored(
+        self, fields: dict[str, Any], kind: np.dtype[Any], count: int, width: int, place: str
+    ) -> NDArray[Any]:
+        """Return a view of values (count, width) in a buffer view, as an accessor's ``fields`` place them in it."""
+        view = _at(self._document["bufferViews"], fields["bufferView"])
+        buffer = self._buffer(view["buffer"])
+        item = kind.itemsize * width
+        start = self._whole(fields, "byteOffset", place, 0)
+        stride = self._whole(view, "byteStride", place, item) or item
+        begin = self._whole(view, "byteOffset", place, 0)
+        length = self._whole(view, "byteLength", place)
+        if count and (start + stride * (count - 1) + item > length or begin + length > len(buffer)):
+            raise FileError(self._path, "its values reach past the end of the file", place)
+        strides = (stride, kind.itemsize)
+        return np.ndarray((count, width), kind, buffer, begin + start if count else 0, strides)
+
+    def _whole(self, fields: dict[str, Any], key: str, place: str, default: int | None = None) -> int:
+        value = fields[key] if default is None else fields.get(key, default)
+        if not isinstance(value, int) or not 0 <= value < 1 << 48:
+            raise FileError(self._path, f"{key} is {str(value)[:40]}, which is no size or place", place)
+        return value
+
+    def _buffer(self, index: int) -> memoryview:
+        if index not in self._buffers:
+            self._buffers[index] = self._opened(index)
+        return self._buffers[index]
+
+    def _opened(self, index: int) -> memoryview:
+        place = f"buffers[{index}]"
+        uri = _at(self._document["buffers"], index).get("uri")
+        if uri is None:
+            if index != 0 or self._binary is None:
+                raise IndexError(index)
+            return self._binary
+        if uri.startswith("data:"):
+            return memoryview(base64.b64decode(uri.partition(",")[2]))
+        folder = Path(self._path).resolve().parent
+        # Looked at as text first: on Windows even the question whether a file of a share exists reaches its server.
+        named = PureWindowsPath(unquote(uri))
+        if named.anchor or ".." in named.parts:
+            raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
+        file = (folder / unquote(uri)).resolve()
+        if not file.is_relative_to(folder):
+            raise FileError(self._path, f"refers to {uri[:80]}, which is not in its folder", place)
+        if file.exists() and not file.is_file():
+            raise FileError(self._path, f"needs {file.name}, which is not a plain file", place)
+        if file.exists() and file.stat().st_size > MOST_MADE_BYTES:
+            raise FileError(self._path, f"needs {file.name}, which is larger than 1 GiB", place)
+        return memoryview(file.read_bytes())
+
+
+def _triangles(corners: _Ints, mode: int) -> _Ints:
+    """Return the triangles (k, 3) of a list, a strip or a fan of corners."""
+    if mode == _TRIANGLES:
+        return corners[: len(corners) // 3 * 3].reshape(-1, 3)
+    if len(corners) < 3:
+        return np.zeros((0, 3), np.int64)
+    if mode == _FAN:
+        return np.column_stack((np.full(len(corners) - 2, corners[0]), corners[1:-1], corners[2:]))
+    strip = np.column_stack((corners[:-2], corners[1:-1], corners[2:]))
+    strip[1::2] = strip[1::2, ::-1]
+    return strip
+
+
+def _at(items: Any, index: Any) -> Any:
+    """Return an item; IndexError for a negative number, which counts from the end in Python alone."""
+    if not isinstance(index, int) or index < 0:
+        raise IndexError(index)
+    return items[index]

@@ -1,0 +1,1 @@
+"""Palette formats in text: CSS, CSV, JSON, lines."""

@@ -1,0 +1,279 @@
+"""Reading CxF3 as a palette: paints where a sample was read at several angles, else flat colours."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import datetime
+
+from brdf_suite.appearance.colour.flat_colours import flat_labs
+from brdf_suite.documents.flat_colour import FlatColour, Model
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import USAGES, GroupPath, Palette
+from brdf_suite.documents.palette_store import flat_from_json
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.cxf import NAMESPACE, TAGS, SampleReader
+from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
+from brdf_suite.files.cxf_values import CxfSample
+from brdf_suite.files.hardened_xml import Element, parse_xml
+from brdf_suite.files.palettes.collecting import Collector
+from brdf_suite.files.palettes.conversions import is_icc, labs_d50
+from brdf_suite.files.palettes.format import PathLike
+from brdf_suite.files.palettes.xml.cxf3_tags import (
+    CODE,
+    COLOUR,
+    COLUMNS,
+    DATE,
+    FLAT,
+    GROUP,
+    GROUPS,
+    LABELS,
+    NOTES,
+    PALETTE,
+    SPECTRA,
+    USAGE,
+)
+
+_ANGLES_FOR_A_PAINT = 3
+_UNCHANGED = 1e-6
+_NOT_READ = ("Emissive", "Transmittance")
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a CxF3 file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    collector = Collector(path)
+    root = parse_xml(content, path)
+    if root.name != "CxF" or root.namespace != NAMESPACE:
+        raise collector.fail(f"is not CxF3: its root is {root.name[:60]!r}", f"line {root.line}")
+    resources = root.first("Resources")
+    objects = resources.first("ObjectCollection") if resources else None
+    info = root.first("FileInformation")
+    about = {
+        tag.attributes.get("Name", ""): tag.attributes.get("Value", "")
+        for tag in (info.all("Tag") if info else [])
+    }
+    if resources is None or objects is None:
+        collector.note("The file holds no sample.")
+    else:
+        elements = objects.all("Object")
+        collector.check_count(len(elements), f"line {objects.line}")
+        reader = _Reader(read_specifications(resources, path), collector)
+        for name in _list(about.get(GROUPS, "")):
+            reader.declare(tuple(_list(name)), f"line {root.line}")
+        for element in elements:
+            reader.add(element)
+        reader.settle()
+    description = info.first("Description") if info else None
+    columns = about.get(COLUMNS, "")
+    return collector.finish(
+        about.get(PALETTE, "")
+        or (description.text if description is not None and PALETTE not in about else ""),
+        notes=collector.lines(about.get(NOTES, "")),
+        columns=int(columns) if columns.isascii() and columns.isdecimal() and len(columns) < 5 else 0,
+        colour=about.get(COLOUR, ""),
+    )
+
+
+def _list(text: str) -> list[str]:
+    """Return the texts of a JSON list; empty for anything else."""
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        return []
+    return [item for item in found if isinstance(item, str)] if isinstance(found, list) else []
+
+
+class _Reader:
+    def __init__(self, specifications: Mapping[str, Specification], collector: Collector) -> None:
+        self._specifications, self._collector = specifications, collector
+        self._kept: list[tuple[int, FlatColour, tuple[float, ...]]] = []
+
+    def settle(self) -> None:
+        """Put back the flat colours that this program kept, unless another has changed the values since.
+
+        All at once, since a conversion of one colour takes as long as that of thousands.
+        """
+        if not self._kept:
+            return
+        entries = self._collector.entries
+        worked_out = labs_d50(flat_labs([own for _, own, _ in self._kept])).tolist()
+        for (index, own, lab_read), lab in zip(self._kept, worked_out, strict=True):
+            shown = _direct_lab(own) or lab
+            if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, lab_read, strict=True)):
+                entries[index] = replace(entries[index], content=own)
+
+    def declare(self, path: GroupPath, place: str) -> GroupPath:
+        """Begin a group, and those around it, where they have not begun."""
+        clean = tuple(self._collector.name(name) for name in path[:32])
+        for depth in range(1, len(clean) + 1):
+            if not self._collector.has_group(clean[:depth]):
+                self._collector.group(place, clean[: depth - 1], clean[depth - 1])
+        return clean
+
+    def add(self, element: Element) -> None:
+        """Add a sample as an entry."""
+        collector, place = self._collector, f"line {element.line}"
+        tags = {
+            tag.attributes.get("Name", ""): tag.attributes.get("Value", "")
+            for collection in element.all("TagCollection")
+            if collection.attributes.get("Name") == TAGS
+            for tag in collection.all("Tag")
+        }
+        sample_reader = SampleReader(element, self._specifications, collector.path)
+        sample = sample_reader.read()
+        for reason in sample_reader.refused[:1]:
+            collector.note(f"{sample_reader.name}: {reason}.")
+        foreign: tuple[tuple[str, str], ...] = ()
+        paint = None
+        if sample is not None and len(sample.readings) >= _ANGLES_FOR_A_PAINT:
+            paint = self._paint(sample, place)
+            foreign = _kept_spectra(sample)
+        content = paint or self._flat(element, tags.get(FLAT, ""))
+        if content is None:
+            collector.note("{n} sample[|s] without a value that can be used [is|are] left out.")
+            return
+        comment = element.first("Comment")
+        date = element.first("CreationDate")
+        collector.add(
+            place,
+            content,
+            group=self.declare(tuple(_list(tags.get(GROUP, ""))), place),
+            code=collector.name(tags.get(CODE, ""), 200),
+            tags=tuple(_list(tags.get(LABELS, ""))),
+            notes=collector.lines(
+                tags.get(NOTES, "") if paint is not None else comment.raw if comment is not None else ""
+            ),
+            usage=tags[USAGE] if tags.get(USAGE) in USAGES else "process",  # type: ignore[arg-type]  # one of its words
+            date=tags.get(DATE, "") if DATE in tags else _moment(date.text if date is not None else "", tags),
+            foreign=foreign,
+        )
+
+    def _paint(self, sample: CxfSample, place: str) -> Paint:
+        if sample.gloss is None:
+            self._collector.note(
+                "{n} sample[ says|s say] nothing of gloss, and as a paint gets 90 GU at 20°."
+            )
+        for way in {reading.converted for reading in sample.readings if reading.converted}:
+            self._collector.note(f"{{n}} sample[|s]: L*a*b* is {way}.")
+        try:
+            return sample.paint()
+        except SuiteError as error:
+            raise self._collector.fail(str(error).rstrip("."), place) from error
+
+    def _flat(self, element: Element, own: str) -> FlatColour | None:
+        collector = self._collector
+        name = collector.name(element.attributes.get("Name", ""))
+        colours: list[FlatColour] = []
+        for kind in ("ColorValues", "DeviceColorValues"):
+            values = element.first(kind)
+            for value in values.children if values else []:
+                colour = self._value(value)
+                if colour is not None and len(colours) < 16:
+                    colours.append(colour)
+        if not colours:
+            return None
+        colours.sort(key=lambda colour: colour.model != "spectrum")
+        first = colours[0]
+        found = collector.colour(
+            f"line {element.line}", name, first.model, first.values, space=first.space, illuminant=first.illuminant,
+            observer_deg=first.observer_deg, wavelengths_nm=first.wavelengths_nm, others=tuple(colours[1:]),
+        )  # fmt: skip
+        kept = _own_flat(own, name, collector.path) if own else None
+        lab_read = next((c.values for c in (found, *found.others) if c.model == "Lab"), None)
+        if kept is not None and lab_read is not None:
+            self._kept.append((len(collector.entries), kept, lab_read))
+        return found
+
+    def _value(self, value: Element) -> FlatColour | None:
+        """Return one value of a sample as an unnamed colour; None for an unsupported kind."""
+        path, place = self._collector.path, f"line {value.line}"
+        specification = self._specifications.get(value.attributes.get("ColorSpecification", ""))
+        if specification is not None and any(kind in specification.kind for kind in _NOT_READ):
+            self._collector.note("{n} value[|s] that [is|are] of no reflectance [is|are] left out.")
+            return None
+        illuminant = (specification.illuminant or "") if specification else ""
+        observer = {"2_Degree": 2, "10_Degree": 10}.get(
+            (specification.observer or "") if specification else "", 0
+        )
+        white: dict[str, object] = {
+            "illuminant": self._collector.name(illuminant, 50),
+            "observer_deg": observer,
+        }
+        known: dict[str, tuple[Model, tuple[str, ...]]] = {
+            "ColorCIELab": ("Lab", ("L", "A", "B")),
+            "ColorCIELCh": ("LCh", ("L", "C", "H")),
+            "ColorCIEXYZ": ("XYZ", ("X", "Y", "Z")),
+            "ColorCMYK": ("CMYK", ("Cyan", "Magenta", "Yellow", "Black")),
+            "ColorHSL": ("HSL", ("Hue", "Saturation", "Lightness")),
+            "ColorSRGB": ("RGB", ("R", "G", "B")),
+            "ColorAdobeRGB": ("RGB", ("R", "G", "B")),
+            "ColorRGB": ("RGB", ("R", "G", "B")),
+        }
+        if value.name == "ReflectanceSpectrum":
+            return self._spectrum(value, specification)
+        if value.name not in known:
+            return None
+        model, names = known[value.name]
+        values = [child_number(value, name, path) for name in names]
+        if model == "RGB":
+            most = value.first("MaxRange")
+            scale = 255.0 if most is None else number(most, most.text, path, "MaxRange")
+            if scale <= 0.0:
+                raise self._collector.fail("MaxRange must be greater than 0", place)
+            space = {"ColorSRGB": "sRGB", "ColorAdobeRGB": "Adobe RGB (1998)"}.get(value.name, "")
+            return self._collector.colour(place, "", model, [item / scale for item in values], space=space)
+        if model == "CMYK":
+            return self._collector.colour(place, "", model, [item / 100.0 for item in values])
+        if model == "HSL":
+            return self._collector.colour(place, "", model, [values[0], values[1] / 100.0, values[2] / 100.0])
+        return self._collector.colour(place, "", model, values, **white)  # type: ignore[arg-type]  # the keywords of a white
+
+    def _spectrum(self, value: Element, specification: Specification | None) -> FlatColour | None:
+        path = self._collector.path
+        start = value.attributes.get("StartWL")
+        first = number(value, start.strip(), path, "StartWL") if start else None
+        if first is None and specification is not None:
+            first = specification.start_nm
+        step = specification.step_nm if specification is not None else None
+        if first is None or not step or step <= 0.0:
+            self._collector.note("{n} [spectrum|spectra] without wavelengths [is|are] left out.")
+            return None
+        items = [number(value, word, path, "a reflectance") for word in value.text.split()[:2049]]
+        bands = tuple(first + step * index for index in range(len(items)))
+        return self._collector.colour(f"line {value.line}", "", "spectrum", items, wavelengths_nm=bands)
+
+
+def _moment(text: str, tags: Mapping[str, str]) -> str:
+    """When a sample was made, where it says so; what this program wrote says it as a tag."""
+    from brdf_suite.files.cxf import VERSION
+
+    if VERSION in tags or FLAT in tags:
+        return ""
+    try:
+        return datetime.fromisoformat(text).isoformat()
+    except ValueError:
+        return ""
+
+
+def _own_flat(text: str, name: str, path: PathLike) -> FlatColour | None:
+    """The flat colour as this program kept it, where it is of this sample."""
+    try:
+        own = flat_from_json(json.loads(text), path, FLAT)
+    except (ValueError, RecursionError, FileError):
+        return None
+    return own if own.name == name else None
+
+
+def _direct_lab(colour: FlatColour) -> tuple[float, ...] | None:
+    """The numbers of a colour in Lab of D50, where it has any."""
+    own = (c for c in (colour, *colour.others) if c.model == "Lab" and is_icc(c))
+    return next((c.values for c in own), None)
+
+
+def _kept_spectra(sample: CxfSample) -> tuple[tuple[str, str], ...]:
+    rows = [(reading.wavelengths_nm, reading.reflectance) for reading in sample.readings]
+    first = rows[0][0]
+    if first is None or any(bands != first or values is None for bands, values in rows):
+        return ()
+    return ((SPECTRA, json.dumps({"bands": list(first), "rows": [list(row or ()) for _, row in rows]})),)

@@ -1,0 +1,70 @@
+"""SOC (the colour table of LibreOffice and OpenOffice): XML, a name and ``#rrggbb`` per colour.
+
+Namespaces changed over the years, so elements are known by their local names.
+"""
+
+from __future__ import annotations
+
+import re
+
+from brdf_suite.documents.palette import Palette
+from brdf_suite.files.palettes.collecting import Collector
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
+from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.xml.writing import attribute, mentions, read_root
+
+_HEX = re.compile("#?([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
+_NAMESPACES = (
+    'xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0" '
+    'xmlns:draw="urn:oasis:names:tc:opendocument:xmlns:drawing:1.0" '
+    'xmlns:xlink="http://www.w3.org/1999/xlink" '
+    'xmlns:svg="urn:oasis:names:tc:opendocument:xmlns:svg-compatible:1.0" '
+    'xmlns:ooo="http://openoffice.org/2004/office"'
+)
+
+
+def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
+    """Return the palette of a colour table; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
+    collector = Collector(path)
+    root = read_root(content, path, "color-table")
+    collector.check_count(len(root.children), f"line {root.line}")
+    for element in root.children:
+        place = f"line {element.line}"
+        if element.name != "color":
+            collector.note("{n} element[ that is no colour|s that are no colours] skipped.")
+            continue
+        text = element.attributes.get("color", "")
+        found = _HEX.fullmatch(text.strip())
+        if found is None:
+            raise collector.fail(f"expected a colour as in #336699, not {text[:40]!r}", place)
+        name = collector.name(element.attributes.get("name", ""))
+        collector.add(
+            place, collector.colour(place, name, "RGB", [int(part, 16) / 255.0 for part in found.groups()])
+        )
+    return collector.finish()
+
+
+def write(palette: Palette) -> bytes:
+    """Return the content of a colour table."""
+    rows = "".join(
+        f'  <draw:color draw:name={attribute(entry.name)} draw:color="#{bytes(convert_to_rgb8(entry)).hex()}"/>\n'
+        for entry in palette
+    )
+    text = (
+        f'<?xml version="1.0" encoding="UTF-8"?>\n<ooo:color-table {_NAMESPACES}>\n{rows}</ooo:color-table>\n'
+    )
+    return text.encode("utf-8")
+
+
+FORMAT = PaletteFormat(
+    name="soc",
+    title="LibreOffice colour table",
+    endings=(".soc",),
+    models=("RGB",),
+    groups="none",
+    paints=False,
+    holds="Names in any script, sRGB in 8 bits.",
+    sniff=lambda head, _size: mentions(head, "color-table"),
+    read=read,
+    write=write,
+)

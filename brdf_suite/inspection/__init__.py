@@ -1,0 +1,1 @@
+"""Look at what reflects: lobe surfaces, slices, figures, sparkle."""

@@ -1,0 +1,1 @@
+"""Figures of reflectances: albedo, energy, colours, and errors between two of them."""

@@ -1,0 +1,1 @@
+"""The reflected distribution of one incidence as a radial surface."""

@@ -1,0 +1,1 @@
+"""Slices of a reflectance along one or two angles."""

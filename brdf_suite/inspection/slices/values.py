@@ -1,0 +1,126 @@
+"""The values along cuts: all directions of one reflectance in one call, one channel of them, target against fit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.inspection.slices.cuts import Slice
+
+Channel = Literal["colour", "r", "g", "b", "luminance"]
+Scale = Literal["linear", "cbrt", "log"]
+Cosine = Literal["none", "light", "both"]
+"""What f_r is multiplied with: nothing (1/sr), N·L (reflected radiance), N·L and N·V (intensity)."""
+_CHANNELS = ("r", "g", "b")
+
+LOG_DECADES = 6.0
+"""A logarithmic radius goes from so many decades below its outer end, the middle of the plot, to there."""
+
+
+class Evaluated(Protocol):
+    """Anything with ``eval``: a reflectance, or the lobes of a fit."""
+
+    def eval(self, wi: Floats, wo: Floats, /) -> npt.ArrayLike:
+        """Return f_r (..., 3) in 1/sr, linear Rec. 2020, without the cosine."""
+        ...
+
+
+def evaluate(reflectance: Evaluated, slices: Sequence[Slice], *, cosine: Cosine) -> list[Floats]:
+    """Return f_r (n, 3) in 1/sr along each cut, times ``cosine``; NaN below the horizon.
+
+    One call of ``eval`` for all cuts: what a model does before it looks at directions is done once. What the
+    reflectance itself gives as not finite becomes NaN.
+    """
+    if not slices:
+        return []
+    wi = np.concatenate([cut.wi for cut in slices])
+    wo = np.concatenate([cut.wo for cut in slices])
+    above = np.concatenate([cut.above for cut in slices])
+    with np.errstate(all="ignore"):  # a reflectance with holes of NaN is shown, and its holes with it
+        value = np.array(reflectance.eval(wi, wo), np.float64)
+    if cosine != "none":
+        value *= cosine_of(cosine, wi, wo)[:, None]
+    value[~(above & np.isfinite(value).all(axis=1))] = np.nan
+    ends = np.cumsum([len(cut.angle_deg) for cut in slices])[:-1]
+    return np.split(value, ends)
+
+
+def cosine_of(cosine: Cosine, wi: Floats, wo: Floats) -> Floats:
+    """Return what f_r is multiplied with, (...), for directions (..., 3) that broadcast."""
+    light, view = np.broadcast_arrays(wi[..., 2], wo[..., 2])
+    if cosine == "both":
+        return np.asarray(light * view)
+    return np.asarray(light) if cosine == "light" else np.ones(light.shape)
+
+
+def channel_of(value: Floats, channel: Channel) -> Floats:
+    """Return one channel (...) of values (..., 3); for ``"colour"`` the luminance Y, which stands for it in a line."""
+    if channel in _CHANNELS:
+        return np.asarray(value[..., _CHANNELS.index(channel)])
+    return np.asarray(value @ LUMINANCE)
+
+
+def radius_of(value: Floats, scale: Scale, outer: float) -> Floats:
+    """Return distances (...) from the middle, 1 for the value ``outer`` > 0; NaN stays NaN.
+
+    ``"log"``: :data:`LOG_DECADES` below ``outer`` and less is the middle.
+    """
+    share = np.maximum(np.asarray(value, float), 0.0) / outer
+    if scale == "linear":
+        return np.asarray(share)
+    if scale == "cbrt":
+        return np.asarray(np.cbrt(share))
+    with np.errstate(divide="ignore"):
+        return np.asarray(np.maximum(1.0 + np.log10(share) / LOG_DECADES, 0.0))
+
+
+@dataclass(frozen=True)
+class SliceError:
+    """How far a line is from another: ``rms`` in the line's unit, ``relative`` to the first's own RMS, both ≥ 0.
+
+    ``worst`` is the largest difference, at ``worst_deg``. Along a cut, weighted by the steps between its angles:
+    angles that lie close about the mirror direction count no more than the others.
+    """
+
+    rms: float
+    relative: float
+    worst: float
+    worst_deg: float
+
+
+def slice_error(angle_deg: Floats, target: Floats, fit: Floats) -> SliceError | None:
+    """Return the error of ``fit`` (n,) against ``target`` (n,) over ``angle_deg`` (n,); None: nothing is common."""
+    known = np.isfinite(target) & np.isfinite(fit)
+    if not known.any():
+        return None
+    steps = np.gradient(angle_deg) if len(angle_deg) > 1 else np.ones(1)
+    weight = np.where(known, steps, 0.0)
+    difference = np.where(known, fit - target, 0.0)
+    whole = weight.sum()
+    rms = float(np.sqrt((weight * difference**2).sum() / whole))
+    own = float(np.sqrt((weight * np.where(known, target, 0.0) ** 2).sum() / whole))
+    worst = int(np.argmax(np.abs(difference)))
+    relative = rms / own if own > 0.0 else (0.0 if rms == 0.0 else np.inf)
+    return SliceError(rms, relative, float(difference[worst]), float(angle_deg[worst]))
+
+
+_NICE = (1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0)
+
+
+def nice_above(value: float) -> float:
+    """Return the smallest round number at or above ``value`` > 0: ends of axes that stay while a line moves a little.
+
+    >>> nice_above(0.0123), nice_above(5.0)
+    (0.015, 5.0)
+    """
+    decade = 10.0 ** np.floor(np.log10(value))
+    for step in _NICE:
+        if value <= step * decade * (1.0 + 1e-9):
+            return float(f"{step * decade:.3g}")
+    return float(f"{10.0 * decade:.3g}")

@@ -1,0 +1,135 @@
+"""Spherical harmonics of functions of the light's direction about the mirror direction of a view.
+
+What a picture gathers at a pixel is ``∫ L(ω) T(ω) dω`` with T(ω) = f_r·(N·ω) for the pixel's view, and what it draws
+instead is a sum of cosine lobes. The expected square of the difference, in light whose power per degree falls as it
+does in pictures of surroundings (:func:`typical_power`, C_l), is
+
+    Σ_l C_l Σ_m |t_lm - a_lm|²
+
+with the coefficients t of T and a of the sum. Here are both, times √C_l, so that fitting lobes to T in that measure is
+least squares of vectors. The axis is the mirror direction R: sharp lobes about it have the order m = 0 alone, and what
+a facet model adds to them few more. All orders are taken up to degree 48, orders up to 4 beyond.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.lighting.filter.shading_table import typical_power
+from brdf_suite.lighting.filter.zonal import lobe_coefficients
+
+Floats: TypeAlias = NDArray[np.float64]
+
+BROAD_DEGREES = 48
+SHARP_DEGREES = 320
+SHARP_ORDERS = 4
+AZIMUTHS = 48
+
+#: Panels of rings about R: narrow where peaks are, then so that a sharp degree turns once in five rings, as far as
+#: there is anything sharp; beyond, for the broad degrees.
+_PEAK_EDGES = (0.0, 0.0015, 0.004, 0.01, 0.02)
+_SHARP_EDGE, _SHARP_STEP = 0.65, 0.03
+_BROAD_PANELS = 20
+_POINTS = 5
+#: Exponent from which on nothing sharp is expected: the sharp degrees are not constrained there.
+_TAPER = (0.3, 0.6)
+
+
+class MirrorHarmonics:
+    """Rings about R with quadrature weights, and the transform from their values to coefficients.
+
+    ``gamma`` (rings,) angles from R, ``azimuth`` (48,) in 0 … π, from the normal's side; functions are even about
+    the plane of incidence.
+    """
+
+    def __init__(self) -> None:
+        edges = np.concatenate(
+            (
+                _PEAK_EDGES,
+                np.arange(_PEAK_EDGES[-1] + _SHARP_STEP, _SHARP_EDGE + 1e-9, _SHARP_STEP),
+            )
+        )
+        edges = np.concatenate((edges, np.linspace(edges[-1], np.pi, _BROAD_PANELS + 1)[1:]))
+        x, w = np.polynomial.legendre.leggauss(_POINTS)
+        half = 0.5 * np.diff(edges)
+        self.gamma: Floats = (edges[:-1, None] + half[:, None] * (1.0 + x)).ravel()
+        self.azimuth: Floats = (np.arange(AZIMUTHS) + 0.5) * np.pi / AZIMUTHS
+        area = (half[:, None] * w).ravel() * np.sin(self.gamma)
+        orders = np.arange(BROAD_DEGREES + 1)
+        norm = np.where(orders == 0, 1.0, np.sqrt(2.0))
+        self._cosines: Floats = np.cos(np.outer(self.azimuth, orders)) * (2.0 * np.pi / AZIMUTHS * norm)
+        power = np.sqrt(typical_power(SHARP_DEGREES))
+        self._root_power: Floats = power
+        broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, self.gamma)
+        sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, self.gamma)[BROAD_DEGREES + 1 :]
+        self._broad: Floats = broad * area * power[: BROAD_DEGREES + 1, None, None]
+        near = _fading(self.gamma)
+        self._near = int(np.count_nonzero(near))
+        sharp = sharp * (area * near) * power[BROAD_DEGREES + 1 :, None, None]
+        self._sharp: Floats = np.ascontiguousarray(sharp[..., : self._near])
+        self._norm = norm
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rings and azimuths."""
+        return len(self.gamma), AZIMUTHS
+
+    def lights(self, cosine: float) -> Floats:
+        """Return the directions (rings, 48, 3) for a view at -x whose N·V is ``cosine``: R lies at +x."""
+        sine = float(np.sqrt(max(1.0 - cosine * cosine, 0.0)))
+        mirrored = np.array([sine, 0.0, cosine])
+        towards_normal = np.array([-cosine, 0.0, sine])
+        across = np.array([0.0, 1.0, 0.0])
+        around = np.cos(self.azimuth)[:, None] * towards_normal + np.sin(self.azimuth)[:, None] * across
+        return np.asarray(
+            np.cos(self.gamma)[:, None, None] * mirrored + np.sin(self.gamma)[:, None, None] * around
+        )
+
+    def analyse(self, values: Floats) -> Floats:
+        """Return the coefficients (k, 3) of values (rings, 48, 3), times √C_l; the first is that of the mean."""
+        orders = np.einsum("gpc,pm->mgc", values, self._cosines)
+        broad = np.einsum("lmg,mgc->lmc", self._broad, orders, optimize=True)
+        sharp = np.einsum(
+            "lmg,mgc->lmc", self._sharp, orders[: SHARP_ORDERS + 1, : self._near], optimize=True
+        )
+        return np.concatenate((broad.reshape(-1, 3), sharp.reshape(-1, 3)))
+
+    def lobes(self, towards_normal: Floats, exponents: Floats) -> Floats:
+        """Return the coefficients (k, n) of unit-gain lobes of ``exponents`` (n,), times √C_l.
+
+        ``towards_normal`` (n,): radians by which a lobe's direction is turned from R to the normal.
+        """
+        k = np.stack([lobe_coefficients(float(e), SHARP_DEGREES) for e in exponents], axis=-1)
+        k *= self._root_power[:, None]
+        angle = np.abs(towards_normal)
+        # A direction beyond R lies at the azimuth π, where odd orders change their sign.
+        sign = np.where(towards_normal[None] < 0.0, (-1.0) ** np.arange(len(self._norm))[:, None], 1.0)
+        turned = sign * self._norm[:, None]
+        broad = _legendre(BROAD_DEGREES, BROAD_DEGREES, angle) * turned * k[: BROAD_DEGREES + 1, None]
+        sharp = _legendre(SHARP_DEGREES, SHARP_ORDERS, angle)[BROAD_DEGREES + 1 :]
+        sharp = sharp * turned[: SHARP_ORDERS + 1] * k[BROAD_DEGREES + 1 :, None]
+        count = len(exponents)
+        return np.concatenate((broad.reshape(-1, count), sharp.reshape(-1, count)))
+
+
+@lru_cache(maxsize=1)
+def mirror_harmonics() -> MirrorHarmonics:
+    """Return the one set of rings; made when first asked for (0.1 s)."""
+    return MirrorHarmonics()
+
+
+def _fading(gamma: Floats) -> Floats:
+    share = np.clip((gamma - _TAPER[0]) / (_TAPER[1] - _TAPER[0]), 0.0, 1.0)
+    return np.asarray(0.5 + 0.5 * np.cos(np.pi * share)) * (share < 1.0)
+
+
+def _legendre(degrees: int, orders: int, angles: Floats) -> Floats:
+    """Return Y_lm(angle, 0) as (degrees + 1, orders + 1, angles)."""
+    from scipy.special import sph_legendre_p_all  # the start of a program fits no measured paint
+
+    found = sph_legendre_p_all(degrees, orders, angles)
+    return np.asarray(found[0, :, : orders + 1], np.float64)

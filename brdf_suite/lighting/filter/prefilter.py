@@ -1,0 +1,138 @@
+"""Prefiltering of an environment: one cube map per lobe exponent.
+
+Method: convolution in spherical harmonics (:mod:`brdf_suite.lighting.filter.harmonics`,
+:mod:`brdf_suite.lighting.filter.zonal`), brought to the cube by :mod:`brdf_suite.lighting.filter.ring_to_cube`.
+Exponents too sharp for the map's rings get the environment itself,
+resampled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.lobe_filter import LobeFilter, ring_count
+from brdf_suite.lighting.filter.texel_values import pack_background, pack_lobe
+from brdf_suite.lighting.filter.zonal import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
+from brdf_suite.progress import Progress, report, subrange
+
+ALGORITHM_VERSION = 4
+"""Raised with every change of the numbers; part of the cache's key."""
+
+DIFFUSE_EXPONENT = 1.0
+MIN_FACE = 64
+MAX_FACE = 2048
+_TEXELS_PER_WIDTH = 9.2  # face size over √exponent: bilinear look-up errs by less than 1 % of the lobe's peak
+
+
+@dataclass(frozen=True, eq=False)
+class LobeMaps:
+    """Prefiltered light of one environment, in the working space.
+
+    Attributes
+    ----------
+    exponents
+        The lobe exponents, as given.
+    lobes
+        One map per exponent, unit gain: where the light is 1 everywhere, so is the map. Exponents too sharp
+        for the environment share the background's map.
+    diffuse
+        The map of exponent 1: irradiance over π for the normal in the texel's direction.
+    background
+        The environment itself.
+    """
+
+    exponents: tuple[float, ...]
+    lobes: tuple[FaceArray, ...]
+    diffuse: FaceArray
+    background: FaceArray
+
+
+Ready = Callable[[float | None, FaceArray], None]
+"""Called with an exponent (1 for the diffuse map, None for the background) and its map, when that is done."""
+
+
+def background_size(environment: Environment) -> int:
+    """Return the face size of the environment itself: the power of two ≥ half the map's width, 64…2048."""
+    half_width = max(1, environment.radiance.shape[1] // 2)
+    return int(min(MAX_FACE, max(MIN_FACE, 1 << (half_width - 1).bit_length())))
+
+
+def face_size(exponent: float) -> int:
+    """Return the face size for an exponent: 2^k or 3·2^k, at least 9.2·√exponent, 64…2,048.
+
+    A bilinear look-up in the middle of a face errs by E/(2F²) of the lobe's peak
+    (:mod:`brdf_suite.lighting.filter.texel_values`), one at an edge of the cube by up to 0.9 %
+    (:mod:`brdf_suite.lighting.filter.cube_edges`).
+    """
+    wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
+    sizes = sorted(base << shift for base in (64, 96) for shift in range(6))
+    return next((size for size in sizes if size >= wanted and size <= MAX_FACE), MAX_FACE)
+
+
+def filtered_exponents(environment: Environment, exponents: Sequence[float]) -> list[float]:
+    """Return the exponents that get a map of their own, the diffuse map's among them, in the order of the work.
+
+    Sharper ones share the environment's own map.
+    """
+    sharpest = largest_exponent(ring_count(environment.radiance.shape[0]))
+    return sorted({DIFFUSE_EXPONENT, *(float(e) for e in exponents if e <= sharpest)})
+
+
+def prefilter(
+    environment: Environment,
+    exponents: Sequence[float],
+    progress: Progress | None = None,
+    ready: Ready | None = None,
+) -> LobeMaps:
+    """Filter an environment with the unit-gain cosine lobes of ``exponents`` (any order, each > 0).
+
+    The diffuse map and the broad lobes come first, then the background, with which there is a picture to show,
+    then the sharp lobes; ``ready`` hears of each map as it is done, and ``progress`` may cancel. Error before
+    packing: below 1e-5 of the map's largest value (tests/lighting).
+
+    >>> sky = Environment("white", np.ones((64, 128, 3), np.float32))
+    >>> float(prefilter(sky, [20.0]).lobes[0].radiance().round(3).max())
+    1.0
+
+    Raises
+    ------
+    ValueRangeError
+        An exponent is not a finite number above 0.
+    """
+    wanted = tuple(float(exponent) for exponent in exponents)
+    for index, exponent in enumerate(wanted):
+        if not np.isfinite(exponent) or exponent <= 0.0:
+            raise ValueRangeError(f"exponents[{index}]", f"must be a finite number above 0, not {exponent}")
+    report(progress, 0.0, "reading the environment's rings")
+    lobe_filter = LobeFilter(environment.radiance, subrange(progress, 0.0, 0.0))
+    smooth = filtered_exponents(environment, wanted)
+    costs = np.array([600.0 * lobe_bandlimit(e) ** 2 + 100.0 * face_size(e) ** 2 for e in smooth])
+    ends = 0.9 * np.cumsum(costs) / costs.sum()
+    maps: dict[float, FaceArray] = {}
+    limits = [lobe_bandlimit(e) for e in smooth]
+    # In plain numpy two analyses: one for all broad lobes, so that they come soon, one for the rest.
+    first = max(limits) if lobe_filter.compiled else max(n for n in limits if n <= BROAD_BANDLIMIT)
+    last_broad = max(e for e, limit in zip(smooth, limits, strict=True) if limit <= BROAD_BANDLIMIT)
+    largest = max(background_size(environment), *(face_size(e) for e in smooth))
+    room = np.empty(18 * largest * largest, dtype=np.float32) if lobe_filter.compiled else None
+    for index, exponent in enumerate(smooth):
+        step = subrange(progress, float(ends[index - 1]) if index else 0.0, float(ends[index]))
+        lobe_filter.analyse(first if limits[index] <= first else max(limits), subrange(step, 0.0, 0.5))
+        faces = lobe_filter.lobe(exponent, face_size(exponent), subrange(step, 0.5, 1.0), room)
+        maps[exponent] = pack_lobe(faces)
+        report(step, 1.0, f"lobe {exponent:g} is filtered")
+        if ready is not None:
+            ready(exponent, maps[exponent])
+        if exponent == last_broad:
+            background = pack_background(lobe_filter.background(background_size(environment), room))
+            if ready is not None:
+                ready(None, background)
+    report(progress, 1.0, "the environment is filtered")
+    lobes = tuple(maps.get(exponent, background) for exponent in wanted)
+    return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], background)

@@ -1,0 +1,1 @@
+"""Cook-Torrance lobes and products of textures for anything that reflects."""

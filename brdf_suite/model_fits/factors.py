@@ -1,0 +1,399 @@
+"""Anything that reflects as a product of textures: f_r = α Π maps + peak, by homomorphic factorization."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Literal, get_args
+
+import numpy as np
+
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
+from brdf_suite.documents.store import PAINT_ENDING, save_paint
+from brdf_suite.errors import FileError, FittingError, ValueRangeError
+from brdf_suite.fitting.homomorphic.accuracy import Accuracy, accuracy
+from brdf_suite.fitting.homomorphic.factorization import Factorization
+from brdf_suite.fitting.homomorphic.factorize import (
+    BIAS,
+    DEFAULT_RESOLUTION,
+    FactorizationResult,
+    correct_mean,
+    factorize,
+)
+from brdf_suite.fitting.homomorphic.peak import (
+    MEASURED_SMOOTHNESS,
+    PEAK_BIAS,
+    FactorizationWithPeak,
+    PeakForm,
+    factorize_with_peak,
+)
+from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
+from brdf_suite.fitting.homomorphic.samples import (
+    DEFAULT_PAIRS,
+    DEFAULT_SEED,
+    FactorizationSamples,
+    sample_reflectance,
+    samples_near_peak,
+)
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.factor_words import (
+    DEFAULT_FACTORS,
+    MEASURED_FACTORS,
+    Factor,
+    factor_words,
+    parse_factors,
+)
+from brdf_suite.inspection.figures.figures import is_isotropic
+from brdf_suite.pipeline.material import load_material
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.factored.build import build_factored
+from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.protocol import Reflectance
+
+PeakChoice = Literal["auto", "off", "radial", "map"]
+PEAK_CHOICES: tuple[str, ...] = get_args(PeakChoice)
+MeanChoice = Literal["auto", "on", "off"]
+MEAN_CHOICES: tuple[str, ...] = get_args(MeanChoice)
+TABLE_ENDING = ".brdftable"
+MODEL_SMOOTHNESS = 1.0
+"""λ of models: with a tenth of it maps follow the draw of the pairs, and miss others by more."""
+
+
+@dataclass(frozen=True)
+class FactoringOptions:
+    """How a reflectance is factored; ``None`` lets the reflectance decide.
+
+    ``factors``: words of :func:`~brdf_suite.geometry.factor_words.parse_factors`; left out, radial maps and one over
+    Fresnel's angle where the reflectance is isotropic, p(ωo) q(h) p(ωi) where it is not. ``peak``: whether what stands
+    out over the product is kept apart, over the radius of the half vector or as a map; ``auto``: radial where it is
+    isotropic. ``bias`` is over the mean of what is factored; left out, 1e-2 of measurements, 1e-5 of models.
+    ``smooth``: λ of equation 17; left out, 4 of measurements, 1 of models.
+    ``keep_mean``: whether the mean of f_r cosθi cosθo over the samples is restored; ``auto``: where that raises neither
+    the RMS error nor the median relative one. ``radial``: whether maps of two axes that are found to be radially
+    symmetric are kept as their radius alone.
+    """
+
+    factors: str | None = None
+    resolution: int = DEFAULT_RESOLUTION
+    smooth: float | None = None
+    bias: float | None = None
+    peak: PeakChoice = "auto"
+    keep_mean: MeanChoice = "auto"
+    radial: bool = False
+    pairs: int = DEFAULT_PAIRS
+    seed: int = DEFAULT_SEED
+
+    def __post_init__(self) -> None:
+        for name, choices in (("peak", PEAK_CHOICES), ("keep_mean", MEAN_CHOICES)):
+            if getattr(self, name) not in choices:
+                raise ValueRangeError(
+                    name, f"one of {', '.join(choices)} is wanted, not {getattr(self, name)!r}"
+                )
+
+
+@dataclass(frozen=True, eq=False)
+class FactoredFit:
+    """A product of textures beside what it came from.
+
+    ``maps``: (n, 3) or (n, n, 3) by the names in ``factors`` and ``peak``, the words of how they are read; ``peak`` is
+    empty where nothing stood out. ``asymmetry``: of each map
+    over a hemisphere, by how much a texel misses the mean of its ring (RMS of the logarithm). ``mean_correction`` (3):
+    what α was multiplied by. ``accuracy``: over the samples that were factored, of the textures as they are looked up.
+    ``compression``: samples over texels. ``left_out``, ``raised``: samples that took no part, and negative ones that
+    were taken for 0.
+    """
+
+    name: str
+    value: Factored
+    maps: Mapping[str, Floats]
+    factors: str
+    peak: str
+    asymmetry: dict[str, float]
+    mean_correction: tuple[float, float, float]
+    accuracy: Accuracy
+    compression: float
+    samples: int
+    left_out: int
+    raised: int
+    solver: str
+
+    def to_json(self) -> dict[str, object]:
+        """Return the figures by their names."""
+        return {
+            "name": self.name,
+            "factors": self.factors,
+            "peak": self.peak or None,
+            "alpha": np.asarray(self.value.alpha, float).tolist(),
+            "texels": {name: list(values.shape[:-1]) for name, values in self.maps.items()},
+            "asymmetry": self.asymmetry,
+            "mean_correction": list(self.mean_correction),
+            "samples": self.samples,
+            "left_out": self.left_out,
+            "raised": self.raised,
+            "solver": self.solver,
+            "compression": self.compression,
+            "accuracy": self.accuracy.to_json(),
+        }
+
+
+def factor_any(
+    name_or_path: str | os.PathLike[str],
+    options: FactoringOptions | None = None,
+    *,
+    progress: Progress | None = None,
+) -> FactoredFit:
+    """Factor a paint by name or file, or a measured file.
+
+    Measured samples and the measured bins of tables are taken as they are; of models and paints directions even over
+    both hemispheres are drawn, and where their peak is looked for, as many as a quarter of them about the mirror
+    direction, where even ones hardly fall.
+
+    Raises
+    ------
+    SuiteError
+        There is nothing of that name, it cannot be read, or there is nothing to factor; the message says why.
+    """
+    report(progress, 0.0, "reading")
+    item = load_material(name_or_path)
+    try:
+        return factor_reflectance(item.name, item.reflectance, options, progress=subrange(progress, 0.1, 1.0))
+    except FittingError as error:
+        raise FittingError(f"{item.name}: {error}") from error
+
+
+def factor_reflectance(
+    name: str,
+    reflectance: Reflectance,
+    options: FactoringOptions | None = None,
+    *,
+    progress: Progress | None = None,
+) -> FactoredFit:
+    """Factor a reflectance in hand; otherwise as :func:`factor_any`."""
+    chosen = options or FactoringOptions()
+    report(progress, 0.0, "sampling")
+    samples = sample_reflectance(reflectance, chosen.pairs, chosen.seed)
+    isotropic = is_isotropic(reflectance)
+    words = (
+        chosen.factors if chosen.factors is not None else MEASURED_FACTORS if isotropic else DEFAULT_FACTORS
+    )
+    factors = parse_factors(words)
+    form: PeakForm | None = "map" if chosen.peak == "map" else "radial"
+    if chosen.peak == "off" or (chosen.peak == "auto" and not isotropic):
+        form = None
+    fitting = subrange(progress, 0.1, 0.9)
+    if form is None:
+        found, whole = _alone(samples, factors, chosen, fitting)
+    else:
+        found, whole = _apart(samples, factors, form, chosen, reflectance, fitting)
+    whole, correction = _mean(whole, samples, chosen.keep_mean)
+    uneven = asymmetries(whole.product)
+    if chosen.radial:
+        whole = replace(whole, product=as_radial(whole.product))
+    value, maps = _value(whole, samples, found, chosen, name)
+    keep = np.isfinite(samples.values).all(axis=1)
+    near = accuracy(np.maximum(samples.values[keep], 0.0), value.eval(samples.wi[keep], samples.wo[keep]))
+    peak = () if whole.peak is None else whole.peak.factors
+    return FactoredFit(
+        name,
+        value,
+        maps,
+        factor_words(whole.product.factors),
+        factor_words(peak),
+        uneven,
+        (float(correction[0]), float(correction[1]), float(correction[2])),
+        near,
+        found.used / sum(values[..., 0].size for values in maps.values()),
+        found.used,
+        found.left_out,
+        found.raised,
+        found.solver,
+    )
+
+
+def _alone(
+    samples: FactorizationSamples,
+    factors: tuple[Factor, ...],
+    chosen: FactoringOptions,
+    progress: Progress | None,
+) -> tuple[FactorizationResult, FactorizationWithPeak]:
+    found = factorize(
+        samples.wi,
+        samples.wo,
+        samples.values,
+        factors=factors,
+        resolution=chosen.resolution,
+        smooth=_smoothness(samples, chosen),
+        bias=_bias(samples, chosen),
+        keep_mean=False,
+        progress=progress,
+    )
+    return found, FactorizationWithPeak(found.product, None)
+
+
+def _apart(
+    samples: FactorizationSamples,
+    factors: tuple[Factor, ...],
+    form: PeakForm,
+    chosen: FactoringOptions,
+    reflectance: Reflectance,
+    progress: Progress | None,
+) -> tuple[FactorizationResult, FactorizationWithPeak]:
+    near = samples_near_peak(reflectance, chosen.pairs // 4, chosen.seed) if samples.even else None
+    whole, found = factorize_with_peak(
+        samples if near is None else samples.and_those(near),
+        form=form,
+        factors=factors,
+        resolution=chosen.resolution,
+        smooth=_smoothness(samples, chosen),
+        bias=_bias(samples, chosen),
+        progress=progress,
+    )
+    return found, whole
+
+
+def _bias(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
+    if chosen.bias is not None:
+        return chosen.bias
+    return BIAS if samples.even else PEAK_BIAS
+
+
+def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
+    if chosen.smooth is not None:
+        return chosen.smooth
+    return MODEL_SMOOTHNESS if samples.even else MEASURED_SMOOTHNESS
+
+
+def _mean(
+    whole: FactorizationWithPeak, samples: FactorizationSamples, choice: MeanChoice
+) -> tuple[FactorizationWithPeak, Floats]:
+    """Correct α for the mean, and tell by what."""
+    if choice == "off":
+        return whole, np.ones(3)
+    alone = samples.values if whole.peak is None else samples.values - whole.peak.eval(samples.wi, samples.wo)
+    corrected, correction = correct_mean(whole.product, samples.wi, samples.wo, alone)
+    better = replace(whole, product=corrected)
+    if choice == "auto" and not all(
+        after <= before
+        for before, after in zip(_distances(whole, samples), _distances(better, samples), strict=True)
+    ):
+        return whole, np.ones(3)
+    return better, correction
+
+
+def _distances(one: FactorizationWithPeak, samples: FactorizationSamples) -> tuple[float, float]:
+    """Return the RMS error, times √(cosθi cosθo), and the median relative error of the luminance.
+
+    Where few samples hold most of the light, as in a peak, the first alone would brighten or darken all the rest.
+    """
+    keep = np.isfinite(samples.values).all(axis=1)
+    wi, wo, values = samples.wi[keep], samples.wo[keep], samples.values[keep]
+    error = one.eval(wi, wo) - values
+    grey = values @ LUMINANCE
+    lit = grey > 0.0
+    relative = float(np.median(np.abs(error @ LUMINANCE)[lit] / grey[lit])) if lit.any() else 0.0
+    return float(np.sqrt(np.mean(wi[:, 2:] * wo[:, 2:] * error**2))), relative
+
+
+def _value(
+    whole: FactorizationWithPeak,
+    samples: FactorizationSamples,
+    found: FactorizationResult,
+    chosen: FactoringOptions,
+    name: str,
+) -> tuple[Factored, dict[str, Floats]]:
+    """Return the textures: each map of the product over its largest value, and α with what that takes (equation 20)."""
+    maps, alpha = _normalized(whole.product)
+    peak: tuple[Factor, ...] = ()
+    if whole.peak is not None:
+        added, scale = _normalized(whole.peak)
+        # The peak has no α of its own: its first map holds it.
+        first = whole.peak.factors[0].name
+        added[first] = added[first] * scale
+        peak = whole.peak.factors
+        clash = set(maps) & set(added)
+        if clash:
+            raise ValueRangeError("factors", f"the name {min(clash)!r} is the peak's; give the map another")
+        maps |= added
+    tiny = float(np.finfo(np.float32).tiny)
+    maps = {key: np.maximum(values, tiny) for key, values in maps.items()}
+    value = build_factored(
+        whole.product.factors,
+        {key: values.astype(np.float32) for key, values in maps.items()},
+        alpha,
+        peak=peak,
+        source=f"homomorphic factorization of {name}",
+        facts={
+            "format": "product of textures",
+            "factors": factor_words(whole.product.factors),
+            "peak": factor_words(peak),
+            "smoothness": _smoothness(samples, chosen),
+            "samples": found.used,
+            "largest": float(np.nanmax(samples.values)),
+        },
+    )
+    return value, maps
+
+
+def _normalized(product: Factorization) -> tuple[dict[str, Floats], Floats]:
+    maps: dict[str, Floats] = {}
+    alpha = product.alpha.copy()
+    for name, log in product.logs.items():
+        top = log.reshape(-1, 3).max(axis=0)
+        maps[name] = np.exp(log - top)
+        alpha = alpha * np.exp(top * sum(factor.name == name for factor in product.factors))
+    # Beyond the range of α the first map that is read once keeps the rest: maps that no pair reads at their largest at
+    # once may come to more than any reflectance.
+    most = np.asarray(PARAMETERS["alpha"].high)
+    once = [
+        one.name for one in product.factors if sum(other.name == one.name for other in product.factors) == 1
+    ]
+    if once:
+        maps[once[0]] = maps[once[0]] * np.maximum(alpha / most, 1.0)
+        alpha = np.minimum(alpha, most)
+    return maps, alpha
+
+
+def check_target(path: str | os.PathLike[str]) -> None:
+    """Raise :class:`FileError` where nothing can be written: its folder is missing, or what is there is no file."""
+    target = Path(path)
+    if not target.absolute().parent.is_dir():
+        raise FileError(target, "its folder is not there; make it first")
+    if target.exists() and not target.is_file():
+        raise FileError(target, "is there already and is no file; give another name")
+
+
+def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str | None = None) -> None:
+    """Write a factored fit as a ``.brdfpaint`` with its textures beside it, or as a ``.brdftable``.
+
+    Raises
+    ------
+    FileError
+        The ending is neither, or a file cannot be written.
+    """
+    target = Path(path)
+    # Before the textures are written, which would be left behind.
+    check_target(target)
+    if target.suffix.lower() == TABLE_ENDING:
+        from brdf_suite.files.measured.brdftable import write_brdftable
+
+        write_brdftable(found.value, target)
+        return
+    if target.suffix.lower() != PAINT_ENDING:
+        raise FileError(target, f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}")
+    # What reads and writes EXR files is loaded where one is written.
+    from brdf_suite.documents.factor_textures import write_textures
+
+    alpha = np.asarray(found.value.alpha, float)
+    paint = FactoredPaint(
+        name or found.name,
+        write_textures({key: values.astype(np.float32) for key, values in found.maps.items()}, target),
+        found.factors,
+        (float(alpha[0]), float(alpha[1]), float(alpha[2])),
+        peak=found.peak,
+        largest=float(found.value.facts["largest"]),
+        source=found.value.source,
+    )
+    save_paint(paint, target)

@@ -1,0 +1,1 @@
+"""Picture files: stills, turntables, films."""

@@ -1,0 +1,167 @@
+"""A paint by name or file, in a view, to a picture file: all that is loaded for it, and what came of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from brdf_suite.documents.view import View
+from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
+from brdf_suite.output.smaller_maps import with_smaller_maps
+from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material, under_illuminant
+from brdf_suite.pipeline.picture import OffscreenScene
+from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
+from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
+from brdf_suite.pipeline.surface_images import ImageRequest, load_surface_images
+from brdf_suite.progress import Progress, report, stage, subrange
+from brdf_suite.realtime.camera import compose
+from brdf_suite.surface.mesh import Mesh
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.lobe_fit import LobeFit
+
+Size = tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s.
+
+    ``delta_e_2000_worst`` is over a designed paint's own readings, over the usual aspecular angles of anything
+    else that the fit looked at, and None where there is no such angle.
+    """
+
+    path: Path
+    width: int
+    height: int
+    paint: str
+    environment: str
+    surface: str
+    renderer: str
+    fit_ms: float
+    maps_s: float
+    draw_ms: float
+    time_limited: bool
+    delta_e_2000_worst: float | None
+    notices: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class LoadedScene:
+    """A windowless scene with the light and the surface of a view; paints are shown in it one after the other."""
+
+    scene: OffscreenScene
+    prepared: PreparedEnvironment
+    mesh: Mesh
+    maps_s: float
+
+    def composed(self, view: View, size: Size) -> View:
+        """Return the view with the whole object in the middle of the picture, unless its camera is placed."""
+        return replace(view, camera=compose(view.camera, self.scene.bounds, size))
+
+
+@contextmanager
+def loaded_scene(
+    view: View,
+    progress: Progress | None = None,
+    *,
+    columns: int | None = None,
+    largest_face: int | None = None,
+) -> Iterator[LoadedScene]:
+    """Load surface and environment of a view into a windowless scene, which goes with the block.
+
+    Where only small pictures are drawn, ``columns`` is how wide the light needs to be before it is filtered, and
+    ``largest_face``, in texels, how fine its maps after that.
+    Errors as :func:`render_to_file`.
+    """
+    mesh = load_shaped(view.surface, view.surface_look)
+    with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
+        start = perf_counter()
+        name = find_environment(view.environment)[0]
+        light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
+        prepared = load_environment(view.environment, light, layout=view.environment_layout, columns=columns)
+        if largest_face is not None:
+            prepared = with_smaller_maps(prepared, largest_face)
+        maps_s = perf_counter() - start
+        scene.set_environment(prepared)
+        scene.prepare(view)
+        scene.set_surface_images(load_surface_images(ImageRequest.of(view)))
+        mesh, baked = bake_or_explain(mesh, view.surface_look, subrange(progress, 0.6, 1.0))
+        scene.set_surface(mesh, baked)
+        yield LoadedScene(scene, prepared, mesh, maps_s)
+
+
+def render_to_file(
+    paint: str | os.PathLike[str],
+    view: View,
+    size: Size,
+    path: Path,
+    settings: PictureSettings | None = None,
+    *,
+    progress: Progress | None = None,
+) -> Picture:
+    """Render a paint (by name or file) or a measured file in a view and write it as PNG or EXR, atomically.
+
+    Raises
+    ------
+    FileError
+        The paint, environment or mesh cannot be read, or the picture not written.
+    UnreachableError
+        No such paint can have the gloss or colour that the document asks for.
+    FittingError
+        No lobes can be fitted to what was measured.
+    GraphicsError
+        There is no OpenGL 3.3.
+    Cancelled
+        The progress callback asked for it.
+    """
+
+    settings = settings or PictureSettings()
+    settings.of_file(path)
+    check_target(path)
+    fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
+    with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
+        loaded.scene.set_paint_fit(fit)
+        start = perf_counter()
+        # The picture's words tell the exposure that was measured, where it is automatic.
+        shown = metered(loaded.scene.renderer, loaded.composed(view, size), size)
+        write_picture(
+            loaded.scene.renderer,
+            shown,
+            size,
+            path,
+            settings,
+            picture_metadata(fit, shown),
+            stage(progress, 0.8, 1.0, "drawing"),
+        )
+        draw_ms = (perf_counter() - start) * 1e3
+        renderer = loaded.scene.renderer_name
+    report(progress, 1.0, "written")
+    return _picture(path, size, fit, loaded, renderer, draw_ms)
+
+
+def _picture(
+    path: Path, size: Size, fit: LobeFit, loaded: LoadedScene, renderer: str, draw_ms: float
+) -> Picture:
+    return Picture(
+        path=path,
+        width=size[0],
+        height=size[1],
+        paint=fit.name,
+        environment=loaded.prepared.environment.name,
+        surface=loaded.mesh.name,
+        renderer=renderer,
+        fit_ms=fit.fit_seconds * 1e3,
+        maps_s=loaded.maps_s,
+        draw_ms=draw_ms,
+        time_limited=fit.time_limited,
+        delta_e_2000_worst=fit.worst_delta_e,
+        notices=(*fit.notices, *loaded.prepared.environment.notes, *loaded.mesh.notes),
+    )

@@ -1,0 +1,1 @@
+"""Design of paints: feasible colours, variations, mixtures, starts from measurements, standards."""

@@ -1,0 +1,133 @@
+"""Standards out of files: a paint, every paint of a palette or of a hand-over, every CxF3 sample, a measured BRDF."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
+from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.paint_design.standard import Standard, standard_of
+from brdf_suite.pipeline.material import Material, is_file, load_document, load_material, material_of
+from brdf_suite.progress import Progress, report
+
+CXF_ENDING = ".cxf"
+_HEAD = 1 << 16
+BY_INSTRUMENT = "Its colours are read by the virtual spectrophotometer."
+
+
+def load_standards(
+    name_or_path: str | os.PathLike[str], progress: Progress | None = None
+) -> tuple[Standard, ...]:
+    """Return the standards in a file, or the shipped or Table 1 paint of that name; never none.
+
+    Raises
+    ------
+    SuiteError
+        There is nothing of that name, or the file cannot be read or holds no standard; with file and place.
+    Cancelled
+        The progress callback asked for it.
+    """
+    path = Path(name_or_path)
+    report(progress, 0.0, f"reading {path.name}")
+    ending = path.suffix.lower()
+    if ending == PALETTE_ENDING:
+        found = _of_palette(path)
+    elif ending == CXF_ENDING:
+        found = _of_cxf(path)
+    elif handed := _of_handover(path):
+        found = handed
+    else:
+        found = (_of_material(name_or_path),)
+    report(progress, 1.0, "read")
+    return found
+
+
+def _of_material(name_or_path: str | os.PathLike[str]) -> Standard:
+    document = load_document(name_or_path)
+    if document is not None:
+        path = Path(name_or_path)
+        return _of_paint(document, path.name if path.suffix else "")
+    material = load_material(name_or_path)
+    return _read_by_instrument(material, "")
+
+
+def _of_paint(paint: AnyPaint, origin: str) -> Standard:
+    if isinstance(paint, Paint):
+        return standard_of(paint, origin)
+    return _read_by_instrument(material_of(paint), origin)
+
+
+def _read_by_instrument(material: Material, origin: str) -> Standard:
+    from brdf_suite.paint_design.measured_start import estimated_gloss
+
+    gloss = estimated_gloss(material.reflectance).gloss
+    notices = (BY_INSTRUMENT, *material.notices)
+    return Standard(material.name, origin, (), gloss, None, material.reflectance, notices)
+
+
+def _of_palette(path: Path) -> tuple[Standard, ...]:
+    palette = load_palette(path)
+    found = [_of_entry(entry, ", ".join((path.name, *entry.group))) for entry in palette]
+    if not found:
+        raise FileError(path, "holds no paint, so there is no standard in it")
+    return tuple(found)
+
+
+def _of_entry(entry: Entry, origin: str) -> Standard:
+    return _of_paint(to_paint(entry.content), origin)
+
+
+def _of_handover(path: Path) -> tuple[Standard, ...]:
+    """The paints of a file that was handed over, known by its content; none where it is something else."""
+    if path.suffix.lower() == PAINT_ENDING or not is_file(os.fspath(path)):
+        return ()
+    # Many writers and readers, and few sessions need one.
+    from brdf_suite.files.cxf import is_cxf
+    from brdf_suite.files.exports import FORMATS
+
+    try:
+        with path.open("rb") as stream:
+            head = stream.read(_HEAD)
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    if is_cxf(head):
+        return _of_cxf(path)
+    for known in FORMATS:
+        if known.sniff is not None and known.read is not None and known.sniff(head):
+            return tuple(_of_paint(paint, path.name) for paint in known.read(path).paints)
+    return ()
+
+
+def _of_cxf(path: Path) -> tuple[Standard, ...]:
+    # An XML reader, and few sessions need it.
+    from brdf_suite.files.cxf import read_cxf
+
+    file = read_cxf(path)
+    found: list[Standard] = []
+    refused = [*file.refused]
+    for sample in file.samples:
+        try:
+            readings = tuple(
+                Measurement(reading.illumination_deg, reading.aspecular_deg, reading.lab)
+                for reading in sample.readings
+            )
+        except ValueRangeError as error:
+            refused.append(f"{sample.name}: {error}")
+            continue
+        gloss: Gloss | None = sample.gloss
+        try:
+            paint = sample.paint() if gloss is not None else None
+        except ValueRangeError:  # too few angles for a paint; they are enough for a standard
+            paint = None
+        converted = tuple(
+            dict.fromkeys(reading.converted for reading in sample.readings if reading.converted)
+        )
+        found.append(Standard(sample.name, path.name, readings, gloss, paint, None, (*converted, *refused)))
+    if not found:
+        raise SuiteError(f"{path}: no sample can be a standard: {'; '.join(refused)}.")
+    return tuple(found)

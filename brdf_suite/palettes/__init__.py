@@ -1,0 +1,1 @@
+"""Collections of paints: columns of figures, order, search, duplicates, merging."""

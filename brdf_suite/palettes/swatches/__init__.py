@@ -1,0 +1,1 @@
+"""Pictures of the paints of a palette."""

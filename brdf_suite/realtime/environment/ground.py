@@ -1,0 +1,159 @@
+"""Ground under the object: receives the object's shadow and otherwise shows the background.
+
+The shadow is the ratio of the light that arrives beside the object to the light on an open ground, both in the
+environment's own light: its low harmonics times the baked transfer of the ground. A pixel of background is
+multiplied by it. Nothing is drawn where nothing is in the way, so the ground has no edge.
+"""
+
+from __future__ import annotations
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
+from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.shader_source import compose
+from brdf_suite.realtime.values import CubeFaces, GroundField
+
+GROUND_UNIT = 12
+_DEPTH_CLAMP = 0x864F  # GL_DEPTH_CLAMP, core since OpenGL 3.2
+_COARSE = 32
+"""Texels along an edge of the faces that the harmonics are taken from: far finer than harmonics of degree 6."""
+
+Floats = NDArray[np.float64]
+
+
+def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:
+    """Return ∫ L Y_lm dω of a cube map, ((degree + 1)², 3), working space."""
+    pixels = np.asarray(faces.faces, np.float32)
+    step = max(1, faces.size // _COARSE)
+    size = faces.size // step
+    trimmed = pixels[:, : size * step, : size * step]
+    pooled = trimmed.reshape(6, size, step, size, step, 3).mean(axis=(2, 4)).astype(np.float64)
+    place = (np.arange(size) + 0.5) / size * 2.0 - 1.0
+    s, t = np.meshgrid(place, place)
+    one = np.ones_like(s)
+    # OpenGL 3.3, table 3.10.
+    major = [(one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one)]
+    directions = np.stack([np.stack(axes, axis=-1) for axes in major])
+    length = np.linalg.norm(directions, axis=-1)
+    solid_angle = (2.0 / size) ** 2 / length**3
+    solid_angle *= 4.0 * np.pi / solid_angle.sum()
+    harmonics = low_harmonics(directions / length[..., None], degree)
+    return np.asarray(np.einsum("fij,fijh,fijc->hc", solid_angle, harmonics, pooled) * faces.scale)
+
+
+def soften_harmonics(degree: int) -> Floats:
+    """Return a factor for each harmonic that keeps a small bright light from ringing: Lanczos' sinc."""
+    degrees = np.repeat(np.arange(degree + 1), 2 * np.arange(degree + 1) + 1)
+    return np.asarray(np.sinc(degrees / (degree + 1)))
+
+
+def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
+    """Return what of the light arrives, (rows, columns, 3), 0…1.
+
+    ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics. The corner
+    of the field is open ground.
+    """
+    soft = soften_harmonics(round(len(light) ** 0.5) - 1)[:, None] * light
+    arriving = transfer.astype(np.float64) @ soft
+    full = arriving[0, 0]
+    ratio = np.divide(arriving, full, out=np.ones_like(arriving), where=full > 0.0)
+    return np.asarray(np.clip(ratio, 0.0, 1.0))
+
+
+class GroundShadow:
+    """The baked ground of one mesh in the light of one environment, as a texture updated with both."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._field: GroundField | None = None
+        self._light: Floats | None = None
+        self._background: CubeFaces | None = None
+        self._texture: moderngl.Texture | None = None
+        self._drawing: tuple[moderngl.Program, moderngl.VertexArray] | None = None
+        self._shown: tuple[float, bytes] | None = None
+
+    @property
+    def height(self) -> float | None:
+        """Height of the ground, metres; None where there is none."""
+        return None if self._field is None else self._field.height
+
+    def set_field(self, field: GroundField | None) -> None:
+        """Take the ground of another mesh, or none."""
+        self._field = field
+        self._shown = None
+        self._light = None
+
+    def set_environment(self, background: CubeFaces) -> None:
+        """Take another environment."""
+        self._background = background
+        self._shown = None
+        self._light = None
+
+    def draw(self, world_to_clip: tuple[float, ...], turn: float, colours: Floats) -> None:
+        """Multiply what is drawn already, where the object is not in front, by the shadow.
+
+        Parameters
+        ----------
+        world_to_clip
+            Column by column.
+        turn, colours
+            How far the light is turned about y, radians, and the (3, 3) that its colours are mixed by.
+        """
+        if self._field is None or self._background is None:
+            return
+        texture = self._brought_up_to_date(self._field, self._background, turn, colours)
+        if self._drawing is None:
+            program = self._objects.program(compose("ground.vert.glsl"), compose("ground.frag.glsl"))
+            self._drawing = (program, self._objects.vertex_array(program))
+        program, corners = self._drawing
+        texture.use(GROUND_UNIT)
+        values = {
+            "world_to_clip": world_to_clip,
+            "ground_shadow": GROUND_UNIT,
+            "ground_field": (*self._field.low, *self._field.high),
+            "ground_height": self._field.height,
+        }
+        for name, value in values.items():
+            program[name] = value
+        context = self._objects.context
+        context.enable_only(moderngl.DEPTH_TEST | moderngl.BLEND)
+        # The near and far planes enclose the object; the ground goes on beyond them.
+        context.enable_direct(_DEPTH_CLAMP)
+        context.blend_func = moderngl.DST_COLOR, moderngl.ZERO
+        corners.render(moderngl.TRIANGLE_STRIP, vertices=4)
+        context.blend_func = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA
+        context.disable_direct(_DEPTH_CLAMP)
+        context.enable_only(moderngl.DEPTH_TEST)
+
+    def _brought_up_to_date(
+        self, field: GroundField, background: CubeFaces, turn: float, colours: Floats
+    ) -> moderngl.Texture:
+        """Return the texture; written only where field, light, turn or colours are others than before."""
+        wanted = (turn, colours.tobytes())
+        if self._texture is not None and wanted == self._shown:
+            return self._texture
+        if self._light is None:
+            self._light = environment_harmonics(background, round(field.transfer.shape[2] ** 0.5) - 1)
+        ratio = ground_ratio(field.transfer, rotate_harmonics(self._light.T, turn).T @ colours.T)
+        rows, columns = ratio.shape[:2]
+        if self._texture is None or self._texture.size != (columns, rows):
+            self.release()
+            self._texture = self._objects.texture((columns, rows), "f2")
+            self._texture.repeat_x = self._texture.repeat_y = False
+            self._texture.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        pixels = np.ones((rows, columns, 4), np.float16)
+        pixels[..., :3] = ratio
+        self._texture.write(pixels.tobytes())
+        self._objects.counters.texture_uploads += 1
+        self._shown = wanted
+        return self._texture
+
+    def release(self) -> None:
+        """Give the texture back."""
+        if self._texture is not None:
+            self._objects.release(self._texture)
+        self._texture = None
+        self._shown = None

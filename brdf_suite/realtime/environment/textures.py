@@ -1,0 +1,163 @@
+"""Textures of one environment: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
+
+A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
+once. A new environment of the same sizes is written into the textures that are there. Maps of sharp lobes can wait
+until a material asks for them: those are most of the bytes, and few paints look all of them up.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import moderngl
+import numpy as np
+
+from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
+from brdf_suite.realtime.environment.lobe_stack import LobeStack
+from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.material.ramp import MAX_SHARP
+from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
+
+_SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
+
+MIPMAPPED_FROM = 256
+"""Faces this large get mip levels: a tightly curved surface squeezes a sharp lobe's map into few pixels."""
+
+DIFFUSE_UNIT, BACKGROUND_UNIT, STACK_UNIT, RAMP_UNIT, FIRST_SHARP_UNIT = range(5)
+"""The texture units of all that shading reads; sharp lobes take 4 to 11 of the 16 that OpenGL 3.3 grants."""
+
+_DIFFUSE_EXPONENT = 1.0
+
+
+@dataclass(frozen=True)
+class _Map:
+    texture: moderngl.TextureCube
+    scale: float
+
+    @property
+    def level(self) -> float:
+        # A face of F texels is 2 wide at distance 1: F / 2 texels per radian in its middle.
+        return math.log2(self.texture.size[0] / 2)
+
+
+class EnvironmentTextures:
+    """The textures of one environment, and the uniforms that describe them to the shader.
+
+    Attributes
+    ----------
+    on_demand
+        Whether a sharp lobe's map is written only when a material first looks it up, for a picture that is drawn
+        once, or for the first one; else :meth:`load` writes all, so that no edit waits for one.
+    """
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self.on_demand = False
+        self._unwritten: dict[int, CubeFaces] = {}
+        self._textures: list[moderngl.TextureCube] = []
+        self._stack = LobeStack(objects)
+        self._diffuse: _Map | None = None
+        self._background: _Map | None = None
+        self._sharp: dict[float, _Map] = {}
+        self.exponents: tuple[float, ...] = ()
+        self.is_dark = False
+        """Whether no light comes from the environment, so that nothing of it need be looked up."""
+
+    @property
+    def ladder(self) -> Ladder:
+        """The exponents of the stack's slices."""
+        return self._stack.ladder
+
+    def load(self, maps: EnvironmentMaps) -> None:
+        """Write all maps; :class:`GraphicsError` where the GPU's memory or size limit is exceeded."""
+        by_exponent = dict(zip(maps.exponents, maps.lobes, strict=True))
+        sharp = {e: faces for e, faces in by_exponent.items() if e > BROADEST_SHARP}
+        broad = {e: faces for e, faces in by_exponent.items() if e <= BROADEST_SHARP}
+        broad.setdefault(_DIFFUSE_EXPONENT, maps.diffuse)
+        whole = (maps.diffuse, maps.background, *sharp.values())
+        # The same numbers under another scale are the same texture: scales are uniforms.
+        distinct = {id(faces.faces): faces for faces in whole}
+        sizes = [faces.size for faces in distinct.values()]
+        if sizes != [texture.size[0] for texture in self._textures]:
+            self._release_cubes()
+            self._textures = [self._objects.cube(size) for size in sizes]
+        self._unwritten = dict(zip((t.glo for t in self._textures), distinct.values(), strict=True))
+        shared = {id(maps.diffuse.faces), id(maps.background.faces)}
+        for texture, identity in zip(self._textures, distinct, strict=True):
+            if identity in shared or not self.on_demand:
+                self._write(texture)
+        self._stack.load(sorted(broad.items()))
+        texture_of = dict(zip(distinct, self._textures, strict=True))
+        diffuse, background, *others = (_Map(texture_of[id(faces.faces)], faces.scale) for faces in whole)
+        self._diffuse, self._background = diffuse, background
+        self._sharp = dict(zip(sharp, others, strict=True))
+        self.exponents = maps.exponents
+        # Light from anywhere is in the diffuse map everywhere.
+        self.is_dark = not maps.diffuse.faces.any()
+
+    def write_rest(self) -> None:
+        """Write the maps that no material has looked up yet."""
+        for texture in self._textures:
+            self._write(texture)
+
+    def bind(self) -> None:
+        """Bind what all materials share and switch filtering across the edges of faces on."""
+        self._objects.context.enable_direct(_SEAMLESS)
+        if self._diffuse is not None and self._background is not None:
+            self._diffuse.texture.use(DIFFUSE_UNIT)
+            self._background.texture.use(BACKGROUND_UNIT)
+            self._stack.use(STACK_UNIT)
+            # Whatever a material does not look up must be bound to something of its kind all the same.
+            for unit in range(MAX_SHARP):
+                self._background.texture.use(FIRST_SHARP_UNIT + unit)
+
+    def uniforms(self) -> dict[str, object]:
+        """Return what all materials share, by the names of environment.glsl, lobe_stack.glsl and lobes.glsl."""
+        if self._diffuse is None or self._background is None:
+            return {}
+        return {
+            "diffuse_map": DIFFUSE_UNIT,
+            "background_map": BACKGROUND_UNIT,
+            "diffuse_scale": self._diffuse.scale,
+            "background_scale": self._background.scale,
+            "ramp": RAMP_UNIT,
+            "sharp_maps": tuple(range(FIRST_SHARP_UNIT, FIRST_SHARP_UNIT + MAX_SHARP)),
+        } | self._stack.uniforms(STACK_UNIT)
+
+    def use_sharp(self, exponents: tuple[float, ...]) -> dict[str, object]:
+        """Bind the maps of a material's sharp lobes; return ``sharp_lobes`` of lobes.glsl: scale, level, exponent."""
+        lobes = []
+        for unit, exponent in enumerate(exponents):
+            own = self._sharp[exponent]
+            self._write(own.texture)
+            own.texture.use(FIRST_SHARP_UNIT + unit)
+            lobes.append((own.scale, own.level, exponent))
+        lobes += [(0.0, 0.0, 1.0)] * (MAX_SHARP - len(lobes))
+        return {"sharp_lobes": tuple(lobes)}
+
+    def release(self) -> None:
+        """Give the textures back."""
+        self._release_cubes()
+        self._stack.release()
+
+    def _release_cubes(self) -> None:
+        for texture in self._textures:
+            self._objects.release(texture)
+        self._textures, self._unwritten = [], {}
+
+    def _write(self, texture: moderngl.TextureCube) -> None:
+        """Write a texture's map, where that has not been done."""
+        faces = self._unwritten.pop(texture.glo, None)
+        if faces is None:
+            return
+        with graphics_errors(self._objects.context, "loading the environment's maps"):
+            for face in range(6):
+                texture.write(face, np.ascontiguousarray(faces.faces[face]))
+            self._objects.counters.texture_uploads += 6
+            if faces.size >= MIPMAPPED_FROM:
+                texture.build_mipmaps()
+                texture.filter = (moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR)
+            else:
+                texture.filter = (moderngl.LINEAR, moderngl.LINEAR)

@@ -1,0 +1,1 @@
+"""Factored materials on the GPU."""

@@ -1,0 +1,1 @@
+"""OpenGL: context, objects, programs, meshes, targets."""

@@ -1,0 +1,118 @@
+"""Shader files: assembled from includes, compiled, with errors reported by file and line.
+
+A line ``#include "name.glsl"`` is replaced by that file, once per shader. Each file has a number, and
+``#line`` gives the compiler lines as 10,000 times that number plus the line in the file, so that its complaints
+can be traced. (The directive's own file number is lost by some compilers, Mesa among them.)
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import moderngl
+
+from brdf_suite.errors import GraphicsError
+
+SHADERS = Path(__file__).resolve().parents[1] / "shaders"
+
+_LINES_PER_FILE = 10_000
+
+_INCLUDE = re.compile(r'^\s*#include\s+"([\w.\-]+)"\s*$')
+# Mesa "1:23(4): error: ...", NVIDIA "1(23) : error C1008: ...", Intel, AMD and Apple "ERROR: 1:23: ...".
+_REPORTS = (
+    re.compile(r"^\d+:(?P<line>\d+)\(\d+\): (?:preprocessor )?error: (?P<what>.*)$"),
+    re.compile(r"^\d+\((?P<line>\d+)\) : error (?P<what>.*)$"),
+    re.compile(r"^ERROR: \d+:(?P<line>\d+): (?P<what>.*)$"),
+)
+
+
+@dataclass(frozen=True)
+class ShaderSource:
+    """Preprocessed shader text, and the file names behind its line numbers."""
+
+    text: str
+    files: tuple[str, ...]
+
+
+def compose(
+    name: str, defines: dict[str, str] | None = None, folders: tuple[Path, ...] = (SHADERS,)
+) -> ShaderSource:
+    """Return shader file ``name`` with its includes and ``#define`` lines; ``folders`` are searched in order.
+
+    Raises
+    ------
+    GraphicsError
+        A file is missing; the message names it and the file and line that asks for it.
+    """
+    files: list[str] = []
+    lines = ["#version 330 core", *(f"#define {key} {value}" for key, value in (defines or {}).items())]
+
+    def add(name: str, asked_by: str) -> None:
+        if name in files:
+            return
+        path = next((folder / name for folder in folders if (folder / name).is_file()), None)
+        if path is None:
+            raise GraphicsError(f"The shader file {name} is missing{asked_by}; install brdf-suite again.")
+        number = len(files)
+        files.append(name)
+        lines.append(f"#line {number * _LINES_PER_FILE + 1}")
+        # A shader of the user's is read anew each time, since it may have been edited.
+        text = _shipped_text(name) if path.parent == SHADERS else path.read_text(encoding="utf-8")
+        for row, line in enumerate(text.splitlines(), 1):
+            include = _INCLUDE.match(line)
+            if include:
+                add(include.group(1), f", asked for by {name}, line {row}")
+                lines.append(f"#line {number * _LINES_PER_FILE + row + 1}")
+            else:
+                # Compilers of OpenGL 3.3 read ASCII only.
+                lines.append(line.encode("ascii", "replace").decode("ascii"))
+
+    add(name, "")
+    return ShaderSource("\n".join(lines) + "\n", tuple(files))
+
+
+@cache
+def _shipped_text(name: str) -> str:
+    """Return a shipped shader file, read once a process."""
+    return (SHADERS / name).read_text(encoding="utf-8")
+
+
+def look_up_defines(broad: int, sharp: int) -> dict[str, str]:
+    """Return the defines of the numbers of look-ups, and the loop over sharp lobes written out.
+
+    >>> look_up_defines(4, 2)["FOR_EACH_SHARP_LOBE(BODY)"]
+    'BODY(0) BODY(1)'
+    """
+    return {
+        "BROAD": str(broad),
+        "SHARP": str(sharp),
+        "FOR_EACH_SHARP_LOBE(BODY)": " ".join(f"BODY({i})" for i in range(sharp)),
+    }
+
+
+def compile_program(
+    context: moderngl.Context, vertex: ShaderSource, fragment: ShaderSource
+) -> moderngl.Program:
+    """Compile and link; :class:`GraphicsError` names shader file, line and the compiler's words."""
+    try:
+        return context.program(vertex_shader=vertex.text, fragment_shader=fragment.text)
+    except moderngl.Error as error:
+        message = str(error)
+        source = vertex if "vertex_shader" in message else fragment
+        raise GraphicsError(
+            _explain(message, source, f"{vertex.files[0]} with {fragment.files[0]}")
+        ) from error
+
+
+def _explain(message: str, source: ShaderSource, pair: str) -> str:
+    for line in message.splitlines():
+        for report in _REPORTS:
+            found = report.match(line.strip())
+            if found and int(found["line"]) < len(source.files) * _LINES_PER_FILE:
+                number, row = divmod(int(found["line"]), _LINES_PER_FILE)
+                return f"The shader {source.files[number]}, line {row}, does not compile: {found['what'].strip()}."
+    words = "; ".join(line.strip() for line in message.splitlines() if line.strip(" ="))
+    return f"The shaders {pair} do not compile or link: {words}."

@@ -1,0 +1,1 @@
+"""Single lights on the GPU."""

@@ -1,0 +1,100 @@
+"""Shader inputs for directional lights: the lights, each material's lobe table, its flakes.
+
+Nothing is made or written before a view has lamps or flakes are drawn one by one; an edit of a paint then writes one
+small table more.
+"""
+
+from __future__ import annotations
+
+import moderngl
+
+from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.documents.paint import Flakes
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.programs import LIGHT_LOBES_UNIT, LIGHTS_BINDING, Features
+from brdf_suite.realtime.lights.block import BLOCK_SIZE, NO_LIGHTS, DistantLights, light_block
+from brdf_suite.realtime.lights.lobes import COLUMNS, ROWS, light_lobes
+from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.realtime.values import MaterialWeights
+
+
+class SingleLights:
+    """Lights of the environment and lamps, for all materials."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._environment = NO_LIGHTS
+        self._weights: dict[str, MaterialWeights] = {}
+        self._stock: dict[str, MaterialWeights] = {}
+        self._flakes: dict[str, Flakes] = {}
+        self._tables: dict[str, moderngl.Texture] = {}
+        self._written: dict[str, tuple[MaterialWeights, Flakes | None, float]] = {}
+        self._buffer: moderngl.Buffer | None = None
+        self._block = b""
+
+    def set_environment(self, lights: DistantLights, exponents: tuple[float, ...]) -> None:
+        """Replace the environment's lights; stock materials follow its lobes."""
+        self._environment = lights
+        self._stock = stock_materials(exponents)
+
+    def set_material(self, name: str, weights: MaterialWeights) -> None:
+        """Give a material its weights."""
+        self._weights[name] = weights
+
+    def set_flakes(self, name: str, flakes: Flakes | None) -> None:
+        """Give a material its flakes, or none."""
+        if flakes is None:
+            self._flakes.pop(name, None)
+        else:
+            self._flakes[name] = flakes
+
+    def features(self, view: View) -> Features:
+        """Return the words of lit.glsl for one frame: lamps, and how flakes are drawn where anything has some."""
+        words: set[str] = set()
+        if view.lamps:
+            words.add("LAMPS")
+        if view.sparkle.mode != "off" and self._flakes:
+            words.add("SPARKLE_GLINTS" if view.sparkle.mode == "glints" else "SPARKLE_TEXTURE")
+        return frozenset(words)
+
+    def bind(self, view: View) -> None:
+        """Bind the lights of this frame, written where they changed."""
+        block = light_block(view, self._environment)
+        if self._buffer is None:
+            self._buffer = self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True)
+        if block != self._block:
+            with graphics_errors(self._objects.context, "writing the lights"):
+                self._buffer.write(block)
+            self._objects.counters.buffer_writes += 1
+            self._block = block
+        self._buffer.bind_to_uniform_block(LIGHTS_BINDING)
+
+    def uniforms(self, material: str, view: View, *, has_uv: bool) -> dict[str, object]:
+        """Bind a material's table, and return its flakes by the names of lit.glsl."""
+        weights = self._weights.get(material) or self._stock.get(material) or self._stock["neutral"]
+        flakes = self._flakes.get(material) if view.sparkle.mode != "off" else None
+        self._write(material, weights, flakes, view.sparkle.strength)
+        self._tables[material].use(LIGHT_LOBES_UNIT)
+        grain = (0.0, 1.0, 1.0, 0.0)
+        if flakes is not None:
+            size = flakes.size_um * 1e-3
+            grain = (flakes.density_per_mm2, size, flakes.roughness, flakes.colour_spread)
+        return {
+            "light_lobes": LIGHT_LOBES_UNIT,
+            "flakes": grain,
+            "flake_optics": (weights.ior if weights.coat == "dielectric" else 1.0, FLAKE_WAVINESS),
+            "has_uv": has_uv,
+        }
+
+    def _write(self, name: str, weights: MaterialWeights, flakes: Flakes | None, strength: float) -> None:
+        made = self._written.get(name)
+        if made is not None and made[0] is weights and made[1:] == (flakes, strength):
+            return
+        if name not in self._tables:
+            self._tables[name] = self._objects.ramp((COLUMNS, ROWS))
+        with graphics_errors(self._objects.context, f"writing the lobes of {name}"):
+            self._tables[name].write(light_lobes(weights, flakes, strength).tobytes())
+        self._objects.counters.texture_uploads += 1
+        self._written[name] = (weights, flakes, strength)

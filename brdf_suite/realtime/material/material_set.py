@@ -1,0 +1,124 @@
+"""Uniform buffer and ramp texture per material, updated in place when weights change."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import moderngl
+
+from brdf_suite.documents.view import FresnelMode, LookUp
+from brdf_suite.errors import GraphicsError
+from brdf_suite.realtime.environment.ladder import Ladder
+from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
+from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.programs import LookUps
+from brdf_suite.realtime.material.buffer import BLOCK_SIZE, pack
+from brdf_suite.realtime.material.ramp import MAX_ROWS, Ramp, make_ramp
+from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
+
+
+@dataclass(frozen=True)
+class Modes:
+    """View settings that the ramps depend on."""
+
+    fresnel: FresnelMode = "raised"
+    look_up: LookUp = "shifted"
+
+
+@dataclass
+class MaterialOnGpu:
+    """A material on the GPU; ``sharp`` are the exponents that need a map of their own, in binding order.
+
+    ``numbers`` is the ramp that was written.
+    """
+
+    buffer: moderngl.Buffer
+    ramp: moderngl.Texture
+    sharp: tuple[float, ...] = ()
+    look_ups: LookUps = field(default=LookUps(0, 1))
+    numbers: Ramp | None = None
+    made_for: tuple[MaterialWeights, WeightsOverAngle | None, Modes, Ladder] | None = None
+
+
+class MaterialSet:
+    """Materials by name. A name that was never set is a stock material, or the stock "neutral" grey.
+
+    What is written depends on the view's modes and the environment's exponents: it is computed when a material is
+    first drawn with them, for each material that is drawn.
+    """
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._weights: dict[str, MaterialWeights] = {}
+        self._stock: dict[str, MaterialWeights] = {}
+        self._written: dict[str, MaterialOnGpu] = {}
+        self._exponents: tuple[float, ...] = ()
+
+    def set_exponents(self, exponents: tuple[float, ...]) -> None:
+        """Fit the stock materials to the environment's lobes."""
+        if exponents != self._exponents:
+            self._exponents = exponents
+            self._stock = stock_materials(exponents)
+
+    def set(self, name: str, weights: MaterialWeights) -> None:
+        """Take the weights of a material; they are written when it is next drawn."""
+        self._weights[name] = weights
+
+    def find(self, name: str, modes: Modes, ladder: Ladder) -> MaterialOnGpu:
+        """Return a material as it is drawn, written where anything has changed.
+
+        Raises
+        ------
+        GraphicsError
+            It has weights on sharp lobes that the environment has no maps of, or on too many.
+        """
+        weights = self._weights.get(name) or self._stock.get(name) or self._stock["neutral"]
+        known = name if name in self._weights or name in self._stock else "neutral"
+        if known not in self._written:
+            self._written[known] = MaterialOnGpu(
+                self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True),
+                self._objects.ramp((RAMP_NODES, MAX_ROWS)),
+            )
+        written = self._written[known]
+        table = _table(weights, modes)
+        wanted = (weights, table, modes, ladder)
+        if written.made_for != wanted:
+            self._write(known, written, *wanted)
+        if not set(written.sharp) <= set(self._exponents):
+            raise GraphicsError(
+                f"The material {name} was fitted to {_list(weights.exponents)}, but the environment was "
+                f"filtered for {_list(self._exponents)}; fit it again."
+            )
+        return written
+
+    def _write(
+        self,
+        name: str,
+        written: MaterialOnGpu,
+        weights: MaterialWeights,
+        over_angle: WeightsOverAngle | None,
+        modes: Modes,
+        ladder: Ladder,
+    ) -> None:
+        ramp = make_ramp(weights, modes.fresnel, modes.look_up, ladder, over_angle)
+        with graphics_errors(self._objects.context, f"writing the weights of {name}"):
+            written.buffer.write(pack(weights, ramp))
+            written.ramp.write(ramp.rows, viewport=(0, 0, RAMP_NODES, len(ramp.rows)))
+        written.numbers = ramp
+        written.sharp = ramp.sharp
+        written.look_ups = LookUps.enough_for(ramp.base + ramp.coat, len(ramp.sharp))
+        written.made_for = (weights, over_angle, modes, ladder)
+        self._objects.counters.buffer_writes += 1
+
+
+def _table(weights: MaterialWeights, modes: Modes) -> WeightsOverAngle | None:
+    """The weights over the angle that take the place of the single fit in these modes; None: it holds."""
+    if weights.by_view is not None and modes.look_up == "shifted" and modes.fresnel != "off":
+        return weights.by_view
+    return weights.over_angle if modes.fresnel == "multi_angle" else None
+
+
+def _list(exponents: tuple[float, ...]) -> str:
+    return f"{len(exponents)} lobes ({', '.join(f'{e:g}' for e in exponents)})"

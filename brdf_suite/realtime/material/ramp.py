@@ -1,0 +1,165 @@
+"""Precomputed table of a material's lobe weights over N·V.
+
+A picture knows, at a pixel, the cosine N·V = N·R and nothing else of the angles. Weights, Fresnel's gains, amplitude
+and exponent of each look-up depend on it alone. So they are computed here at 64 cosines, in 0.1 ms an edit, and the
+shader reads one row of a texture for each look-up: modes of Fresnel and of the look-up differ in these numbers only.
+
+Rows: 0 the diffuse look-up, 1 to 8 the sharp lobes, from 9 on the base's and then the coat's broad lobes. Red, green,
+blue are the weight; alpha is the third coordinate in the stack of broad lobes. What is not used weighs nothing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import FresnelMode
+from brdf_suite.documents.view import LookUp as LookUpMode
+from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
+from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
+from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
+
+Floats: TypeAlias = NDArray[np.float64]
+
+MAX_BROAD = 24
+MAX_SHARP = 8
+MAX_ROWS = 1 + MAX_SHARP + MAX_BROAD
+_WRITTEN = 6
+"""Broad look-ups that are written at least: a program may look up more than a material has."""
+
+NEGLIGIBLE = 1e-6
+"""A lobe that reflects less than this share of what the material does in constant light is left out."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ramp:
+    """Ramp rows ``rows`` (n, 64, 4) float32 and their meaning.
+
+    ``base`` and ``coat`` are the numbers of broad look-ups; ``toward_normal`` (base + coat, 4) holds b's three
+    coefficients and the lobe's exponent; ``sharp`` are the exponents of the sharp lobes.
+    """
+
+    rows: NDArray[np.float32]
+    base: int
+    coat: int
+    toward_normal: NDArray[np.float32]
+    sharp: tuple[float, ...]
+
+
+def make_ramp(
+    weights: MaterialWeights,
+    fresnel: FresnelMode,
+    look_up: LookUpMode,
+    ladder: Ladder,
+    over_angle: WeightsOverAngle | None = None,
+) -> Ramp:
+    """Return the ramp of ``weights`` in these modes for a stack of broad lobes.
+
+    ``over_angle``, the material's weights over the incidence, takes the place of the single fit and is never raised on
+    top. Without it ``multi_angle`` is ``raised``.
+    """
+    if over_angle is not None and over_angle.kdd.shape[1] != len(weights.exponents):
+        raise ValueRangeError("over_angle", f"expected {len(weights.exponents)} lobes, as in the single fit")
+    raised = fresnel != "off" and over_angle is None
+    shifted = look_up == "shifted"
+    under_coat = shifted and fresnel != "off" and weights.coat == "dielectric" and weights.ior > 1.0
+    if over_angle is not None:
+        kd, kdd, kg = over_angle.kd, over_angle.kdd, over_angle.kg
+    else:
+        kd, kdd, kg = weights.kd[None], weights.kdd[None], weights.kg[None]
+    base_gain, gloss_gain = _gains(weights, under_coat) if raised else (np.ones((1, 1)), np.ones((1, 3)))
+
+    exponents = np.asarray(weights.exponents)
+    solid = 2.0 * np.pi / (exponents + 1.0)
+    by_base = solid * kdd.max(axis=(0, 2))
+    by_gloss = solid * kg.max(axis=(0, 2))
+    least = NEGLIGIBLE * (np.pi * float(kd.max()) + float(by_base.sum()) + float(by_gloss.sum()))
+    broad = exponents <= BROADEST_SHARP
+    base_lobes = np.flatnonzero(broad & (by_base > least))
+    gloss_lobes = np.flatnonzero(broad & (by_gloss > least))
+    sharp_lobes = np.flatnonzero(~broad & (by_base + by_gloss > least))
+    if len(base_lobes) + len(gloss_lobes) > MAX_BROAD or len(sharp_lobes) > MAX_SHARP:
+        raise GraphicsError(
+            f"A material has weights on {len(base_lobes) + len(gloss_lobes)} broad and {len(sharp_lobes)} sharp lobes; "
+            f"at most {MAX_BROAD} and {MAX_SHARP} are drawn. Choose a basis of fewer lobes."
+        )
+
+    count = len(base_lobes) + len(gloss_lobes)
+    rows = np.zeros((1 + MAX_SHARP + max(count, _WRITTEN), RAMP_NODES, 4))
+    toward = np.zeros((count, 4))
+    table = look_up_table()
+    under = under_coat
+    rows[0, :, :3] = kd * base_gain * (table.diffuse_amplitude if under else np.pi)
+    rows[0, :, 3] = ladder.level(table.diffuse_exponent if under else 1.0)
+    base_target: Target = "coated" if under else "plain"
+    place = 0
+    for target, lobes, weight, gain in (
+        (base_target, base_lobes, kdd, base_gain),
+        ("gloss", gloss_lobes, kg, gloss_gain),
+    ):
+        for lobe in lobes:
+            amplitude, level, direction = _look_up(target, float(exponents[lobe]), shifted, ladder)
+            row = rows[1 + MAX_SHARP + place]
+            row[:, :3] = weight[:, lobe] * gain * amplitude[:, None]
+            row[:, 3] = level
+            toward[place, :3] = direction
+            toward[place, 3] = exponents[lobe]
+            place += 1
+    for place, lobe in enumerate(sharp_lobes, 1):
+        exponent = float(exponents[lobe])
+        base = _amplitude(base_target, exponent, shifted)
+        gloss = _amplitude("gloss", exponent, shifted)
+        rows[place, :, :3] = (
+            kdd[:, lobe] * base_gain * base[:, None] + kg[:, lobe] * gloss_gain * gloss[:, None]
+        )
+    return Ramp(
+        rows.astype(np.float32),
+        len(base_lobes),
+        len(gloss_lobes),
+        toward.astype(np.float32),
+        tuple(exponents[sharp_lobes].tolist()),
+    )
+
+
+def _look_up(target: Target, exponent: float, shifted: bool, ladder: Ladder) -> tuple[Floats, Floats, Floats]:
+    """Return amplitude (64,), level (64,) or (), and b's coefficients (3,)."""
+    if not shifted:
+        return _amplitude(target, exponent, False), ladder.level(exponent), np.zeros(3)
+    found = look_up_table().find(target, exponent)
+    return found.amplitude, ladder.level(found.exponent), found.toward_normal
+
+
+def _amplitude(target: Target, exponent: float, shifted: bool) -> Floats:
+    """Return the look-up's amplitude (64,): from the table, or the paper's N·R (equation 7) and 1 (equation 8)."""
+    if shifted:
+        return look_up_table().find(target, exponent).amplitude
+    solid = 2.0 * np.pi / (exponent + 1.0)
+    return solid * (np.ones(RAMP_NODES) if target == "gloss" else RAMP_COSINES)
+
+
+def _gains(weights: MaterialWeights, crossing_in_table: bool) -> tuple[Floats, Floats]:
+    """Return Fresnel's gains of base (64, 1) and gloss (64, 3) over the incidence of the fit.
+
+    Gloss: F(θ)/F(θ_fit), at most so that constant light comes back whole; that of a metal by Schlick's form. Base
+    under a coat: T(θ)²/T(θ_fit)², or T(θ)/T(θ_fit) where the table has the way in.
+    """
+    base, gloss = np.ones((RAMP_NODES, 1)), np.ones((RAMP_NODES, 3))
+    albedo = (weights.kg * (2.0 * np.pi / (np.asarray(weights.exponents) + 1.0))[:, None]).sum(axis=0)
+    if weights.coat == "metal":
+        g = np.maximum(albedo, 1e-4)
+        gloss = (g + np.maximum(1.0 - g, 0.0) * ((1.0 - RAMP_COSINES) ** 5)[:, None]) / g
+        return base, gloss
+    at_fit = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
+    if weights.coat == "none" or at_fit < 1e-6:  # no interface: its ratios would be 0/0
+        return base, gloss
+    reflected = fresnel_dielectric(RAMP_COSINES, weights.ior)
+    if weights.coat == "dielectric":
+        passed = (1.0 - reflected) / (1.0 - at_fit)
+        base = (passed if crossing_in_table else passed**2)[:, None]
+    most = max(1.0 / max(float(albedo.max()), 1e-6), 1.0)
+    return base, gloss * np.minimum(reflected / at_fit, most)[:, None]

@@ -1,0 +1,1 @@
+"""Frames and pictures: renderer, tone curves, comparison, captured forms."""

@@ -1,0 +1,104 @@
+"""Finishing pass of a frame: from samples of exposed radiance to output codes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import moderngl
+import numpy as np
+
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.programs import Programs, ScreenProgram, assign
+from brdf_suite.realtime.pictures.display import Display, Unshowable
+from brdf_suite.realtime.pictures.tone_curves import TONE_CURVE_NUMBERS
+
+_LIGHT_UNIT, _CODES_UNIT = 0, 1
+_COUNTED = ("pixels", "too_bright", "too_colourful")
+
+
+class FinishPass:
+    """Pass of finish.frag.glsl; keeps the screen's code table while the screen stays the same."""
+
+    def __init__(self, objects: GpuObjects, programs: Programs) -> None:
+        self._objects = objects
+        self._programs = programs
+        self._codes: moderngl.Texture | None = None
+        self._codes_of: object = None
+        self._query: Any = None
+
+    def draw(
+        self,
+        light: moderngl.Texture,
+        view: View,
+        display: Display,
+        corner: tuple[int, int] = (0, 0),
+        *,
+        transparent: bool = False,
+    ) -> None:
+        """Finish into the bound framebuffer; ``corner`` is its lower left pixel in the whole picture."""
+        program, screen = self._programs.finish(light.samples)
+        values = {
+            "frame": (*corner, 0.0, 0.0),
+            "exposure": 2.0**view.exposure_ev,
+            "as_radiance": display.linear,
+            "dithered": display.dithered,
+            "transparent": transparent,
+        }
+        assign(program, values | self._display_uniforms(view, display))
+        light.use(_LIGHT_UNIT)
+        screen.render(moderngl.TRIANGLES, vertices=3)
+
+    def captured(self, view: View, display: Display, samples: int) -> ScreenProgram:
+        """Return the program that finishes pictures out of a shaded list
+        (:mod:`brdf_suite.realtime.pictures.captured`), ready but for the list."""
+        program, screen = self._programs.finish(samples, captured=True)
+        values = {
+            "exposure": 2.0**view.exposure_ev,
+            "as_radiance": display.linear,
+            "dithered": display.dithered,
+            "transparent": False,
+        }
+        assign(program, values | self._display_uniforms(view, display))
+        return program, screen
+
+    def count(self, light: moderngl.Texture, view: View, display: Display) -> Unshowable:
+        """Count the object's pixels that ``display`` cannot show, by occlusion queries into the bound framebuffer."""
+        program, screen = self._programs.count(light.samples)
+        assign(program, self._display_uniforms(view, display))
+        light.use(_LIGHT_UNIT)
+        if self._query is None:
+            self._query = self._objects.query()
+        found = {}
+        for number, name in enumerate(_COUNTED):
+            assign(program, {"counted": number})
+            with self._query:
+                screen.render(moderngl.TRIANGLES, vertices=3)
+            found[name] = int(self._query.samples)
+        return Unshowable(**found)
+
+    def _display_uniforms(self, view: View, display: Display) -> dict[str, object]:
+        steps = self._bind_codes(display)
+        return {
+            "light": _LIGHT_UNIT,
+            "device_codes": _CODES_UNIT,
+            "device_steps": steps,
+            "tone_curve_kind": TONE_CURVE_NUMBERS[view.tone_curve],
+            "working_to_display": tuple(display.space.from_working.T.ravel().tolist()),
+            "marks": (float(view.clipping_marks), float(view.gamut_marks)),
+            "mark_in_colour": view.mark_style == "colour",
+        }
+
+    def _bind_codes(self, display: Display) -> int:
+        table = display.space.codes
+        if table is None:
+            return 0
+        if self._codes_of is not display.space or self._codes is None:
+            if self._codes is not None:
+                self._objects.release(self._codes)
+            self._codes = self._objects.texture((len(table), 1), "f4")
+            self._codes.write(np.concatenate([table, np.ones((len(table), 1), np.float32)], axis=1).tobytes())
+            self._objects.counters.texture_uploads += 1
+            self._codes_of = display.space
+        self._codes.use(_CODES_UNIT)
+        return len(table)

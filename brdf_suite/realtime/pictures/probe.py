@@ -1,0 +1,164 @@
+"""Probe of one pixel of the picture: its radiance, and the surface point in it.
+
+A tile of two by two pixels is drawn again, with the samples and derivatives of the whole picture, so that no frame
+has to be kept, nor read, as a whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.realtime.camera import crop
+from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.programs import assign
+from brdf_suite.realtime.gl.shader_source import compose
+from brdf_suite.realtime.pictures.offscreen import Size, check_size
+from brdf_suite.realtime.pictures.renderer import Renderer
+
+_TILE = (2, 2)
+_AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class SurfacePoint:
+    """A point of the surface, in world metres, y up; ``normal`` and ``to_viewer`` are unit vectors."""
+
+    position: Vector
+    normal: Vector
+    to_viewer: Vector
+    part: str
+    material: str
+
+    @property
+    def view_angle_deg(self) -> float:
+        """The angle between the normal and the viewer, 0…90."""
+        return angle_deg(self.normal, self.to_viewer)
+
+    def aspecular_deg(self, to_light: Vector) -> float | None:
+        """The angle between the mirror direction of a light and the viewer; None where it does not reach the surface.
+
+        ``to_light`` is a unit vector. The angle is 0…180 and has no sign: view and light seldom lie in one plane
+        with the normal.
+        """
+        n, light = np.asarray(self.normal), np.asarray(to_light)
+        cosine = float(n @ light)
+        if cosine <= 0.0:
+            return None
+        return angle_deg(2.0 * cosine * n - light, self.to_viewer)
+
+
+@dataclass(frozen=True)
+class RadianceProbe:
+    """``radiance``: mean of the pixel's samples, linear Rec. 2020, before exposure and tone curve.
+
+    ``coverage`` is the object's share of the pixel, ``point`` what is in its middle; None past the surface.
+    """
+
+    radiance: Vector
+    coverage: float
+    point: SurfacePoint | None
+
+
+class PixelProbe:
+    """Reads pixels in the context of a renderer; errors as of the renderer."""
+
+    def __init__(self, renderer: Renderer) -> None:
+        self._renderer = renderer
+        self._objects = renderer.objects
+        self._program: moderngl.Program | None = None
+        self._made: tuple[moderngl.Framebuffer, ...] = ()
+
+    def at(
+        self,
+        view: View,
+        size: Size,
+        pixel: tuple[int, int],
+        *,
+        materials: Mapping[str, str] = _AS_THEY_ARE,
+    ) -> RadianceProbe:
+        """Return what the pixel (column, row from the top) of a picture of ``size`` shows."""
+        width, height = check_size(size)
+        column = min(max(pixel[0], 0), width - 1)
+        row = height - 1 - min(max(pixel[1], 0), height - 1)
+        corner = (column // 2 * 2, row // 2 * 2)
+        inside = (1 - (row - corner[1]), column - corner[0])
+        tile = self._renderer.linear_tile(view, (width, height), corner, _TILE, materials=materials)
+        light = tile[inside]
+        places, normals = self._geometry(view, (width, height), corner)
+        point = self._point(view, (width, height), places[inside], normals[inside])
+        return RadianceProbe(_triple(light[:3]), float(light[3]), point)
+
+    def _point(
+        self, view: View, size: Size, place: NDArray[np.float32], normal: NDArray[np.float32]
+    ) -> SurfacePoint | None:
+        part = round(float(place[3])) - 1
+        if part < 0:
+            return None
+        eye = self._renderer.camera_matrices(view, size).eye
+        to_viewer = eye - place[:3]
+        mesh = self._renderer.mesh
+        name = mesh.names[part]
+        chosen = {item.part: item.material for item in view.surface_look.materials}
+        return SurfacePoint(
+            _triple(place[:3]),
+            _triple(normal[:3]),
+            _triple(to_viewer / np.linalg.norm(to_viewer)),
+            name,
+            chosen.get(name, mesh.materials[part]),
+        )
+
+    def _geometry(
+        self, view: View, size: Size, corner: tuple[int, int]
+    ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Return two tiles (2, 2, 4), top row first: position and part from 1, normal; 0 past the surface."""
+        context, mesh = self._renderer.context, self._renderer.mesh
+        if self._program is None:
+            self._program = self._objects.program(compose("mesh.vert.glsl"), compose("probe.frag.glsl"))
+            depth = self._objects.depth(_TILE, 0)
+            texture = self._objects.texture(_TILE, "f4")
+            self._made = (self._objects.framebuffer(texture, depth),)
+        (framebuffer,) = self._made
+        camera = self._renderer.camera_matrices(view, size)
+        cropped = crop(size, corner, _TILE) @ camera.world_to_clip
+        assign(
+            self._program,
+            {"world_to_clip": tuple(cropped.T.ravel().tolist()), "eye": tuple(camera.eye.tolist())},
+        )
+        found = []
+        with graphics_errors(context, "looking for the surface under the cursor"):
+            framebuffer.use()
+            context.viewport = (0, 0, *_TILE)
+            context.scissor = None
+            context.enable_only(moderngl.DEPTH_TEST)
+            context.depth_func = "<="
+            for as_normal in (False, True):
+                framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+                for part, array in enumerate(mesh.arrays(self._program)):
+                    assign(self._program, {"part": part, "as_normal": as_normal})
+                    array.render(moderngl.TRIANGLES)
+                read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
+                found.append(read.reshape(2, 2, 4)[::-1])
+        return found[0], found[1]
+
+
+def angle_deg(first: Vector | NDArray[np.float64], second: Vector | NDArray[np.float64]) -> float:
+    """Return the angle between two vectors, 0…180, exact also where it is small.
+
+    >>> round(angle_deg((0.0, 0.0, 1.0), (0.0, 1.0, 1.0)), 6)
+    45.0
+    """
+    a, b = np.asarray(first, np.float64), np.asarray(second, np.float64)
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)))
+
+
+def _triple(values: NDArray[np.floating]) -> Vector:
+    x, y, z = (float(v) for v in values)
+    return x, y, z

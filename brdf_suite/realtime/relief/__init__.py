@@ -1,0 +1,1 @@
+"""Relief and masks on the GPU."""

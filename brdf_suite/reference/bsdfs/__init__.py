@@ -1,0 +1,1 @@
+"""Reflectances in the path tracer."""

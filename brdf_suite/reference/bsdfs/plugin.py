@@ -1,0 +1,84 @@
+"""Mitsuba BSDF plug-in that wraps a term, two-sided.
+
+Mitsuba's class differs from variant to variant, so ours is made when it is first wanted.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+from brdf_suite.reference.bsdfs import terms
+from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, LocalBsdf, TwoToneBsdf
+from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.scene.place import Place, Viewpoint
+
+
+def make_bsdf(term: Any) -> Any:
+    """Return a BSDF of ``term``; Mitsuba keeps it as long as the scene."""
+    made = _plug_in()(mi.Properties())
+    made.term = term
+    return made
+
+
+@cache
+def _plug_in() -> Any:
+    class SuiteBsdf(mi.BSDF):
+        """f_r of a term times the cosine of the light, sampled by the term's samplers."""
+
+        def __init__(self, properties: Any) -> None:
+            super().__init__(properties)
+            flags = mi.BSDFFlags.GlossyReflection | mi.BSDFFlags.FrontSide | mi.BSDFFlags.BackSide
+            self.m_components = [flags]
+            self.m_flags = flags
+            self.term: Any = None
+            self.viewpoint: Viewpoint | None = None
+
+        def sample(self, _context: Any, si: Any, choice: Any, u: Any, active: Any = True) -> tuple[Any, Any]:
+            view, side = _facing(si.wi)
+            local = self._local_bsdf(si, view, side)
+            light = terms.sample(local.samplers, view, choice, u)
+            active &= (view.z > 0.0) & (light.z > 0.0)
+            pdf = terms.pdf(local.samplers, light, view)
+            found: Any = mi.BSDFSample3f(mi.Vector3f(light.x, light.y, light.z * side))
+            found.pdf = dr.select(active, pdf, 0.0)
+            found.eta = 1.0
+            found.sampled_type = mi.UInt32(+mi.BSDFFlags.GlossyReflection)
+            found.sampled_component = mi.UInt32(0)
+            active &= pdf > 0.0
+            weight = local.reflected(light, view) / pdf
+            return found, dr.select(active, weight, mi.Color3f(0.0))
+
+        def eval(self, _context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self._both(si, wo, active)[0]
+
+        def pdf(self, _context: Any, si: Any, wo: Any, active: Any = True) -> Any:
+            return self._both(si, wo, active)[1]
+
+        def eval_pdf(self, _context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
+            return self._both(si, wo, active)
+
+        def _both(self, si: Any, wo: Any, active: Any) -> tuple[Any, Any]:
+            view, side = _facing(si.wi)
+            light = mi.Vector3f(wo.x, wo.y, wo.z * side)
+            active &= (view.z > 0.0) & (light.z > 0.0)
+            local = self._local_bsdf(si, view, side)
+            value = local.reflected(light, view)
+            pdf = terms.pdf(local.samplers, light, view)
+            return dr.select(active, value, mi.Color3f(0.0)), dr.select(active, pdf, 0.0)
+
+        def _local_bsdf(self, si: Any, view: Any, side: Any) -> LocalBsdf:
+            if isinstance(self.term, (LayeredPaintBsdf, TwoToneBsdf)) and self.viewpoint is not None:
+                return self.term.at(Place.of(si, side, self.viewpoint), view)
+            return LocalBsdf(self.term.samplers, lambda light, view: self.term.eval(light, view) * light.z)
+
+        def to_string(self) -> str:
+            return f"SuiteBsdf[{type(self.term).__name__}]"
+
+    return SuiteBsdf
+
+
+def _facing(direction: Any) -> tuple[Any, Any]:
+    """Return the direction on the side of the normal, and the side: 1 or -1."""
+    side = dr.select(direction.z >= 0.0, mi.Float(1.0), mi.Float(-1.0))
+    return mi.Vector3f(direction.x, direction.y, direction.z * side), side

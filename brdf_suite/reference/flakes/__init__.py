@@ -1,0 +1,1 @@
+"""Flakes in the path tracer."""

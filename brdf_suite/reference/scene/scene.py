@@ -1,0 +1,234 @@
+"""Path tracer's scene with the values and orientation of the real-time renderer.
+
+World axes are those of the core (right-handed, y up, metres). The environment's centre column looks along +z and u
+grows towards -x, which is Mitsuba's convention too. Mitsuba takes a map's first and last row for the poles
+themselves, where ours are half a row away; a map with a row between each two of ours, and one at each pole, is the same
+light to Mitsuba's bilinear look-up as ours is to our own.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.lighting.latlong import column_angles, direction, sample
+from brdf_suite.reference.bsdfs.plugin import make_bsdf
+from brdf_suite.reference.mitsuba_modules import mi
+from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
+from brdf_suite.reference.scene.place import Viewpoint
+from brdf_suite.reference.scene.relief import texture
+
+DEFAULT_DEPTH = 8
+"""Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePart:
+    """Triangles that share a material: positions and normals (n, 3), triangles (k, 3), uvs (n, 2) in millimetres."""
+
+    material: str
+    positions: npt.NDArray[Any]
+    normals: npt.NDArray[Any]
+    triangles: npt.NDArray[Any]
+    uvs: npt.NDArray[Any] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class PinholeCamera:
+    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
+
+    place: npt.NDArray[np.float64]
+    axes: npt.NDArray[np.float64]
+    half_width_tangent: float
+
+
+@dataclass(eq=False)
+class TracedScene:
+    """A scene in Mitsuba. Its methods change values in place, without rebuilding or recompiling.
+
+    Attributes
+    ----------
+    scene
+        Mitsuba's.
+    size
+        Width and height, pixels.
+    terms
+        What each material reflects by, by the material's name.
+    """
+
+    scene: Any
+    size: tuple[int, int]
+    terms: Mapping[str, Any]
+    bsdfs: Mapping[str, Any] = field(default_factory=dict)
+
+    def set_term(self, material: str, term: Any) -> None:
+        """Set the term of a material from the next pass on."""
+        self.bsdfs[material].term = term
+        self.terms = {**self.terms, material: term}
+
+    def look_from(self, eye: PinholeCamera, size: tuple[int, int]) -> None:
+        """Move the camera, and change the size of the picture."""
+        values = mi.traverse(self.scene)
+        values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
+        values["sensor.x_fov"] = _field_of_view(eye)
+        for name in ("size", "crop_size"):
+            values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
+        values.update()
+        self.size = size
+        _set_viewpoint(self.bsdfs, eye, size)
+
+    def set_light(self, radiance: npt.NDArray[np.float32] | None, rotation_deg: float) -> None:
+        """Turn the light, and take another map (h, w, 3) of the same size where one is given."""
+        values = mi.traverse(self.scene)
+        if radiance is not None:
+            pixels = mitsuba_map(radiance)
+            # Mitsuba keeps the last column before the first, and the first after the last.
+            values["light.data"] = mi.TensorXf(
+                np.concatenate((pixels[:, -1:], pixels, pixels[:, :1]), axis=1)
+            )
+        values["light.to_world"] = mi.Transform4f(_turned(rotation_deg).matrix)
+        values.update()
+
+
+def build_scene(
+    parts: Sequence[SurfacePart],
+    terms: Mapping[str, Any],
+    radiance: npt.NDArray[np.float32],
+    eye: PinholeCamera,
+    view: View,
+    size: tuple[int, int],
+    *,
+    depth: int = DEFAULT_DEPTH,
+    ground: GroundGrid | None = None,
+) -> TracedScene:
+    """Return the scene: ``parts`` with the terms, or BSDFs, of their materials, in the light of a map (h, w, 3)."""
+    described: dict[str, Any] = {
+        "type": "scene",
+        "integrator": {
+            "type": "path",
+            "max_depth": depth + 1,
+            "rr_depth": 5,
+            # What is behind the object is added without noise, by coverage; see backdrop.py.
+            "hide_emitters": True,
+        },
+        "sensor": _sensor(eye, size),
+        "light": {
+            "type": "envmap",
+            "bitmap": mi.Bitmap(mitsuba_map(radiance)),
+            "to_world": _turned(view.rotation_deg),
+        },
+    }
+    # In the scalar variant materials are Mitsuba's own plug-ins already.
+    bsdfs = {name: term if isinstance(term, mi.BSDF) else make_bsdf(term) for name, term in terms.items()}
+    _set_viewpoint(bsdfs, eye, size)
+    for index, lamp in enumerate(view.lamps):
+        described[f"lamp_{index}"] = _lamp(lamp)
+    for index, part in enumerate(parts):
+        described[f"part_{index}"] = _mesh(f"part_{index}", part, bsdfs[part.material])
+    if ground is None:
+        return TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    described["light"] = mi.load_dict(described["light"])
+    described["ground"], emitter = ground_mesh(ground, described["light"])
+    traced = TracedScene(mi.load_dict(described), size, terms, bsdfs)
+    ground.trace(traced.scene, FIRST_SAMPLES)
+    emitter.share = texture(ground.share, repeat=False)
+    return traced
+
+
+def _set_viewpoint(bsdfs: Mapping[str, Any], eye: PinholeCamera, size: tuple[int, int]) -> None:
+    ours = [bsdf for bsdf in bsdfs.values() if hasattr(bsdf, "term")]
+    if ours:
+        viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
+        for bsdf in ours:
+            bsdf.viewpoint = viewpoint
+
+
+def mitsuba_map(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
+    """Return the map (2h + 1, w, 3) whose look-up by Mitsuba is ours of ``radiance`` (h, w, 3)."""
+    rows, columns = radiance.shape[:2]
+    theta = np.arange(2 * rows + 1) * (math.pi / (2 * rows))
+    where = direction(np.clip(theta, 1e-9, math.pi - 1e-9)[:, None], column_angles(columns)[None])
+    return np.ascontiguousarray(sample(radiance, where), np.float32)
+
+
+def _turned(rotation_deg: float) -> Any:
+    return mi.ScalarTransform4f().rotate([0, 1, 0], rotation_deg)
+
+
+def _to_world(eye: PinholeCamera) -> Any:
+    target = eye.place - eye.axes[:, 2]
+    return mi.ScalarTransform4f().look_at(
+        origin=eye.place.tolist(), target=target.tolist(), up=eye.axes[:, 1].tolist()
+    )
+
+
+def _field_of_view(eye: PinholeCamera) -> float:
+    return math.degrees(2.0 * math.atan(eye.half_width_tangent))
+
+
+def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
+    return {
+        "type": "perspective",
+        "fov_axis": "x",
+        "fov": _field_of_view(eye),
+        "near_clip": 1e-4,
+        "far_clip": 1e7,
+        "to_world": _to_world(eye),
+        "sampler": {"type": "multijitter"},
+        "film": {
+            "type": "hdrfilm",
+            "width": size[0],
+            "height": size[1],
+            "pixel_format": "rgba",
+            "component_format": "float32",
+            "rfilter": {"type": "box"},
+        },
+    }
+
+
+def _lamp(lamp: Lamp) -> dict[str, Any]:
+    """A light of no size; ``strength`` is its illuminance over π, of a point lamp that at 1 m."""
+    power = mi.ScalarColor3f((math.pi * lamp.strength * lamp_colour(lamp.temperature_k)).tolist())
+    if lamp.kind == "point":
+        return {
+            "type": "point",
+            "position": list(lamp.position),
+            "intensity": {"type": "rgb", "value": power},
+        }
+    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
+    level = math.cos(elevation)
+    towards = (level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth))
+    return {
+        "type": "directional",
+        "direction": [-t for t in towards],
+        "irradiance": {"type": "rgb", "value": power},
+    }
+
+
+def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
+    properties = mi.Properties()
+    properties["bsdf"] = bsdf
+    mesh = mi.Mesh(
+        name,
+        len(part.positions),
+        len(part.triangles),
+        has_vertex_normals=True,
+        has_vertex_texcoords=part.uvs is not None,
+        props=properties,
+    )
+    values = mi.traverse(mesh)
+    values["vertex_positions"] = np.ascontiguousarray(part.positions, np.float32).ravel()
+    values["vertex_normals"] = np.ascontiguousarray(part.normals, np.float32).ravel()
+    if part.uvs is not None:
+        values["vertex_texcoords"] = np.ascontiguousarray(part.uvs, np.float32).ravel()
+    values["faces"] = np.ascontiguousarray(part.triangles, np.uint32).ravel()
+    values.update()
+    return mesh

@@ -1,0 +1,1 @@
+"""Designed paints as reflectances."""

@@ -1,0 +1,93 @@
+"""Base of a paint from its aspecular readings, below the clearcoat.
+
+A reading ρ(γ) at the light's polar angle θ0 has passed the coat twice, in with T(θ0) and out with T(θ0 - γ),
+T = 1 - F. At other directions with the same aspecular angle the light passes with other transmissions:
+
+    f_r(wi, wo) = ρ(γ)/π · T(θi) T(θo) / (T(θ0) T(θ0 - γ)).
+
+ρ(γ) is that of the normal's side; a reading beyond the mirror direction, at -γ, is referred to it by the same
+transmissions before it becomes part of the rule. So a reading is returned as it was taken, and towards grazing
+the base dims as the coat reflects more. γ is the unsigned angle between the view and the light's mirror
+direction, also out of the plane of incidence
+(Westlund and Meyer 2001). Or, for the flake rule, ρ is taken at the tilt of the flake that mirrors the light to
+the view, which is what flakes do; in the readings' plane and light the two agree. Both are reciprocal.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reflectance.designed.flake_rule import FlakeRule, squared_tilt, squared_tilt_between
+
+Rule = Callable[[Floats], Floats]
+
+
+@dataclass(frozen=True)
+class AspecularBase:
+    """A base from a rule over the aspecular angle.
+
+    Parameters
+    ----------
+    rule
+        ρ (..., 3) at γ (...), radians, without the coat's own share but through the coat.
+    nearest, farthest
+        The smallest and the largest measured γ, radians. Beyond the farthest the value there is held.
+    near_specular
+        Scales the rule at γ = 0; fades to 1 at ``nearest``.
+    illumination
+        Polar angle of the light that the readings were taken with, radians.
+    ior
+        Index of the coat.
+    by_half_vector
+        Take the flake rule at the flake's tilt instead of at γ. Needs a :class:`FlakeRule`.
+    """
+
+    rule: Rule
+    nearest: float
+    farthest: float
+    near_specular: float
+    illumination: float
+    ior: float
+    by_half_vector: bool = False
+
+    def reflectance_factor(self, gamma: npt.ArrayLike) -> Floats:
+        """Return ρ (..., 3), never negative, at γ (...), radians, under the readings' light."""
+        held = np.minimum(np.abs(np.asarray(gamma, float)), self.farthest)
+        return self._near_specular(self.rule(held), held)
+
+    def _near_specular(self, rho: Floats, held: Floats) -> Floats:
+        """``rho`` (..., 3) at ``held`` γ (...) with the factor of the mirror direction, never negative."""
+        if self.near_specular != 1.0 and self.nearest > 0.0:
+            # 1 at the mirror direction, 0 from the first reading on, with level ends: no kink appears.
+            t = np.maximum(1.0 - held / self.nearest, 0.0)
+            rho = rho * (1.0 + (self.near_specular - 1.0) * (t * t * (3.0 - 2.0 * t)))[..., None]
+        return np.maximum(rho, 0.0)
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
+        wi, wo = np.asarray(wi, float), np.asarray(wo, float)
+        product = wi * wo
+        cos_i, cos_o = wi[..., 2], wo[..., 2]
+        cos_gamma = product[..., 2] - product[..., 0] - product[..., 1]
+        gamma = np.minimum(np.arccos(np.minimum(np.maximum(cos_gamma, -1.0), 1.0)), self.farthest)
+        cos_view = np.cos(self.illumination - gamma)
+        passed = (1.0 - fresnel_dielectric(cos_i, self.ior)) * (1.0 - fresnel_dielectric(cos_o, self.ior))
+        there = 1.0 - fresnel_dielectric(cos_view, self.ior)
+        here = math.pi * (1.0 - float(fresnel_dielectric(math.cos(self.illumination), self.ior)))
+        above = (cos_i > 0.0) & (cos_o > 0.0)
+        scale = np.where(above, passed, 0.0) / (here * there)
+        if self.by_half_vector and isinstance(self.rule, FlakeRule):
+            # Beyond the farthest reading its value is held, here too.
+            farthest = squared_tilt(np.array(self.farthest), self.illumination, self.ior)
+            tilt = np.minimum(squared_tilt_between(wi, wo, self.ior), farthest)
+            rho = self._near_specular(self.rule.at_squared_tilt(tilt), gamma)
+        else:
+            rho = self.reflectance_factor(gamma)
+        return np.asarray(rho * scale[..., None])

@@ -1,0 +1,1 @@
+"""Virtual instruments: spectrophotometer, glossmeter."""

@@ -1,0 +1,80 @@
+"""Virtual glossmeter: the flux of any reflectance in the standard's receptor at 20, 60 or 85°.
+
+A reading compares flux in the receptor with that of polished black glass (see
+:mod:`brdf_suite.appearance.gloss`):
+
+    GU = 100 / F(θ; 1.567) · ∫ f_r cosθo W dω,
+
+weighted by luminance. W is 1 in the mirror direction and falls off at the receptor's edges: the receptor's box, blurred
+by a source of variance s²/12 in each direction, the very instrument that the formulas for a coat assume; so the two
+agree but for what those formulas leave out (shadowing, the change of Fresnel's factor over the lobe).
+
+The mirror lobe of a clearcoat is a thousand times narrower than the receptor. Both axes, in the plane of incidence and
+across it, are therefore cut into panels that halve towards the mirror direction, with four Gauss points in each:
+a lobe of any width between a tenth of a milliradian and the receptor is met.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.appearance.gloss import RECEPTORS_DEG, SOURCE_DEG, black_glass, receptor_deg
+from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.protocol import Reflectance
+
+GLOSS_ANGLES_DEG: tuple[int, ...] = tuple(RECEPTORS_DEG)
+
+_FIRST_PANEL = 1e-4
+_POINTS = 4
+# Where the blurred edge of the receptor has fallen to nothing, in standard deviations of the blur.
+_EDGE_REACH = 5.0
+_PANEL_PER_BLUR = 1.5
+_ERF = np.vectorize(math.erf, otypes=[float])
+
+
+def gloss_reading(reflectance: Reflectance, angle_deg: int) -> float:
+    """Return the gloss units of a whole reflectance at 20, 60 or 85°."""
+    wi, wo, weights = _receptor(angle_deg)
+    return float(weights @ (reflectance.eval(wi, wo) @ LUMINANCE))
+
+
+@cache
+def _receptor(angle_deg: int) -> tuple[Floats, Floats, Floats]:
+    """wi (1, 3), wo (n, 3), and the weight (n,) of f_r in gloss units."""
+    theta = math.radians(angle_deg)
+    blurs = [math.radians(width) / math.sqrt(12.0) for width in SOURCE_DEG]
+    halves = [0.5 * math.radians(width) for width in receptor_deg(angle_deg)]
+    (u, du), (v, dv) = (_graded(half, blur) for half, blur in zip(halves, blurs, strict=True))
+    window = np.outer(
+        du * _blurred_box(u, halves[0], blurs[0]), dv * _blurred_box(v, halves[1], blurs[1])
+    ).ravel()
+    polar, side = (grid.ravel() for grid in np.meshgrid(theta + u, v, indexing="ij"))
+    wo = np.stack((np.cos(side) * np.sin(polar), np.sin(side), np.cos(side) * np.cos(polar)), axis=-1)
+    wi = np.array([[-math.sin(theta), 0.0, math.cos(theta)]])
+    # dω = cos(side) dpolar dside.
+    weights = window * np.cos(side) * np.maximum(wo[:, 2], 0.0) * 100.0 / black_glass(angle_deg)
+    return wi, wo, weights
+
+
+def _blurred_box(x: Floats, half: float, blur: float) -> Floats:
+    """The box of half-width ``half`` blurred by a Gaussian, 1 at 0."""
+    scale = math.sqrt(2.0) * blur
+    return np.asarray((_ERF((half - x) / scale) + _ERF((half + x) / scale)) / (2.0 * math.erf(half / scale)))
+
+
+def _graded(half: float, blur: float) -> tuple[Floats, Floats]:
+    """Nodes and weights on both sides of 0: panels that double outwards until they are as wide as the blur."""
+    widest, end = _PANEL_PER_BLUR * blur, half + _EDGE_REACH * blur
+    edges = [0.0, _FIRST_PANEL]
+    while edges[-1] < widest:
+        edges.append(2.0 * edges[-1])
+    edges += np.linspace(edges[-1], end, 1 + math.ceil((end - edges[-1]) / widest))[1:].tolist()
+    nodes, shares = np.polynomial.legendre.leggauss(_POINTS)
+    low, high = np.array(edges[:-1])[:, None], np.array(edges[1:])[:, None]
+    x = (0.5 * (low + high) + 0.5 * (high - low) * nodes).ravel()
+    weight = (0.5 * (high - low) * shares).ravel()
+    return np.concatenate((-x[::-1], x)), np.concatenate((weight[::-1], weight))

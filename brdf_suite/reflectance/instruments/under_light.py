@@ -1,0 +1,96 @@
+"""Readings of a report under another illuminant: recomputed from spectra where known, else adapted."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, TypeGuard, runtime_checkable
+
+import numpy as np
+import numpy.typing as npt
+
+from brdf_suite.appearance.colour.spectra import DEFAULT_WAVELENGTHS_NM
+from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.light.colour import (
+    ColourUnderLight,
+    adapt_colour,
+    colour_from_spectra,
+    metamerism_index,
+)
+from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.reflectance.instruments.aperture import Aperture, reflectance_factor
+from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
+from brdf_suite.reflectance.protocol import Reflectance
+
+
+@runtime_checkable
+class SpectralReflectance(Protocol):
+    """A reflectance with optional spectra; ``wavelengths_nm`` is ``None`` without them."""
+
+    @property
+    def wavelengths_nm(self) -> npt.NDArray[np.floating] | None:
+        """Return the bands (k,), nanometres."""
+        ...
+
+    def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., k) in 1/sr, without the cosine."""
+        ...
+
+
+@dataclass(frozen=True)
+class _Bands:
+    """The bands of a spectral reflectance as an ``eval``, for the aperture's integral."""
+
+    source: SpectralReflectance
+
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        return self.source.eval_spectra(wi, wo)
+
+
+def has_spectra(reflectance: object) -> TypeGuard[SpectralReflectance]:
+    """Return whether the reflectance can be recomputed under any light."""
+    return isinstance(reflectance, SpectralReflectance) and reflectance.wavelengths_nm is not None
+
+
+def spectrum_at(reflectance: SpectralReflectance, geometry: Geometry, aperture: Aperture) -> Floats:
+    """Return the reflectance factor (k,) per band at a geometry, through an aperture."""
+    wi = illumination(geometry.illumination_deg)
+    wo = aspecular_view(geometry.illumination_deg, geometry.aspecular_deg)
+    return reflectance_factor(_Bands(reflectance), wi, wo, aperture)[0]
+
+
+def readings_under(
+    reflectance: Reflectance, report: InstrumentReport, illuminant: str, observer_deg: int = 10
+) -> tuple[ColourUnderLight, ...]:
+    """Return the colour of each of the report's readings under D65, A or F11.
+
+    Each says in its ``label`` how it was found. Adapted colours are of the 10° observer, as the readings are.
+    """
+    if not has_spectra(reflectance):
+        return tuple(adapt_colour(reading.lab, illuminant) for reading in report.readings)
+    return tuple(
+        colour_from_spectra(
+            spectrum_at(reflectance, reading.geometry, report.aperture),
+            np.asarray(reflectance.wavelengths_nm, float),
+            illuminant,
+            observer_deg,
+        )
+        for reading in report.readings
+    )
+
+
+def metamerism(
+    reference: SpectralReflectance,
+    sample: SpectralReflectance,
+    geometry: Geometry,
+    aperture: Aperture,
+    illuminant: str,
+) -> float:
+    """Return the metamerism index (ΔE*ab, D65 to ``illuminant``, 10°) of two spectral reflectances at a geometry."""
+    first, second = (_at_default_bands(item, geometry, aperture) for item in (reference, sample))
+    return float(metamerism_index(first, second, DEFAULT_WAVELENGTHS_NM, illuminant))
+
+
+def _at_default_bands(reflectance: SpectralReflectance, geometry: Geometry, aperture: Aperture) -> Floats:
+    """The spectrum (31,) at the suite's own bands, straight between the reflectance's."""
+    bands = np.asarray(reflectance.wavelengths_nm, float)
+    return np.interp(DEFAULT_WAVELENGTHS_NM, bands, spectrum_at(reflectance, geometry, aperture))

@@ -1,0 +1,1 @@
+"""Documents about paints: paint reports, contact sheets, hand-over to other programs."""

@@ -1,0 +1,1 @@
+"""Contact sheets of palettes and folders as a picture or as PDF."""

@@ -1,0 +1,331 @@
+"""A one-page report of a paint: what it is made of, worked out once for every form that it is written in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display, working_to_lab
+from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
+from brdf_suite.appearance.difference.tolerance import Tolerances
+from brdf_suite.appearance.flop.travel import travel
+from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.appearance.haze import haze_units
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.paint import Lab
+from brdf_suite.documents.view import View
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
+from brdf_suite.files.exports.json_document import compute_flop
+from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import material_of
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
+from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
+from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.pipeline.lobe_fit import LobeFit
+    from brdf_suite.reports.paint_report.pictures import ReportPicture
+
+_STEP_DEG = 1.0
+_SAME_DEG = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class ReportOptions:
+    """What goes into a report beside the paint.
+
+    ``standard`` is what the paint is compared with, by ``tolerances``; ``view`` the scene of the first picture, the
+    default one where left out. ``scale`` of the pictures: 1 is about 200 pixels an inch on paper.
+    """
+
+    standard: Standard | None = None
+    tolerances: Tolerances = field(default_factory=lambda: Tolerances({}))
+    view: View | None = None
+    pictures: bool = True
+    scale: float = 1.0
+
+
+@dataclass(frozen=True)
+class Row:
+    """One reading: what was asked, what the lobes of the fit give, and the standard there."""
+
+    geometry: Geometry
+    lab: Lab
+    lch: tuple[float, float, float]
+    code: str
+    in_gamut: bool
+    fitted: Lab | None
+    fit_delta_e: float | None
+    standard: AngleRow | None
+
+    @property
+    def label(self) -> str:
+        """The aspecular angle, with its light where that is not at 45°."""
+        text = f"{self.geometry.aspecular_deg:g}°"
+        light = self.geometry.illumination_deg
+        return text if light == 45.0 else f"{text}, light {light:g}°"
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """L*, C*, h (n, 3) over aspecular angles (n,), degrees."""
+
+    title: str
+    angles_deg: Floats
+    lch: Floats
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """Everything that a report shows; ``figures`` are groups of (name, value)."""
+
+    item: ExportItem
+    when: datetime
+    rows: tuple[Row, ...]
+    light_deg: float
+    strip: tuple[tuple[float, str], ...]
+    curves: tuple[Curve, ...]
+    figures: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
+    pictures: tuple[ReportPicture, ...]
+    batch: BatchReport | None
+    standard_name: str
+    remarks: tuple[str, ...]
+
+    @property
+    def title(self) -> str:
+        """The paint's name."""
+        return self.item.name
+
+    @property
+    def verdict(self) -> str:
+        """What is said of the paint against the standard; empty without one."""
+        if self.batch is None:
+            return ""
+        passes = {True: "passes", False: "does not pass", None: "not judged by tolerances"}[self.batch.passes]
+        words = self.batch.sentence()
+        return f"Against {self.standard_name}: {words}; {passes}."
+
+
+def build_report(item: ExportItem, options: ReportOptions, progress: Progress | None = None) -> Report:
+    """Return the report of a paint.
+
+    Raises
+    ------
+    UnreachableError, FittingError
+        There is no such paint, or no lobes can be fitted to it.
+    SuiteError
+        The scene of the pictures cannot be had; the message says why.
+    """
+    report(progress, 0.0, "fitting")
+    material = item.material or material_of(item.paint, item.paint.name)
+    fit = fit_material(material)
+    light = _usual_light(item)
+    batch = None
+    if options.standard is not None:
+        batch = judge_batch(options.standard, item.paint, options.tolerances, ("2000",))
+    pictures: tuple[ReportPicture, ...] = ()
+    if options.pictures:
+        from brdf_suite.reports.paint_report.pictures import draw_pictures
+
+        pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
+    angles = _angles(item, light)
+    model = _lab_over(fit.reflectance, light, angles)
+    curves = [
+        Curve("paint", angles, lab_to_lch(model)),
+        Curve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
+    ]
+    if options.standard is not None and options.standard.seen is not None:
+        curves.append(Curve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles))))
+    rows = _rows(item, fit, batch)
+    return Report(
+        item=item,
+        when=datetime.now().astimezone(),
+        rows=rows,
+        light_deg=light,
+        strip=tuple(zip(angles.tolist(), map(hex_code, model), strict=True)),
+        curves=tuple(curves),
+        figures=_figures(item, fit, rows, batch),
+        pictures=pictures,
+        batch=batch,
+        standard_name="" if options.standard is None else options.standard.name,
+        remarks=_remarks(item, fit),
+    )
+
+
+def _usual_light(item: ExportItem) -> float:
+    """The light with the most readings, degrees."""
+    lights = [m.illumination_deg for m in item.paint.measurements]
+    return max(sorted(set(lights)), key=lights.count)
+
+
+def _angles(item: ExportItem, light: float) -> Floats:
+    used = [m.aspecular_deg for m in item.paint.measurements if m.illumination_deg == light]
+    return np.arange(min(used), max(used) + 0.5 * _STEP_DEG, _STEP_DEG)
+
+
+def _lab_over(reflectance: Reflectance, light: float, angles: Floats) -> Floats:
+    wi, wo = illumination(light), aspecular_view(light, angles)
+    lab = working_to_lab(math.pi * reflectance.eval(wi, wo))
+    # Within the coat's own lobe no instrument of these angles looks, and its peak would hide the flop.
+    return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
+
+
+def _lobes_over(fit: LobeFit, light: float, angles: Floats) -> Floats:
+    wi, wo = illumination(light), aspecular_view(light, angles)
+    lab = working_to_lab(math.pi * fit.weights.eval(np.broadcast_to(wi, wo.shape), wo))
+    return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
+
+
+def hex_code(lab: Sequence[float] | Floats) -> str:
+    """Return L*a*b* as sRGB, clipped, in the way of web pages."""
+    if not np.all(np.isfinite(lab)):
+        return "#ffffff"
+    codes = np.clip(np.round(255.0 * working_to_display(lab_to_working(lab))), 0, 255).astype(int)
+    return "#" + "".join(f"{code:02x}" for code in codes.tolist())
+
+
+def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Row, ...]:
+    fitted: dict[tuple[float, float], tuple[Lab, float]] = {}
+    for row in fit.readings or fit.angles:
+        fitted[row.illumination_deg, row.aspecular_deg] = (row.lab_fitted, row.delta_e_2000)
+    rows = []
+    for index, m in enumerate(item.paint.measurements):
+        lightness, chroma, hue = lab_to_lch(m.lab).tolist()
+        found = fitted.get((m.illumination_deg, m.aspecular_deg))
+        rows.append(
+            Row(
+                Geometry(m.illumination_deg, m.aspecular_deg),
+                m.lab,
+                (lightness, chroma, hue),
+                hex_code(m.lab),
+                bool(in_display_gamut(m.lab)),
+                None if found is None else found[0],
+                None if found is None else found[1],
+                None if batch is None else batch.rows[index],
+            )
+        )
+    return tuple(rows)
+
+
+def _figures(
+    item: ExportItem, fit: LobeFit, rows: tuple[Row, ...], batch: BatchReport | None
+) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
+    paint = item.paint
+    flop = compute_flop(paint)
+    shape = [("Flop index", "–" if flop is None else f"{flop:.1f}")]
+    if batch is not None and batch.flop is not None:
+        shape.append(("Flop of the standard", f"{batch.flop[0]:.1f}"))
+    used = [m for m in paint.measurements if m.illumination_deg == 45.0]
+    try:
+        path = travel([m.aspecular_deg for m in used], [m.lab for m in used])
+    except ValueRangeError:
+        pass  # it has no readings at 15 and 110°, between which travel is defined
+    else:
+        shape += [
+            ("Travel in a*b*", f"{path.length:.1f}"),
+            ("Lightness travel", f"{path.lightness:+.1f}"),
+            ("Chroma travel", f"{path.chroma:+.1f}"),
+            ("Hue travel", f"{path.hue_deg:+.0f}°"),
+        ]
+    known = [row.fit_delta_e for row in rows if row.fit_delta_e is not None]
+    worst = max(known) if known else fit.worst_delta_e
+    shape.append(("Fit, worst ΔE00", "–" if worst is None else f"{worst:.2f}"))
+    gloss = {angle: gloss_reading(fit.reflectance, angle) for angle in (20, 60)}
+    stated = paint.gloss.gu_60 is not None
+    gu_60 = gloss[60] if paint.gloss.gu_60 is None else paint.gloss.gu_60
+    coat = [
+        ("Gloss 20°", f"{paint.gloss.gu_20:.1f} GU"),
+        ("Gloss 60°" + ("" if stated else ", computed"), f"{gu_60:.1f} GU"),
+        ("Haze, G60 − G20", f"{haze_units(paint.gloss.gu_20, gu_60):.1f} GU"),
+        ("Coat, index n", f"{fit.weights.ior:.3f}"),
+    ]
+    if isinstance(fit.reflectance, PaintReflectance):
+        coat.append(("Coat, roughness α", f"{fit.reflectance.roughness:.4f}"))
+    peel = paint.orange_peel
+    if peel is not None:
+        coat.append(("Orange peel", f"{peel.amplitude_um:.2g} µm, {peel.wavelength_mm:.2g} mm"))
+    groups = [("Colour over the angle", tuple(shape)), ("Coat", tuple(coat))]
+    groups.append(("Flakes", _flake_figures(fit)))
+    return tuple(groups)
+
+
+def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
+    flakes = fit.flakes
+    if flakes is None:
+        return (("Flakes", "none that can be seen"),)
+    from brdf_suite.inspection.sparkle import sparkle
+
+    rows = [
+        ("Density", f"{flakes.density_per_mm2:.0f} /mm²"),
+        ("Size", f"{flakes.size_um:.1f} µm"),
+        ("Tilt, spread of slopes", f"{flakes.roughness:.3f}"),
+        ("Colour spread", f"{flakes.colour_spread:.2f}"),
+    ]
+    for found in sparkle(fit.weights, flakes):
+        count = "crowded" if found.crowded else f"{found.spots_per_mm2:.1f} spots/mm²"
+        rows.append((f"Sparkle at {found.aspecular_deg:g}°, our figure", count))
+    return tuple(rows)
+
+
+def _remarks(item: ExportItem, fit: LobeFit) -> tuple[str, ...]:
+    paint = item.paint
+    told = []
+    if paint.notes.strip():
+        told.append(f"Notes: {' '.join(paint.notes.split())}")
+    if paint.source.strip():
+        told.append(f"Source: {' '.join(paint.source.split())}")
+    if item.computed:
+        told.append("The readings are those of virtual instruments.")
+    outside = [f"{m.aspecular_deg:g}°" for m in paint.measurements if not in_display_gamut(m.lab)]
+    if outside:
+        told.append(f"Outside sRGB, so that patch and picture are clipped: {', '.join(outside)}.")
+    return (*told, *fit.notices)
+
+
+def report_formats(options: ReportOptions) -> tuple[ExportFormat, ...]:
+    """Return the forms in which reports are written: HTML and PDF."""
+    from brdf_suite.reports.paint_report import html as report_html
+    from brdf_suite.reports.paint_report import pdf as report_pdf
+
+    return report_html.format_with(options), report_pdf.format_with(options)
+
+
+Draw = Callable[[Report], tuple[bytes, tuple[str, ...]]]
+"""Turns a report into the content of a file, and notes for the user."""
+
+
+def write_report(
+    options: ReportOptions,
+    draw: Draw,
+    items: Sequence[ExportItem],
+    path: PathLike,
+    progress: Progress | None = None,
+) -> tuple[str, ...]:
+    """Write the report of one paint; errors as :func:`build_report`, and :class:`FileError` where the disk refuses."""
+    (item,) = items
+    made = build_report(item, options, progress)
+    report(progress, 0.95, "writing")
+    content, notes = draw(made)
+    write_atomically(path, content)
+    return notes
+
+
+def report_losses(item: ExportItem) -> tuple[str, ...]:
+    """Return what is told before a report is written."""
+    return (
+        "Page and pictures are for people; programs read the paint from the data that goes along with it.",
+        *(
+            ("The measured table itself is left out: what the virtual instruments read of it goes in.",)
+            if item.computed and item.document is None
+            else ()
+        ),
+    )

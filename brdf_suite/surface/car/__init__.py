@@ -1,7 +1,0 @@
-"""Procedural car: a fastback coupé with flowing reflections, for judging a paint on a car."""
-
-from __future__ import annotations
-
-from brdf_suite.surface.car.assembly import car
-
-__all__ = ["car"]

@@ -1,0 +1,1 @@
+"""Jobs of the path tracer and the ray tracer."""

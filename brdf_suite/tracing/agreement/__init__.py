@@ -1,0 +1,1 @@
+"""How far the real-time picture is from the path-traced one."""

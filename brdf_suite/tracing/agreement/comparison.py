@@ -1,0 +1,319 @@
+"""How far the real-time picture is from the path-traced one: paints in environments on a sphere, by effect.
+
+As in docs/method/agreement.md: object pixels only, coat and Fresnel on, exposure such that the median luminance of the
+object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve. Three errors are told apart:
+
+- the whole: the real-time picture against the paint itself, path-traced;
+- the fit: the fitted lobes, path-traced, against the paint itself;
+- the look-up: the real-time picture against the fitted lobes, path-traced.
+
+What the path tracer's own noise would give between two of its pictures stands beside them. A surface that shadows
+itself is a case of its own: what baked occlusion misses of shadows and reflections is then part of the error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colour.colorimetry import srgb_encode
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.pipeline.exposure import ev_of
+from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.picture import OffscreenScene
+from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
+from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.pictures.tone_curves import display_light
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.agreement.errors import Errors, Pixels, delta_e_of, errors_of, flip_of
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
+from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.passes import Estimate
+
+__all__ = [
+    "DEFAULT_FORM",
+    "FORMS",
+    "LOBES",
+    "Case",
+    "Errors",
+    "Order",
+    "Pixels",
+    "compare",
+    "errors_of",
+    "flip_of",
+    "summary",
+]
+
+LOBES = "the fitted lobes, traced"
+_WHOLE = 0.999
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One paint in one environment on one surface.
+
+    ``errors``: of each form against the paint itself; ``look_up``: of each form against the fitted lobes, where they
+    were traced. ``noise`` is what the path tracer's noise gives. ``pictures``: encoded sRGB (h, w, 3), by form, and
+    ``reference``; ``differences``: ΔE00 (h, w) of the default form. ``designed``: by readings, not measured whole.
+    """
+
+    paint: str
+    environment: str
+    surface: str
+    designed: bool
+    errors: Mapping[str, Errors]
+    look_up: Mapping[str, Errors]
+    noise: Errors
+    exposure_ev: float
+    pictures: Mapping[str, Pixels] = field(repr=False)
+    differences: Pixels = field(repr=False)
+
+    def to_json(self) -> dict[str, object]:
+        """Return the figures as plain values."""
+
+        def plain(errors: Errors) -> dict[str, float]:
+            return {"de00_mean": errors.mean, "de00_p99": errors.p99, "flip": errors.flip}
+
+        return {
+            "paint": self.paint,
+            "environment": self.environment,
+            "surface": self.surface,
+            "exposure_ev": self.exposure_ev,
+            "errors": {form: plain(errors) for form, errors in self.errors.items()},
+            "look_up": {form: plain(errors) for form, errors in self.look_up.items()},
+            "noise": plain(self.noise),
+        }
+
+
+@dataclass(frozen=True)
+class Order:
+    """What is to be compared: names or files of paints and environments, and how well."""
+
+    paints: Sequence[str]
+    environments: Sequence[str]
+    size: tuple[int, int] = (128, 128)
+    samples: int = 512
+    forms: Sequence[str] = tuple(FORMS)
+    lobes: bool = False
+    surface: str = "sphere"
+    keep: Path | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class _Truth:
+    """A paint, path-traced: the light of the whole picture (h, w, 3) and what is known of it."""
+
+    fit: LobeFit
+    scene: ReferenceScene
+    whole: Pixels
+    spread: Pixels
+    inside: NDArray[np.bool_]
+    view: View
+    name: str
+
+
+def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
+    """Yield the cases of an order, one environment after the other.
+
+    Where ``keep`` names a folder, what is traced is kept there, and not traced again while scene and paint stay.
+
+    Raises
+    ------
+    ExtraError
+        Mitsuba or FLIP is missing or cannot be loaded; the message says how to install it.
+    ReferenceUnavailableError
+        LLVM is missing; the message says what to install.
+    SuiteError
+        A paint or an environment cannot be read.
+    """
+    flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # told before the work begins
+    if order.keep is not None:
+        order.keep.mkdir(parents=True, exist_ok=True)
+    view = _plain(order)
+    mesh = load_shaped(order.surface, view.surface_look)
+    fits = {
+        form: {paint: fit_for(FORMS[form], paint) for paint in order.paints}
+        for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
+    }
+    count = max(1, len(order.environments))
+    with OffscreenScene((1, 1)) as scene:
+        baked = None
+        if order.surface != "sphere":
+            mesh, baked = bake_or_explain(mesh, view.surface_look)
+        scene.set_surface(mesh, baked)
+        for number, environment in enumerate(order.environments):
+            step = subrange(progress, number / count, (number + 1) / count)
+            yield from _compare(order, scene, environment, fits, mesh, step)
+    report(progress, 1.0, "done")
+
+
+def _compare(
+    order: Order,
+    scene: OffscreenScene,
+    environment: str,
+    fits: Mapping[str, Mapping[str, LobeFit | None]],
+    mesh: Mesh,
+    progress: Progress | None,
+) -> Iterator[Case]:
+    prepared = load_environment(environment)
+    truths: dict[str, _Truth] = {}
+    share = 0.5 if order.lobes else 0.9
+    for number, paint in enumerate(order.paints):
+        fit = fits[DEFAULT_FORM][paint]
+        assert fit is not None  # what is not drawn otherwise is drawn as it is
+        step = subrange(
+            progress, share * number / len(order.paints), share * (number + 1) / len(order.paints)
+        )
+        truths[paint] = _truth(order, fit, paint, prepared, mesh, step)
+    drawn = _drawn(order, scene, environment, prepared, fits, truths)
+    for number, (paint, truth) in enumerate(truths.items()):
+        step = subrange(progress, share + (1.0 - share) * number / len(order.paints), 1.0)
+        yield _case(order, truth, prepared, mesh, drawn[paint], step)
+
+
+def _truth(
+    order: Order,
+    fit: LobeFit,
+    paint: str,
+    prepared: PreparedEnvironment,
+    mesh: Mesh,
+    progress: Progress | None,
+) -> _Truth:
+    plain = Material(fit.name, fit.reflectance)
+    traced = build_reference(plain, _plain(order), order.size, prepared.environment, mesh)
+    name = f"{Path(paint).stem}__{Path(prepared.name).stem}"
+    if order.surface != "sphere":
+        name += f"__{Path(order.surface).stem}"
+    found = _traced(order, traced, name, progress)
+    seen = np.concatenate((found.radiance, found.coverage[..., None]), axis=-1)
+    return _Truth(
+        fit,
+        traced,
+        traced.whole(found),
+        np.sqrt(np.where(np.isfinite(found.variance), found.variance, 0.0)),
+        found.coverage >= _WHOLE,
+        replace(traced.view, exposure_ev=ev_of(seen) or 0.0),
+        name,
+    )
+
+
+def _drawn(
+    order: Order,
+    scene: OffscreenScene,
+    environment: str,
+    prepared: PreparedEnvironment,
+    fits: Mapping[str, Mapping[str, LobeFit | None]],
+    truths: Mapping[str, _Truth],
+) -> dict[str, dict[str, Pixels]]:
+    """Return the real-time pictures (h, w, 3), encoded sRGB, by paint and form."""
+    drawn: dict[str, dict[str, Pixels]] = {paint: {} for paint in truths}
+    for light in dict.fromkeys(FORMS[form].light for form in order.forms):
+        forms = [form for form in order.forms if FORMS[form].light == light]
+        basis = basis_of(FORMS[forms[0]])
+        maps = prepared if basis is None else load_environment(environment, basis=basis)
+        scene.set_environment(coarser(maps, light[1]))
+        for form in forms:
+            for paint, truth in truths.items():
+                fit = fits[form][paint]
+                if fit is None:
+                    continue
+                view = replace(truth.view, **FORMS[form].view)
+                scene.set_paint_fit(fit, view=view)
+                linear = scene.renderer.linear_image(view, order.size)
+                drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
+    return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}
+
+
+def _case(
+    order: Order,
+    truth: _Truth,
+    prepared: PreparedEnvironment,
+    mesh: Mesh,
+    drawn: Mapping[str, Pixels],
+    progress: Progress | None,
+) -> Case:
+    view, inside = truth.view, truth.inside
+    pictures = {"reference": _shown(truth.whole, view), **drawn}
+    errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
+    look_up: dict[str, Errors] = {}
+    if order.lobes:
+        material = Material(truth.fit.name, truth.fit.weights)
+        lobes = build_reference(material, truth.scene.view, order.size, prepared.environment, mesh)
+        found = _traced(order, lobes, f"{truth.name}__lobes", progress)
+        pictures[LOBES] = _shown(lobes.whole(found), view)
+        errors[LOBES] = errors_of(pictures[LOBES], pictures["reference"], inside)
+        look_up = {form: errors_of(drawn[form], pictures[LOBES], inside) for form in drawn}
+    # What noise of this size would do to a picture of the same light.
+    rng = np.random.default_rng(1)
+    noisy = truth.whole + truth.spread * rng.normal(size=truth.whole.shape[:2])[..., None]
+    noise = errors_of(_shown(np.maximum(noisy, 0.0), view), pictures["reference"], inside)
+    first = order.forms[0]
+    return Case(
+        paint=truth.fit.name,
+        environment=Path(prepared.name).stem,
+        surface=Path(order.surface).stem,
+        designed=truth.fit.kind == "designed",
+        errors=errors,
+        look_up=look_up,
+        noise=noise,
+        exposure_ev=view.exposure_ev,
+        pictures=pictures,
+        differences=np.where(inside, delta_e_of(pictures[first], pictures["reference"]), 0.0),
+    )
+
+
+def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]:
+    """Return mean ΔE00, the worst paint's mean, the mean of the 99th percentiles, and mean FLIP of a form."""
+    by_paint: dict[str, list[float]] = {}
+    drawn = [case for case in cases if form in case.errors]
+    for case in drawn:
+        by_paint.setdefault(case.paint, []).append(case.errors[form].mean)
+    return {
+        "de00_mean": float(np.mean([case.errors[form].mean for case in drawn])),
+        "de00_worst": float(max(np.mean(values) for values in by_paint.values())),
+        "de00_p99": float(np.mean([case.errors[form].p99 for case in drawn])),
+        "flip": float(np.mean([case.errors[form].flip for case in drawn])),
+    }
+
+
+def _plain(order: Order) -> View:
+    """The view of a comparison: what the paint's readings tell, without single flakes."""
+    return View(surface=order.surface, sparkle=Sparkle(mode="off"))
+
+
+def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:
+    from brdf_suite.reference.estimate_file import read_estimate, write_estimate
+    from brdf_suite.reference.passes import trace
+
+    kept = None
+    path = None if order.keep is None else order.keep / f"{_file_name(name)}.exr"
+    if path is not None and path.exists():
+        kept = read_estimate(path, scene.key)
+    if kept is not None and kept.samples >= order.samples:
+        return kept
+    # Well-spread samples converge faster the more of them there are in a pass; two passes tell the noise.
+    each = max(4, min(256, order.samples // 2))
+    found = trace(
+        scene.traced, samples=order.samples, samples_per_pass=each, estimate=kept, progress=progress
+    )
+    if path is not None:
+        write_estimate(path, found, scene.whole(found), scene.key)
+    return found
+
+
+def _file_name(name: str) -> str:
+    return "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
+
+
+def _shown(radiance: Pixels, view: View) -> Pixels:
+    return srgb_encode(display_light(radiance, view.exposure_ev, view.tone_curve))

@@ -1,0 +1,115 @@
+"""The ways in which a picture is drawn to be compared, by what they change of the default one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from brdf_suite.documents.paint import Paint
+from brdf_suite.errors import UnreachableError
+from brdf_suite.fitting.lobes.basis import LobeBasis, stored_bases
+from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_document, load_material, material_of
+from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.resources import resource
+
+DEFAULT_FORM = "default"
+
+_NOTHING: Mapping[str, Any] = MappingProxyType({})
+
+
+@dataclass(frozen=True)
+class Form:
+    """One way to draw.
+
+    Attributes
+    ----------
+    effect
+        What is looked at: the heading under which it is told.
+    view
+        Fields of the view.
+    lobes
+        Number of lobes of the basis; None: the default one.
+    halvings
+        How often the edge of each prefiltered map is halved.
+    paint
+        Fields of a designed paint's document. The picture is then of another paint than the traced one: it tells how
+        much the rule matters, not an error.
+    """
+
+    effect: str
+    view: Mapping[str, Any] = field(default_factory=lambda: _NOTHING)
+    lobes: int | None = None
+    halvings: int = 0
+    paint: Mapping[str, Any] = field(default_factory=lambda: _NOTHING)
+
+    @property
+    def light(self) -> tuple[int | None, int]:
+        """What of the light's maps it changes; forms of the same are drawn together."""
+        return self.lobes, self.halvings
+
+
+FORMS: Mapping[str, Form] = MappingProxyType(
+    {
+        DEFAULT_FORM: Form("–"),
+        "paper look-up": Form("look-up", {"look_up": "paper"}),
+        "Fresnel off": Form("Fresnel", {"fresnel": "off"}),
+        "weights over the angle": Form("Fresnel", {"fresnel": "multi_angle"}),
+        "5 lobes": Form("number of lobes", lobes=5),
+        "7 lobes": Form("number of lobes", lobes=7),
+        "11 lobes": Form("number of lobes", lobes=11),
+        "maps of half the edge": Form("resolution", halvings=1),
+        "maps of a quarter": Form("resolution", halvings=2),
+        "monotone rule": Form("below 15°", paint={"interpolation": "monotone"}),
+        "polynomial rule": Form("below 15°", paint={"interpolation": "polynomial"}),
+        "near-specular × 0.7": Form("below 15°", paint={"near_specular": 0.7}),
+    }
+)
+"""Ways in which the real-time picture is drawn, by name."""
+
+
+def basis_of(form: Form) -> LobeBasis | None:
+    """Return the exponents of a form; None: the default ones."""
+    if form.lobes is None:
+        return None
+    return stored_bases(resource("basis", "search.json"))[0][form.lobes]
+
+
+def fit_for(form: Form, paint: str) -> LobeFit | None:
+    """Return the lobes of a paint in a form; None where the form is of designed paints and it is none, or cannot be so.
+
+    Errors as :func:`load_material` and :func:`fit_material`.
+    """
+    if not form.paint:
+        return fit_material(load_material(paint), basis_of(form))
+    document = load_document(paint)
+    if not isinstance(document, Paint):
+        return None
+    try:
+        return fit_material(material_of(replace(document, **form.paint), paint), basis_of(form))
+    except UnreachableError:  # by another rule the same readings may be those of no paint
+        return None
+
+
+def coarser(prepared: PreparedEnvironment, halvings: int) -> PreparedEnvironment:
+    """Return the environment with the edge of each lobe map halved so often, as means of 2 × 2 texels."""
+    if not halvings:
+        return prepared
+    maps = prepared.maps
+    lobes = tuple(_halved(lobe, halvings) for lobe in maps.lobes)
+    return replace(prepared, maps=replace(maps, lobes=lobes, diffuse=_halved(maps.diffuse, halvings)))
+
+
+def _halved(faces: FaceArray, times: int) -> FaceArray:
+    values = faces.faces.astype(np.float32)
+    for _ in range(times):
+        size = values.shape[1]
+        if size % 2 or size < 16:
+            break
+        values = values.reshape(6, size // 2, 2, size // 2, 2, 3).mean(axis=(2, 4))
+    return FaceArray(np.ascontiguousarray(values, np.float16), faces.scale)

@@ -1,0 +1,1 @@
+"""Pictures by the ray tracer of Günther et al. 2005."""

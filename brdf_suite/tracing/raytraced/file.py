@@ -1,0 +1,171 @@
+"""A paint by name or file, in a view, to a ray-traced picture file: within a budget, and to be gone on from."""
+
+from __future__ import annotations
+
+import math
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import FileError
+from brdf_suite.output.picture_file import check_target
+from brdf_suite.pipeline.material import Material
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
+from brdf_suite.tracing.raytraced.parts import Size
+from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
+from brdf_suite.tracing.traced_picture import TracedPicture, told_of
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.raytraced.table_split import TableSplit
+
+KEEP_EVERY_S = 20.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class RaytracedPicture(TracedPicture):
+    """A ray-traced picture that was written; ``rounds`` of the quality's samples, the last of them whole or not."""
+
+    lights: int
+    reflections: int
+    rounds: float
+
+
+def render_raytraced(
+    paint: str | os.PathLike[str] | Material,
+    view: View,
+    size: Size,
+    path: Path,
+    *,
+    quality: str | Quality = DEFAULT_PRESET,
+    samples: int | None = None,
+    seconds: float | None = None,
+    fresh: bool = False,
+    tables: TableSplit = "clamp",
+    progress: Progress | None = None,
+) -> RaytracedPicture:
+    """Ray-trace a picture and write it as PNG (as a screen shows it) or EXR (radiance, and the object apart).
+
+    What is traced is kept in ``<path>.raytraced.part.exr`` every few seconds and when the progress callback cancels;
+    the same call goes on from there, unless it is to begin ``fresh``.
+    Errors as :meth:`.RaytracedSession.show` and :meth:`.RaytracedSession.passes`; Cancelled by the progress callback.
+
+    Parameters
+    ----------
+    samples
+        A pixel; those of the quality where they are not given. With more, lights are drawn anew round by round.
+    seconds
+        To trace at most; at least one pass is traced.
+    """
+    from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
+
+    if path.suffix.lower() not in (".png", ".exr"):
+        raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
+    check_target(path)
+    chosen = find_quality(quality)
+    report(progress, 0.0, "starting the ray tracer")
+    session = RaytracedSession()
+    scene = session.show(paint, view, size, chosen, subrange(progress, 0.0, 0.05), tables=tables)
+    kept = path.with_name(path.name + ".raytraced.part.exr")
+    begun = None if fresh or not kept.exists() else read_sums(kept, scene.key)
+    end = samples or chosen.samples
+    if begun is not None and begun.samples > end:
+        begun = None
+    newest: RaytracedImage | None = RaytracedImage(scene, begun) if begun else None
+    tracing = subrange(progress, 0.05, 0.98)
+    clock = _Clock(end, begun.samples if begun else 0, seconds)
+    report(tracing, 0.0, "tracing")
+    last = perf_counter()
+    try:
+        for newest in session.passes(
+            begun=begun, samples=end, between=lambda share: report(tracing, *clock.told(share))
+        ):
+            clock.done(newest.samples)
+            if perf_counter() - last >= KEEP_EVERY_S:
+                write_sums(kept, newest.sums, newest.whole(), scene.key)
+                last = perf_counter()
+            if clock.is_spent:
+                break
+    except BaseException:
+        if newest is not None:  # cancelled, or out of memory: what is there is not lost
+            write_sums(kept, newest.sums, newest.whole(), scene.key)
+        raise
+    assert newest is not None
+    try:
+        _write(path, newest)
+    except MemoryError as error:
+        raise too_large(size) from error
+    kept.unlink(missing_ok=True)
+    report(progress, 1.0, "written")
+    return RaytracedPicture(
+        **told_of(scene, path),
+        lights=chosen.lights,
+        reflections=chosen.reflections,
+        samples=newest.samples,
+        rounds=newest.samples / chosen.samples,
+        seconds=newest.seconds,
+        resumed_samples=begun.samples if begun else 0,
+    )
+
+
+class _Clock:
+    """How much is done of a budget of samples and of time, and what a user is told about it."""
+
+    def __init__(self, end: int, begun: int, seconds: float | None) -> None:
+        self._end, self._begun, self._seconds = end, begun, seconds
+        self._samples = self._before = begun
+        self._start = perf_counter()
+
+    def done(self, samples: int) -> None:
+        """Take note of what a pass has brought."""
+        self._before, self._samples = self._samples, samples
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether the time is up."""
+        return self._seconds is not None and perf_counter() - self._start >= self._seconds
+
+    def told(self, within: float) -> tuple[float, str]:
+        """Return the share that is done, ``within`` a pass of about the samples of the last one, and words."""
+        step = max(self._samples - self._before, 1)
+        ahead = min(self._samples + within * step, self._end) - self._begun
+        share = ahead / max(self._end - self._begun, 1)
+        spent = perf_counter() - self._start
+        if self._seconds is not None:
+            share = max(share, min(spent / self._seconds, 1.0))
+        left = spent * (1.0 - share) / max(share, 1e-6)
+        words = f"{self._samples} of {self._end} samples"
+        return share, f"{words}, {_clock_words(left)} left" if spent > 1.0 else words
+
+
+def _clock_words(seconds: float) -> str:
+    """Return seconds as a person tells them.
+
+    >>> _clock_words(48.2), _clock_words(600.0), _clock_words(9000.0)
+    ('48 s', '10 min', '2 h 30 min')
+    """
+    if seconds < 100.0:
+        return f"{seconds:.0f} s"
+    minutes = math.ceil(seconds / 60.0)
+    return f"{minutes} min" if minutes < 100 else f"{minutes // 60} h {minutes % 60} min"
+
+
+def _write(path: Path, image: RaytracedImage) -> None:
+    from brdf_suite.files.images.environments import write_png
+    from brdf_suite.reference.raytraced.sums_file import write_sums
+
+    scene, quality = image.scene, image.scene.quality
+    told = {
+        "Software": "BRDF Suite",
+        "Title": scene.name,
+        "Description": f"{scene.name} on {scene.surface} in {scene.environment}, ray-traced with {quality.lights} "
+        f"lights, {quality.reflections} reflected rays and {image.samples} samples a pixel, "
+        f"{image.exposed_view.exposure_ev:+g} EV, tone curve {scene.view.tone_curve}",
+    }
+    if path.suffix.lower() == ".exr":
+        write_sums(path, image.sums, image.whole(), scene.key, {"comments": told["Description"]})
+    else:
+        write_png(path, image.codes(), told)

@@ -1,0 +1,366 @@
+"""The ray-traced picture: a scene that follows what is edited, in passes that make it better and better.
+
+    session = RaytracedSession()
+    session.show("blue", View(), (640, 480), "medium")
+    for image in session.passes():
+        picture = image.codes()       # (480, 640, 3) uint8, as a screen shows it
+
+Another camera, paint, turn of the light, exposure or size costs some hundredths of a second: nothing is compiled anew.
+Another light or surface is read and built anew. The ray tracer is an optional extra; nothing of it is imported before
+a session begins.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.documents.view import View
+from brdf_suite.errors import ReferenceUnavailableError, SuiteError
+from brdf_suite.files.file_stamp import file_stamp
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.scene import find_environment
+from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.environment.backdrop import plain_backdrop
+from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, find_quality
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.optics import load_lit
+from brdf_suite.tracing.raytraced.key import scene_key
+from brdf_suite.tracing.raytraced.parts import Parts, Size, Wanted, materials_of, placed, sparkle_of
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.raytraced.camera import Pinhole
+    from brdf_suite.reference.raytraced.frames import Film
+    from brdf_suite.reference.raytraced.picture import Sums
+    from brdf_suite.reference.raytraced.sky import TracedSky
+    from brdf_suite.reference.raytraced.table_split import TableSplit
+    from brdf_suite.reference.raytraced.tracer import TracerScene
+
+__all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
+
+Pixels = NDArray[np.float64]
+PASS_SECONDS = 0.2
+"""How long a pass takes, about: a picture is shown as often, and given up as soon."""
+
+
+@dataclass(frozen=True, eq=False)
+class RaytracedScene:
+    """What is shown: ``view`` has its camera placed; ``key`` tells the light, so that sums of one key may be added."""
+
+    name: str
+    environment: str
+    surface: str
+    renderer: str
+    notices: tuple[str, ...]
+    view: View
+    size: Size
+    quality: Quality
+    key: str
+    camera: Pinhole
+    sky: TracedSky
+
+    @cached_property
+    def behind(self) -> NDArray[np.float32]:
+        """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
+        from brdf_suite.reference.raytraced.behind import sky_behind
+
+        if self.view.background in ("environment", "blurred"):
+            return sky_behind(self.sky, self.camera, self.size)
+        plain = plain_backdrop(self.view).astype(np.float32)
+        return np.broadcast_to(plain, (self.size[1], self.size[0], 3))
+
+
+@dataclass(frozen=True, eq=False)
+class RaytracedImage:
+    """A picture of a scene, of as many samples as there are so far."""
+
+    scene: RaytracedScene
+    sums: Sums
+
+    @property
+    def samples(self) -> int:
+        """Samples a pixel so far."""
+        return self.sums.samples
+
+    @property
+    def of(self) -> int:
+        """How many samples the quality asks for."""
+        return self.scene.quality.samples
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether these are all that the quality asks for, or more."""
+        return self.samples >= self.of
+
+    @property
+    def seconds(self) -> float:
+        """How long it took to trace them."""
+        return self.sums.seconds
+
+    @property
+    def coverage(self) -> Pixels:
+        """(h, w): the object's share of each pixel."""
+        return self.sums.coverage
+
+    @cached_property
+    def exposed_view(self) -> View:
+        """The view with its exposure measured where it is automatic."""
+        view = self.scene.view
+        if view.exposure_mode == "locked":
+            return view
+        seen = np.concatenate((self.sums.radiance, self.coverage[..., None]), axis=-1)
+        return exposed(view, ev_of(seen))
+
+    def whole(self) -> Pixels:
+        """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
+        behind = self.scene.behind
+        if self.scene.view.background in ("grey", "colour"):
+            # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
+            behind = behind / np.float32(2.0**self.exposed_view.exposure_ev)
+        return self.sums.before(behind)
+
+    def codes(self) -> NDArray[np.uint8]:
+        """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
+        view = self.exposed_view
+        return np.asarray(to_display(self.whole(), view.exposure_ev, view.tone_curve), np.uint8)
+
+
+class RaytracedSession:
+    """One ray-traced scene that follows what it is shown; for one thread.
+
+    Raises
+    ------
+    ExtraError
+        Mitsuba is missing or cannot be loaded; the message says how to install it.
+    ReferenceUnavailableError
+        LLVM is missing; the message says what to install.
+    """
+
+    def __init__(self) -> None:
+        from brdf_suite.reference.variant import start
+
+        self._renderer = start().title
+        self._parts = Parts()
+        self._wanted: Wanted | None = None
+        self._scene: RaytracedScene | None = None
+        self._rays_per_second = 4e6
+
+    @property
+    def scene(self) -> RaytracedScene:
+        """What was shown last."""
+        if self._scene is None:
+            raise SuiteError("Nothing has been shown to the ray tracer yet.")
+        return self._scene
+
+    def show(
+        self,
+        paint: str | os.PathLike[str] | Material,
+        view: View,
+        size: Size,
+        quality: str | Quality = DEFAULT_PRESET,
+        progress: Progress | None = None,
+        *,
+        tables: TableSplit = "clamp",
+        environment: Environment | None = None,
+        mesh: Mesh | None = None,
+    ) -> RaytracedScene:
+        """Show a material, loaded or by name or file, in a view, ``size`` in pixels.
+
+        Parameters
+        ----------
+        quality
+            A name of :data:`PRESETS`, or a quality of one's own.
+        tables
+            How a measured table is cut in a broad part and its peak: ``clamp`` or ``subtract``.
+        environment, mesh
+            Where they are given, they take the place of those that the view names: a light that is being edited is
+            in no file.
+
+        Raises
+        ------
+        FileError
+            The paint, environment or surface cannot be read.
+        UnreachableError
+            No such paint can be.
+        ValueRangeError
+            There is no such quality.
+        """
+        wanted = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
+        report(progress, 0.9, "building the scene")
+        shaped, bounds = self._parts.mesh(wanted)
+        wanted = replace(wanted, view=placed(view, bounds, size))
+        _, told = self._parts.splits(wanted, shaped)
+        self._wanted = wanted
+        self._scene = RaytracedScene(
+            wanted.paint.name,
+            wanted.environment.name,
+            shaped.name,
+            self._renderer,
+            (
+                *wanted.paint.notices,
+                *told,
+                *wanted.environment.notes,
+                *shaped.notes,
+                *left_out(wanted),
+            ),
+            wanted.view,
+            size,
+            wanted.quality,
+            scene_key(wanted, shaped),
+            self._parts.camera(wanted.view, bounds, size),
+            self._parts.backdrop(wanted),
+        )
+        report(progress, 1.0, "ready")
+        return self._scene
+
+    def passes(
+        self,
+        rounds: int | None = 1,
+        *,
+        begun: Sums | None = None,
+        samples: int | None = None,
+        between: Callable[[float], None] | None = None,
+    ) -> Iterator[RaytracedImage]:
+        """Yield ever better pictures of what is shown, the last of them whole.
+
+        Parameters
+        ----------
+        rounds
+            How often the quality's samples are taken; None: without end. Every round after the first has its lights
+            drawn anew, so that the mean goes on to converge.
+        begun
+            Sums to go on from, of the same key.
+        samples
+            End at so many samples a pixel instead, be the round whole or not.
+        between
+            Called several times within a pass, with the share of it that is done; what it raises ends the tracing.
+
+        Raises
+        ------
+        ReferenceUnavailableError
+            The renderer failed, as it does where memory runs out.
+        """
+        from brdf_suite.reference.raytraced.frames import Film, trace_samples
+        from brdf_suite.reference.raytraced.picture import Sums
+        from brdf_suite.reference.raytraced.tracer import SampleBudget
+
+        scene, wanted = self.scene, self._wanted
+        assert wanted is not None
+        per_round = scene.quality.samples
+        end = samples if samples is not None else None if rounds is None else rounds * per_round
+        try:
+            film: Film = self._parts.keep("film", scene.size, lambda: Film(scene.size))
+            sums = begun or Sums.nothing(scene.size)
+        except MemoryError as error:
+            raise too_large(scene.size) from error
+        rays = rays_a_sample(scene.quality)
+        pixels = scene.size[0] * scene.size[1]
+        while end is None or sums.samples < end:
+            turn, done = divmod(sums.samples, per_round)
+            fitting = round(PASS_SECONDS * self._rays_per_second / (rays * pixels))
+            count = max(1, min(fitting, per_round - done))
+            count = count if end is None else min(count, end - sums.samples)
+            stage = self._stage(turn)
+            deal = SampleBudget.of(scene.quality, len(stage.lights.kinds))
+            start = perf_counter()
+            values = trace_samples(
+                stage, scene.camera, deal, film, sums.samples, count, rays_a_sample=rays, between=between
+            )
+            spent = perf_counter() - start
+            # The first pass may compile: it tells little of the speed.
+            measured = count * rays * pixels / max(spent, 1e-6)
+            self._rays_per_second = 0.5 * (self._rays_per_second + measured)
+            sums = sums.plus(values, count, spent)
+            yield RaytracedImage(scene, sums)
+
+    def frame(self) -> RaytracedImage:
+        """Return the whole picture of what is shown. Errors as :meth:`passes`."""
+        *_, image = self.passes()
+        return image
+
+    def _stage(self, turn: int) -> TracerScene:
+        from brdf_suite.reference.bsdfs import directions as d
+        from brdf_suite.reference.raytraced.tracer import TracerScene
+
+        wanted = self._wanted
+        assert wanted is not None
+        mesh, bounds = self._parts.mesh(wanted)
+        names = materials_of(mesh)
+        splits, _ = self._parts.splits(wanted, mesh)
+        sky, _ = self._parts.light(wanted)
+        return TracerScene(
+            self._parts.surface(mesh),
+            splits,
+            sky,
+            self._parts.lights(wanted, turn),
+            d.number(bounds.minimum[1]) if wanted.view.surface_look.ground else None,
+            sparkle_of(wanted.paint, wanted.view) if "paint" in names else None,
+            names.index("paint") if "paint" in names else 0,
+        )
+
+    def _load(
+        self,
+        paint: str | os.PathLike[str] | Material,
+        view: View,
+        size: Size,
+        quality: Quality,
+        tables: TableSplit,
+        environment: Environment | None,
+        mesh: Mesh | None,
+        progress: Progress | None,
+    ) -> Wanted:
+        keep = self._parts.keep
+        asked = paint if isinstance(paint, Material) else os.fspath(paint)
+        illuminant = view.light_colour.illuminant
+        report(progress, 0.0, "reading the paint")
+        material = keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_lit(asked, view))
+        light = (view.environment, file_stamp(view.environment), view.environment_layout)
+        environment = environment or keep(
+            "environment",
+            light,
+            lambda: read_environment(
+                find_environment(view.environment)[1], view.environment_layout, subrange(progress, 0.2, 0.6)
+            ),
+        )
+        look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
+        mesh = mesh or keep(
+            "loaded",
+            (view.surface, file_stamp(view.surface), look),
+            lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
+        )
+        return Wanted(material, environment, mesh, view, size, quality, tables)
+
+
+def too_large(size: Size) -> ReferenceUnavailableError:
+    """Return the error of a picture that memory does not hold."""
+    return ReferenceUnavailableError(
+        f"There is not enough memory to trace {size[0]} × {size[1]} pixels; make the picture smaller."
+    )
+
+
+def rays_a_sample(quality: Quality) -> float:
+    """Return about how many rays a sample traces: what is reflected meets the surface again now and then."""
+    return 1.0 + quality.lights_a_sample + 2.0 * quality.reflections_a_sample
+
+
+def left_out(wanted: Wanted) -> tuple[str, ...]:
+    """Return sentences about what the view asks for and the ray tracer does not draw."""
+    view, told = wanted.view, []
+    peeled = view.relief.orange_peel > 0.0 or wanted.paint.orange_peel is not None
+    if view.relief.normal_map is not None or peeled:
+        told.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
+    if view.two_tone.paint is not None and view.two_tone.mask is not None:
+        told.append("The ray tracer shows the first paint alone.")
+    return tuple(told)

@@ -1,0 +1,317 @@
+"""Scene to path-traced picture: the same paint, environment, surface and view as the real-time picture's.
+
+The path tracer is an optional extra; nothing of it is imported before it is asked for.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.documents.store import view_to_json
+from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.exposure import ev_of, exposed
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.scene import find_environment
+from brdf_suite.pipeline.surface import load_shaped
+from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.camera import Bounds, compose, matrices
+from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdrop
+from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.optics import (
+    Dress,
+    load_dress,
+    load_lit,
+    lobe_term,
+    optics_of,
+    scalar_lobes,
+    scalar_optics,
+)
+from brdf_suite.tracing.reference.energy import energy_notices
+
+if TYPE_CHECKING:
+    from brdf_suite.reference.passes import Estimate
+    from brdf_suite.reference.scene.ground import GroundGrid
+    from brdf_suite.reference.scene.scene import PinholeCamera, TracedScene
+    from brdf_suite.reference.variant import Variant
+
+Size = tuple[int, int]
+Pixels = NDArray[np.float64]
+
+_PAINT = "paint"
+GROUND_SAMPLES, GROUND_PASS = 256, 32
+"""Directions at each place of the ground, for its shadow behind the object."""
+_LIT_BY = (
+    "camera",
+    "rotation_deg",
+    "fresnel",
+    "light_colour",
+    "lamps",
+    "surface_look",
+    "relief",
+    "two_tone",
+)
+"""What of a view the traced light depends on, beside environment and surface."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReferenceScene:
+    """A scene ready to be traced. ``view`` has its camera placed.
+
+    ``key`` tells the scene: estimates of one key may be put together.
+    """
+
+    name: str
+    traced: TracedScene
+    view: View
+    size: Size
+    key: str
+    environment: str
+    surface: str
+    renderer: str
+    notices: tuple[str, ...]
+    eye: PinholeCamera
+    light: NDArray[np.float32]
+    ground: GroundGrid | None = None
+
+    @cached_property
+    def behind(self) -> Pixels:
+        """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
+        from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
+
+        plain = self.view.background in ("grey", "colour")
+        if self.ground is None and plain:
+            return np.broadcast_to(plain_backdrop(self.view), (self.size[1], self.size[0], 3))
+        look = None
+        if not plain:
+            of_map = self.view.background == "environment"
+            look = sharp(self.light) if of_map else blur_map(self.light, BLUR_EXPONENT)
+        share = None
+        ground, place = self.ground, self.eye.place
+        if ground is not None:
+            while ground.samples < GROUND_SAMPLES:
+                ground.trace(self.traced.scene, GROUND_PASS)
+
+            def share(directions: Pixels) -> Pixels:
+                return ground.seen_from(place, directions)
+
+        return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
+
+    def whole(self, estimate: Estimate) -> Pixels:
+        """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
+        from brdf_suite.reference.scene.backdrop import compose_picture
+
+        return compose_picture(
+            estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate)
+        )
+
+    def exposed_view(self, estimate: Estimate) -> View:
+        """Return the view with its exposure measured where it is automatic."""
+        if self.view.exposure_mode == "locked":
+            return self.view
+        seen = np.concatenate((estimate.radiance, estimate.coverage[..., None]), axis=-1)
+        return exposed(self.view, ev_of(seen))
+
+    def codes(self, estimate: Estimate) -> NDArray[np.uint8]:
+        """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
+        view = self.exposed_view(estimate)
+        return np.asarray(to_display(self.whole(estimate), view.exposure_ev, view.tone_curve), np.uint8)
+
+    def _backdrop_exposure(self, estimate: Estimate) -> float:
+        # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
+        if self.view.background in ("grey", "colour"):
+            return float(2.0 ** self.exposed_view(estimate).exposure_ev)
+        return 1.0
+
+
+def prepare_reference(
+    paint: str | os.PathLike[str],
+    view: View,
+    size: Size,
+    *,
+    progress: Progress | None = None,
+) -> ReferenceScene:
+    """Load everything and hand it to the path tracer.
+
+    Raises
+    ------
+    ExtraError
+        Mitsuba is missing or cannot be loaded; the message says how to install it.
+    ReferenceUnavailableError
+        LLVM is missing; the message says what to install.
+    FileError
+        The paint, environment or surface cannot be read.
+    UnreachableError
+        No such paint can be.
+    """
+    from brdf_suite.reference.variant import start
+
+    report(progress, 0.0, "starting the path tracer")
+    variant = start(scalar=True)
+    material = load_lit(paint, view)
+    report(progress, 0.3, "reading the environment")
+    _, path = find_environment(view.environment)
+    environment = read_environment(path, view.environment_layout, subrange(progress, 0.3, 0.6))
+    mesh = load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.8))
+    return build_reference(material, view, size, environment, mesh, variant=variant)
+
+
+def build_reference(
+    material: Material,
+    view: View,
+    size: Size,
+    environment: Environment,
+    mesh: Mesh,
+    *,
+    dress: Dress | None = None,
+    kept: ReferenceScene | None = None,
+    variant: Variant | None = None,
+) -> ReferenceScene:
+    """Return the scene of what is loaded already; fitted weights as the reflectance are traced as they are.
+
+    ``dress`` is what the view lays on it,
+    read anew where it is not given. ``kept`` is a scene of the same parts, lamps and size of map: it is changed in
+    place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
+    started, where it may be the scalar one. Errors as :func:`prepare_reference`.
+    """
+    from brdf_suite.reference.scene.ground import GroundGrid
+    from brdf_suite.reference.scene.scene import PinholeCamera, SurfacePart, build_scene
+    from brdf_suite.reference.variant import start
+
+    variant = start() if variant is None else variant
+    bounds = Bounds.of(p.positions for p in mesh.parts)
+    view = replace(view, camera=compose(view.camera, bounds, size))
+    camera = matrices(view.camera, bounds, size)
+    eye = PinholeCamera(camera.eye, camera.view_to_world, camera.half_tangents[0])
+    mesh = _with_chosen_materials(mesh, view)
+    dress = load_dress(view) if dress is None else dress
+    energy = _energy(material, dress)
+    if variant.is_scalar:
+        optics = scalar_optics(material, dress, view, variant.instead)
+    else:
+        optics = optics_of(material, dress, view, bounds)
+    terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
+    tint = environment_matrix(view.light_colour)
+    radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
+    ground = None
+    if view.surface_look.ground and not variant.is_scalar:
+        ground = GroundGrid.under(np.array(bounds.minimum), np.array(bounds.maximum))
+    if kept is None or ground is not None:
+        parts = [SurfacePart(p.material, p.positions, p.normals, p.triangles, p.uvs) for p in mesh.parts]
+        traced = build_scene(parts, terms, radiance, eye, view, size, ground=ground)
+    else:
+        traced = kept.traced
+        for part_name, term in terms.items():
+            traced.set_term(part_name, term)
+        traced.look_from(eye, size)
+        traced.set_light(None if np.array_equal(radiance, kept.light) else radiance, view.rotation_deg)
+    return ReferenceScene(
+        name=material.name,
+        traced=traced,
+        view=view,
+        size=size,
+        key=_key(material, dress, view, size, environment, mesh),
+        environment=environment.name,
+        surface=mesh.name,
+        renderer=variant.title,
+        notices=(
+            *material.notices,
+            *energy,
+            *optics.notices,
+            *environment.notes,
+            *mesh.notes,
+            *_left_out(view, material, dress),
+        ),
+        eye=eye,
+        light=radiance,
+        ground=ground,
+    )
+
+
+def _with_chosen_materials(mesh: Mesh, view: View) -> Mesh:
+    chosen = {item.part: item.material for item in view.surface_look.materials}
+    parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in mesh.parts)
+    return replace(mesh, parts=parts)
+
+
+def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
+    from brdf_suite.fitting.lobes.basis import default_basis
+
+    stock = stock_materials(default_basis().exponents)
+    used = {p.material for p in mesh.parts}
+    make = scalar_lobes if variant.is_scalar else lobe_term
+    return {name: make(weights, view) for name, weights in stock.items() if name in used}
+
+
+def _energy(paint: Material, dress: Dress) -> tuple[str, ...]:
+    """Sentences about paints that send back more light than they get; fitted weights are what they are."""
+    told: tuple[str, ...] = ()
+    for worn in (paint, dress.second):
+        if worn is not None and not isinstance(worn.reflectance, LobeWeights):
+            told += energy_notices(worn.reflectance, worn.name)
+    return told
+
+
+def _left_out(view: View, paint: Material, dress: Dress) -> tuple[str, ...]:
+    """Sentences about what the view asks for and the path tracer draws otherwise, or not."""
+    told = []
+    worn = [item for item in (paint, dress.second) if item is not None]
+    if view.fresnel == "off" and any(not isinstance(item.reflectance, LobeWeights) for item in worn):
+        told.append(
+            "The reference shows the paint with its own reflection towards grazing: Fresnel is part of it."
+        )
+    if not view.surface_look.occlusion:
+        told.append("The reference always shows the shadows of the surface on itself.")
+    return tuple(told)
+
+
+def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
+    """Tell a scene by what its light depends on; how the light is shown is no part of it."""
+    document = view_to_json(view)
+    shown = {name: document[name] for name in _LIT_BY if name in document}
+    if paint.flakes is not None or (dress.second is not None and dress.second.flakes is not None):
+        shown["sparkle"] = document["sparkle"]
+    digest = hashlib.sha256(json.dumps(shown, sort_keys=True).encode())
+    digest.update(repr((paint.name, size, environment.content_hash)).encode())
+    for worn in (paint, dress.second):
+        if worn is not None:
+            _tell_paint(worn, digest)
+    if dress.normal_map is not None:
+        digest.update(dress.normal_map.slopes.tobytes())
+    if dress.mask is not None:
+        digest.update(dress.mask.share.tobytes())
+    for p in mesh.parts:
+        if p.material != _PAINT:
+            digest.update(p.material.encode())
+        digest.update(p.positions.tobytes())
+        digest.update(p.triangles.tobytes())
+    return digest.hexdigest()
+
+
+def _tell_paint(paint: Material, digest: Any) -> None:
+    """The reflectance by what it is: values at some directions tell any two apart that a picture could."""
+    reflectance = paint.reflectance
+    if isinstance(reflectance, LobeWeights):
+        for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
+            digest.update(np.asarray(array).tobytes())
+    else:
+        rng = np.random.default_rng(1)
+        directions = rng.normal(size=(2, 512, 3))
+        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+        directions[..., 2] = np.abs(directions[..., 2])
+        digest.update(np.round(reflectance.eval(directions[0], directions[1]), 9).tobytes())
+    if paint.flakes is not None or paint.orange_peel is not None:
+        digest.update(repr((paint.flakes, paint.orange_peel)).encode())

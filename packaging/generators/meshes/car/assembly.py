@@ -1,0 +1,83 @@
+"""Assembly of the car from its pieces."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from brdf_suite.surface.mesh import Mesh
+from meshes.car.blends import Floats
+from meshes.car.fittings import exhaust, grille_bars, mirror
+from meshes.car.nets import Soup
+from meshes.car.pieces import LIP_DROP, Piece, join_pieces, mirror_piece, turn_edges_in, walls
+from meshes.car.proportions import AXLES, FRONT_AXLE_Z, FRONT_FACE_X, REAR_FACE_X, WHEEL_RADIUS
+from meshes.car.shell import AREAS, PANELS, Shell, build_shell, groove_depth, take
+from meshes.car.wells import floor, wells
+from meshes.car.wheel import wheel
+
+_GROOVE_DEPTH = 0.009
+_FLANGE_DEPTH = 0.022
+_DEEP = 0.03
+
+
+def car() -> Mesh:
+    """Return the car: metres, ground at y = 0, front towards +z; the same every time.
+
+    Parts are named after what they are; materials are the words of :data:`brdf_suite.surface.mesh.MATERIALS`.
+    """
+    half = [*body_pieces(build_shell()), *floor(), *wells(), *mirror(), *grille_bars(), *exhaust(), *wheels()]
+    everything = [piece for one in half for piece in (one, mirror_piece(one))]
+    groups: dict[str, list[Piece]] = {}
+    for piece in everything:
+        groups.setdefault(piece.name, []).append(piece)
+    return Mesh("car", tuple(join_pieces(name, pieces) for name, pieces in sorted(groups.items())))
+
+
+def body_pieces(shell: Shell) -> list[Piece]:
+    """Return the pieces of half the body: painted panels, sunk areas, shut lines."""
+    pieces = []
+    for name in ("paint", *(name for name, _ in PANELS)):
+        soup, normals, shared, at_arch = take(shell, shell.chosen(name))
+        if len(at_arch):
+            drops = (np.full(len(normals), drop) for drop in (LIP_DROP, _FLANGE_DEPTH))
+            flange, facing = walls(soup, normals, at_arch[:, ::-1], *drops)
+            pieces.append(Piece("arch_flanges", "cavity", flange, facing))
+        soup, normals = turn_edges_in(soup, normals, np.concatenate([shared, at_arch]))
+        pieces.append(Piece("body" if name == "paint" else name, "paint", soup, normals))
+    soup, normals, _, _ = take(shell, shell.chosen("groove"))
+    down = LIP_DROP + groove_depth(soup.points, _GROOVE_DEPTH)
+    pieces.append(Piece("shut_lines", "cavity", _lowered(soup, normals, down), normals))
+    for area in AREAS:
+        pieces += _area(shell, area.name, area.name, area.material, area.depth)
+        if area.border:
+            pieces += _area(shell, f"{area.name}_border", f"{area.name}_frame", area.border_material, 0.0)
+    return pieces + _area(shell, "split", "side_window_split", "cavity", 0.0)
+
+
+def _lowered(soup: Soup, normals: Floats, down: Floats) -> Soup:
+    return Soup(soup.points - down[:, None] * normals, soup.triangles)
+
+
+def _area(shell: Shell, piece: str, name: str, material: str, depth: float) -> list[Piece]:
+    """Return an area as deep as the edges of the panels round it, or an opening with its walls."""
+    soup, normals, edge, _ = take(shell, shell.chosen(piece))
+    level = _lowered(soup, normals, np.full(len(normals), LIP_DROP))
+    if not depth:
+        return [Piece(name, material, level, normals)]
+    # Deep openings go straight back, since lines along the normals would cross.
+    outwards = normals if depth < _DEEP else np.tile([0.0, 0.0, 1.0], (len(normals), 1))
+    down = np.full(len(normals), depth)
+    wall, facing = walls(level, outwards, edge, 0.0 * down, down)
+    floor = Piece(name, material, _lowered(level, outwards, down), normals)
+    return [floor, Piece("opening_walls", "cavity", wall, facing)]
+
+
+def wheels() -> list[Piece]:
+    """Return the wheels of the half x ≥ 0 in their places."""
+    pieces = []
+    for axle in AXLES:
+        face = FRONT_FACE_X if axle == FRONT_AXLE_Z else REAR_FACE_X
+        place = np.array([face, WHEEL_RADIUS, axle])
+        for piece in wheel():
+            soup = Soup(piece.soup.points + place, piece.soup.triangles)
+            pieces.append(Piece(piece.name, piece.material, soup, piece.normals))
+    return pieces

@@ -1,0 +1,149 @@
+"""One wheel: tyre, rim with five twin spokes, disc and caliper. Axis along x, outer face at x = 0, facing +x."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from meshes.car.blends import Floats
+from meshes.car.lathe import lathe, loft
+from meshes.car.nets import Soup
+from meshes.car.pieces import Piece
+from meshes.car.proportions import TYRE_WIDTH, WHEEL_RADIUS
+
+_SEGMENTS = 64
+_SPOKES = 5
+_RIM = 0.260
+
+
+def _tyre() -> list[tuple[float, float]]:
+    """Return the tyre's profile from the outer bead over the tread to the inner bead."""
+    r, w = WHEEL_RADIUS, TYRE_WIDTH
+    half = [
+        (-0.014, _RIM - 0.010),
+        (-0.006, _RIM + 0.004),
+        (-0.001, _RIM + 0.022),
+        (0.0, _RIM + 0.038),
+        (-0.002, _RIM + 0.053),
+        (-0.0095, r - 0.019),
+        (-0.019, r - 0.0085),
+        (-0.033, r - 0.0025),
+        (-0.055, r - 0.0005),
+    ]
+    tread = []
+    for centre in (0.35, 0.65):
+        x = -w * centre
+        tread += [(x + 0.006, r), (x, r - 0.007), (x - 0.006, r)]
+    return half + tread + [(-w - x, y) for x, y in reversed(half[::2])]
+
+
+def _spoke(angle: float, lean: float) -> tuple[Soup, Floats]:
+    """Return one spoke, from the hub to the rim at ``angle`` (rad), its outer end ``lean`` further."""
+    t = np.linspace(0.0, 1.0, 6)
+    radius = 0.045 + (_RIM - 0.008 - 0.045) * t
+    turn = angle + lean * (0.35 + 0.65 * t)
+    half = 0.0195 - 0.0050 * t + 0.006 * (1.0 - t) ** 2 + 0.006 * np.clip(t - 0.8, 0, None) / 0.2
+    front = -0.050 + 0.038 * t**1.7
+    depth = 0.045 - 0.012 * t
+    # Section: a flat face with bevelled shoulders on a deeper, narrower rib.
+    outline = np.array(
+        [
+            (-0.55, 0.0),
+            (0.55, 0.0),
+            (1.0, -0.18),
+            (0.92, -0.45),
+            (0.6, -1.0),
+            (-0.6, -1.0),
+            (-0.92, -0.45),
+            (-1.0, -0.18),
+        ]
+    )
+    strips = []
+    for (u0, d0), (u1, d1) in zip(outline, np.roll(outline, -1, axis=0), strict=True):
+        rows = []
+        for u, d in ((u0, d0), (u1, d1)):
+            tangential, x = u * half, front + d * depth
+            y = radius * np.sin(turn) + tangential * np.cos(turn)
+            z = radius * np.cos(turn) - tangential * np.sin(turn)
+            rows.append(np.stack([x, y, z], axis=1))
+        strips.append(loft(np.stack(rows, axis=1), closed=False))
+    return _merged(strips)
+
+
+def _merged(parts: list[tuple[Soup, Floats]]) -> tuple[Soup, Floats]:
+    offset = np.cumsum([0] + [len(soup.points) for soup, _ in parts])
+    points = np.concatenate([soup.points for soup, _ in parts])
+    triangles = np.concatenate([soup.triangles + o for (soup, _), o in zip(parts, offset, strict=False)])
+    return Soup(points, triangles), np.concatenate([n for _, n in parts])
+
+
+def _caliper() -> tuple[Soup, Floats]:
+    """Return a block that straddles the disc, ahead of the axle."""
+    angles = np.radians(np.linspace(215.0, 150.0, 9))
+    section = np.array([(-0.070, 0.115), (-0.070, 0.196), (-0.078, 0.207), (-0.165, 0.207), (-0.165, 0.115)])
+    strips = []
+    for one, two in zip(section, np.roll(section, -1, axis=0), strict=True):
+        rows = [
+            np.stack([np.full(9, x), r * np.sin(angles), r * np.cos(angles)], axis=1) for x, r in (one, two)
+        ]
+        strips.append(loft(np.stack(rows, axis=1), closed=False))
+    for end in (0, -1):
+        fan = np.stack(
+            [section[:, 0], section[:, 1] * np.sin(angles[end]), section[:, 1] * np.cos(angles[end])], 1
+        )
+        triangles = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4]])
+        if end == 0:
+            triangles = triangles[:, ::-1]
+        facing = np.cross(
+            fan[triangles[0, 1]] - fan[triangles[0, 0]], fan[triangles[0, 2]] - fan[triangles[0, 0]]
+        )
+        strips.append((Soup(fan, triangles), np.tile(facing / np.linalg.norm(facing), (5, 1))))
+    return _merged(strips)
+
+
+def wheel() -> list[Piece]:
+    """Return the pieces of one wheel about the origin."""
+    rim = [
+        (-0.016, _RIM + 0.0010),
+        (-0.0060, _RIM + 0.0010),
+        (-0.0035, _RIM - 0.0030),
+        (-0.0035, _RIM - 0.0070),
+        (-0.0085, _RIM - 0.0145),
+        (-0.020, _RIM - 0.0170),
+        (-0.060, _RIM - 0.021),
+        (-0.235, _RIM - 0.021),
+        (-0.240, _RIM - 0.017),
+        (-0.241, _RIM + 0.0005),
+    ]
+    cap = [
+        (-0.055, 0.062),
+        (-0.046, 0.060),
+        (-0.043, 0.054),
+        (-0.043, 0.036),
+        (-0.047, 0.034),
+        (-0.047, 0.031),
+        (-0.041, 0.029),
+        (-0.039, 0.020),
+        (-0.038, 0.0005),
+    ]
+    disc = [
+        (-0.118, 0.192),
+        (-0.102, 0.192),
+        (-0.102, 0.088),
+        (-0.085, 0.082),
+        (-0.080, 0.05),
+        (-0.080, 0.001),
+    ]
+    spokes = []
+    for k in range(_SPOKES):
+        middle = np.pi / 2 + 2.0 * np.pi * k / _SPOKES
+        spokes += [_spoke(middle + s * 0.10, s * 0.13) for s in (1.0, -1.0)]
+    pieces = [
+        ("tyres", "rubber", lathe(_tyre()[::-1], _SEGMENTS)),
+        ("rims", "chrome", lathe(rim[:6], _SEGMENTS)),
+        ("rim_barrels", "cavity", lathe(rim[5:], 48)),
+        ("rims", "chrome", lathe(cap, 32)),
+        ("rims", "chrome", _merged(spokes)),
+        ("discs", "trim", lathe(disc, 48)),
+        ("calipers", "trim", _caliper()),
+    ]
+    return [Piece(name, material, soup, normals) for name, material, (soup, normals) in pieces]

@@ -1,0 +1,110 @@
+"""Drag a slider of the real Designer by mouse events, and print how long each takes; a process of ``bench designer``.
+
+The whole window with all of its parts, on Qt's offscreen platform: the figures are the program's own and no X server's,
+and no preview is drawn there.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+import tempfile
+import uuid
+from time import perf_counter, thread_time
+
+STEPS = 600
+SETTLE_S = 4.0
+BETWEEN_S = 0.004
+"""What the event loop gets between two events: a mouse sends events some 125 to 1,000 times a second."""
+SIZE = (1400, 900)
+SWING_PX = 60
+
+
+def main() -> None:
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ.update(
+            QT_QPA_PLATFORM="offscreen",
+            BRDF_SUITE_SETTINGS=folder,
+            BRDF_SUITE_LINK=f"bench-{uuid.uuid4().hex[:12]}",
+        )
+        sys.stdout.write(json.dumps(drag()) + "\n")
+
+
+def drag() -> dict[str, list[float]]:
+    """Return, in milliseconds, ``update`` and ``values`` of every event, and ``idle`` of every piece of idle work.
+
+    ``followed`` is the time from the event until strip, curves and status bar are set and painted too. ``cpu`` is
+    the processor's time of each update on the thread of the window, which other programs do not lengthen.
+    """
+    from brdf_designer.assembly import Designer
+    from brdf_designer.session.idle import IdleWork
+    from brdf_qt.program.application import create_application
+    from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+    from PySide6.QtGui import QMouseEvent
+    from PySide6.QtTest import QTest
+    from PySide6.QtWidgets import QApplication
+
+    app = create_application("Designer")
+    designer = Designer()
+    designer.window.resize(*SIZE)
+    designer.window.show()
+    _let_run(app, SETTLE_S)
+    idle: list[float] = []
+    run_one = IdleWork._run_one
+
+    def timed(self: IdleWork) -> None:
+        start = perf_counter()
+        run_one(self)
+        idle.append(1e3 * (perf_counter() - start))
+
+    designer.desk._idle._timer.timeout.disconnect()
+    designer.desk._idle._timer.timeout.connect(lambda: timed(designer.desk._idle))
+    slider = designer.window.editors.editors[0].sliders[0]
+    start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
+    values, update, cpu, followed = [], [], [], []
+    before = slider.amount()
+    for step in range(STEPS):
+        # To and fro, a pixel a step, and never twice the same place in a row.
+        place = abs((step + SWING_PX // 2) % (2 * SWING_PX) - SWING_PX) - SWING_PX // 2
+        point = start + QPoint(place, 0)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove,
+            QPointF(point),
+            QPointF(slider.mapToGlobal(point)),
+            Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton,
+            Qt.KeyboardModifier.NoModifier,
+        )
+        began, began_cpu = perf_counter(), thread_time()
+        QApplication.sendEvent(slider, event)
+        set_at = perf_counter()
+        # What has changed is painted: numbers, tracks and patches.
+        QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
+        ended, ended_cpu = perf_counter(), thread_time()
+        values.append(1e3 * (set_at - began))
+        update.append(1e3 * (ended - began))
+        cpu.append(1e3 * (ended_cpu - began_cpu))
+        # Strip, curves and what the status bar says of the fit come in the next turn of the event loop.
+        while not designer.controller.is_complete:
+            app.processEvents()
+        QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
+        followed.append(1e3 * (perf_counter() - began))
+        assert slider.amount() != before or step == 0
+        before = slider.amount()
+        _let_run(app, BETWEEN_S)
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=start)
+    assert designer.store.stack.count() == 1
+    designer.close()
+    return {"values": values, "update": update, "cpu": cpu, "followed": followed, "idle": idle}
+
+
+def _let_run(app: object, seconds: float) -> None:
+    end = perf_counter() + seconds
+    while perf_counter() < end:
+        app.processEvents()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,243 @@
+"""Several paints in tabs: each with its own history, file and autosave; the one in front is told to the others."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+from brdf_qt.link.messages import OFFER
+from brdf_qt.window.command_palette import commands
+from brdf_qt.window.dialogs import Answer
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QTabBar
+
+from brdf_suite.documents.store import load_paint, paint_from_json, paint_to_json, save_paint
+from brdf_suite.pipeline.material import load_shipped_paint
+
+
+def choose(designer, path: str) -> None:
+    dict(commands(designer.window))[path].trigger()
+
+
+def lighten(designer, lightness: float) -> None:
+    field = designer.window.editors.editors[0].fields[0]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, str(lightness))
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+def titles(designer) -> list[str]:
+    bar = designer.window.tabs
+    return [bar.tabText(place) for place in range(bar.count())]
+
+
+@pytest.fixture
+def three(designer):
+    """Red, copper and champagne; the untouched first one has given way to red."""
+    for name in ("red", "copper", "champagne"):
+        designer.open(name)
+    return designer
+
+
+def test_what_is_opened_comes_in_a_tab_of_its_own_and_the_untouched_first_gives_way(three):
+    assert titles(three) == ["Red", "Copper", "Champagne"]
+    assert three.window.tabs.currentIndex() == 2
+    assert three.store.value == load_shipped_paint("champagne")
+    choose(three, "File ▸ New")
+    assert titles(three) == ["Red", "Copper", "Champagne", "Untitled"]
+
+
+def test_each_tab_has_its_own_paint_history_and_mark(three):
+    lighten(three, 61)
+    choose(three, "Window ▸ Next Tab")
+    assert three.store.value == load_shipped_paint("red")
+    assert not three.window.undo_action.isEnabled()
+    lighten(three, 62)
+    lighten(three, 63)
+    assert titles(three) == ["• Red", "Copper", "• Champagne"]
+    assert three.window.isWindowModified()
+    choose(three, "Window ▸ Previous Tab")
+    assert three.window.undo_action.text() == "&Undo Change L* at 15°"
+    three.window.undo_action.trigger()
+    assert three.store.value == load_shipped_paint("champagne")
+    assert titles(three) == ["• Red", "Copper", "Champagne"]
+    assert not three.window.isWindowModified()
+    three.window.tabs.setCurrentIndex(0)
+    assert three.store.value.lab_at(15.0)[0] == 63.0
+    assert three.store.stack.count() == 2
+
+
+def test_ctrl_tab_goes_round(three):
+    seen = []
+    for keys in ("Ctrl+Tab", "Ctrl+Tab", "Ctrl+Shift+Tab", "Ctrl+PgUp"):
+        QTest.keySequence(three.window, keys)
+        seen.append(three.documents.front.title)
+    assert seen == ["Red", "Copper", "Red", "Champagne"]
+
+
+def test_a_file_that_is_open_comes_to_the_front_also_by_another_name_of_it(designer, dialogs, tmp_path):
+    file, link = tmp_path / "mine.brdfpaint", tmp_path / "link.brdfpaint"
+    save_paint(load_shipped_paint("red"), file)
+    link.symlink_to(file)
+    assert designer.documents.open(file)
+    lighten(designer, 61)
+    choose(designer, "File ▸ New")
+    dialogs.path = link
+    choose(designer, "File ▸ Open…")
+    assert titles(designer) == ["• mine.brdfpaint", "Untitled"]
+    assert designer.store.value.lab_at(15.0)[0] == 61.0
+
+
+def test_tabs_are_dragged_into_another_order(three):
+    three.window.tabs.moveTab(0, 2)
+    assert titles(three) == ["Copper", "Champagne", "Red"]
+    assert [document.title for document in three.documents.row] == titles(three)
+    assert three.documents.front.title == "Champagne"
+    QTest.keySequence(three.window, "Ctrl+Tab")
+    assert three.documents.front.title == "Red"
+    assert three.store.value == load_shipped_paint("red")
+
+
+@pytest.mark.parametrize("answer", list(Answer))
+def test_closing_a_tab_asks_about_its_work_alone(three, dialogs, tmp_path, own_session, answer):
+    lighten(three, 61)
+    three.window.tabs.setCurrentIndex(0)
+    lighten(three, 62)
+    dialogs.answer, dialogs.path = answer, tmp_path / "saved"
+    bar = three.window.tabs
+    bar.tabButton(2, QTabBar.ButtonPosition.RightSide).click()
+    assert dialogs.asked == ["Champagne"]
+    assert len(titles(three)) == (3 if answer is Answer.CANCEL else 2)
+    assert (tmp_path / "saved.brdfpaint").exists() == (answer is Answer.SAVE)
+    # What is asked about is seen; the unsaved work of the other tab stays as it was.
+    assert three.documents.front.title == ("Champagne" if answer is Answer.CANCEL else "Copper")
+    assert three.documents.row[0].store.value.lab_at(15.0)[0] == 62.0
+    assert not three.documents.row[0].store.is_clean
+
+
+def test_a_closed_tab_is_had_back_with_its_history_and_what_was_not_saved(three, dialogs, own_session, qtbot):
+    lighten(three, 61)
+    lighten(three, 62)
+    dialogs.answer = Answer.DISCARD
+    QTest.keySequence(three.window, "Ctrl+W")
+    assert titles(three) == ["Red", "Copper"]
+    QTest.keySequence(three.window, "Ctrl+Shift+T")
+    assert titles(three) == ["Red", "Copper", "• Champagne"]
+    assert three.store.value.lab_at(15.0)[0] == 62.0
+    # It is unsaved work again, and kept as such.
+    (file,) = own_session.rglob("*.recovery.json")
+    three.window.undo_action.trigger()
+    three.window.undo_action.trigger()
+    assert three.store.value == load_shipped_paint("champagne")
+    qtbot.waitUntil(lambda: not file.exists())
+    assert not three.window.reopen_action.isEnabled()
+
+
+def test_the_last_tab_leaves_an_empty_paint_and_an_empty_one_stays(designer):
+    designer.open("red")
+    QTest.keySequence(designer.window, "Ctrl+W")
+    assert titles(designer) == ["Untitled"]
+    (document,) = designer.documents.row
+    QTest.keySequence(designer.window, "Ctrl+W")
+    assert designer.documents.row == (document,)
+    QTest.keySequence(designer.window, "Ctrl+Shift+T")
+    assert titles(designer) == ["Untitled", "Red"]
+    assert not designer.window.reopen_action.isEnabled()
+
+
+def test_quitting_asks_for_every_unsaved_tab_and_one_cancel_keeps_all(three, dialogs, own_session):
+    lighten(three, 61)
+    three.window.tabs.setCurrentIndex(0)
+    lighten(three, 62)
+    assert not three.window.close()
+    assert dialogs.asked == ["Red"]
+    assert len(titles(three)) == 3
+    dialogs.answer = Answer.DISCARD
+    assert three.window.close()
+    assert dialogs.asked == ["Red", "Red", "Champagne"]
+    assert list(own_session.rglob("*.recovery.json")) == []
+
+
+def test_the_other_programs_are_told_of_the_tab_in_front(three, qtbot, monkeypatch):
+    told = []
+    monkeypatch.setattr(
+        three.desk, "_publish", lambda _topic, value: told.append(paint_from_json(value).name)
+    )
+    qtbot.wait(20)
+    told.clear()
+    for place in (0, 1):
+        three.window.tabs.setCurrentIndex(place)
+        qtbot.waitUntil(lambda place=place: len(told) == place + 1)
+    # A paint that is not in front is changed by nobody, and told to nobody.
+    three.documents.row[2].store.set(load_shipped_paint("blue"), "Elsewhere")
+    qtbot.wait(20)
+    assert told == ["Red", "Copper"]
+    assert three.window.editors.editors[0].fields[0].value() == load_shipped_paint("copper").lab_at(15.0)[0]
+
+
+def test_a_double_click_on_a_number_goes_back_to_what_its_own_tab_had(three):
+    lighten(three, 61)
+    three.window.tabs.setCurrentIndex(0)
+    three.window.tabs.setCurrentIndex(2)
+    field = three.window.editors.editors[0].fields[0]
+    assert field.value() == 61.0
+    field.reset()
+    assert three.store.value == load_shipped_paint("champagne")
+
+
+def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
+    dialogs.path = tmp_path / "mine"
+    choose(three, "File ▸ Save")
+    assert titles(three) == ["Red", "Copper", "mine.brdfpaint"]
+    assert load_paint(tmp_path / "mine.brdfpaint") == load_shipped_paint("champagne")
+    bar = three.window.tabs
+    assert bar.tabToolTip(2) == str(tmp_path / "mine.brdfpaint")
+    assert bar.accessibleTabName(2) == "mine.brdfpaint"
+
+
+def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
+    three.desk.begin_gesture("Drag")
+    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.window.tabs.setCurrentIndex(0)
+    assert not three.desk.in_gesture
+    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.window.tabs.setCurrentIndex(2)
+    three.desk.edit(load_shipped_paint("silver_metallic"), "Drag")
+    assert three.store.stack.count() == 2
+
+
+def offer_of(paint) -> dict:
+    return {"to": "designer", "time": time.time(), "paint": paint_to_json(paint)}
+
+
+def test_a_paint_that_arrives_in_the_midst_of_a_drag_waits_for_its_end(designer, qtbot):
+    before = designer.documents.front
+    band = designer.window.strip.band
+    start = band.grip_centres()[0].toPoint()
+    QTest.mousePress(band, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(band, start - QPoint(0, 8))
+    designer.link.received.emit(OFFER, offer_of(load_shipped_paint("red")))
+    assert designer.documents.row == (before,)
+    QTest.mouseMove(band, start - QPoint(0, 16))
+    QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
+    qtbot.waitUntil(lambda: designer.store.value == load_shipped_paint("red"))
+    assert before.store.stack.count() == 1
+    assert designer.store.stack.count() == 0
+
+
+def test_a_hand_that_a_switch_leaves_behind_moves_nothing_of_the_new_front(three):
+    band = three.window.strip.band
+    start = band.grip_centres()[0].toPoint()
+    QTest.mousePress(band, Qt.MouseButton.LeftButton, pos=start)
+    three.window.tabs.setCurrentIndex(0)
+    for up in (8, 16):
+        QTest.mouseMove(band, start - QPoint(0, up))
+    QTest.mouseRelease(band, Qt.MouseButton.LeftButton, pos=start)
+    assert three.store.value == load_shipped_paint("red")
+    assert three.store.stack.count() == 0
+    slider = three.window.editors.editors[0].sliders[0]
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=slider.rect().center())
+    assert three.store.stack.count() == 1, "the next hand is taken again"

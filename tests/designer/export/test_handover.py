@@ -1,0 +1,137 @@
+"""The section that hands the paint over: losses before, files by a process of its own, errors in the window."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from brdf_designer.export.control import KEY, NAMES, HandoverControl, file_name
+from brdf_designer.export.process import Request, run_export, tolerance_words
+from brdf_designer.export.section import TITLES
+from brdf_designer.standard.control import StandardControl
+
+from brdf_suite.appearance.difference.tolerance import Limits, Tolerances
+from brdf_suite.documents.paint import Gloss
+from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.paint_design.standard import standard_of
+from brdf_suite.reports.handover import formats, read_paints
+
+
+@pytest.fixture
+def control(designer) -> HandoverControl:
+    found = designer.window.findChild(HandoverControl)
+    found.open()
+    return found
+
+
+def settled(qtbot, control: HandoverControl) -> None:
+    qtbot.waitUntil(lambda: bool(control.section.holds.text()) and not control._tasks.busy)
+
+
+def test_the_list_is_that_of_the_core() -> None:
+    assert [(known.name, known.ending) for known in formats()] == list(NAMES)
+    assert list(TITLES) == [name for name, _ in NAMES]
+
+
+def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, control, tmp_path: Path) -> None:
+    settled(qtbot, control)
+    assert designer.window.section(KEY).is_open
+    assert control.section.losses.text().startswith("Lost:")
+    control.section.choose("csv")
+    control.section.format_chosen.emit("csv")
+    qtbot.waitUntil(lambda: control.section.losses.text() == "Nothing is lost.")
+    dialogs.path = tmp_path / "blue.csv"
+    control.section.export.click()
+    qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
+    assert designer.window.messages.shown()[KEY].where == str(dialogs.path)
+    assert read_paints(dialogs.path).paints == (control._desk.paint,)
+    # Where it cannot be written, the window says why, and that nothing else changed.
+    designer.window.dismiss_message(KEY)
+    control.export(tmp_path / "no folder" / "blue.csv")
+    qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
+    assert "cannot be written" in designer.window.messages.shown()[KEY].what
+    # A report against the standard: what the section Standard judges by goes along.
+    paint = control._desk.paint
+    designer.window.findChild(StandardControl).set_standards([standard_of(replace(paint, name="the aim"))])
+    control.section.choose("html")
+    control.section.format_chosen.emit("html")
+    qtbot.waitUntil(lambda: control.section.compared.isVisibleTo(control.section))
+    control.section.pictures.setChecked(False)
+    designer.window.dismiss_message(KEY)
+    control.export(tmp_path / "blue.html")
+    qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
+    text = (tmp_path / "blue.html").read_text(encoding="utf-8")
+    assert re.search(r"Against the aim: [a-z ]+; passes\.", text)
+    # A paint that cannot be: formats of how it reflects are refused before there is a file.
+    control._desk.edit(replace(paint, gloss=Gloss(150.0)), "Gloss")
+    control.section.choose("gltf")
+    control.section.format_chosen.emit("gltf")
+    qtbot.waitUntil(lambda: "150 GU" in control.section.losses.text())
+    assert not control.section.export.isEnabled()
+
+
+def test_a_cancelled_export_leaves_the_old_file(designer, tmp_path: Path) -> None:
+    path = tmp_path / "blue.csv"
+    path.write_text("old")
+
+    def stop(_fraction: float, _what: str) -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        run_export(Request(designer.store.value, "csv", path), stop)
+    # Told to stop at its first step, the process has either not written or written whole.
+    assert path.read_text(encoding="utf-8-sig").startswith(("old", "name,"))
+    assert [item.name for item in tmp_path.iterdir() if item.suffix == ".csv"] == ["blue.csv"]
+
+
+def test_a_process_that_ends_without_a_word_is_told(designer, tmp_path: Path, monkeypatch) -> None:
+    monkeypatch.setattr(sys, "executable", _program(tmp_path))
+    with pytest.raises(SuiteError, match="status 3"):
+        run_export(Request(designer.store.value, "csv", tmp_path / "a.csv"), lambda *_: None)
+
+
+def _program(folder: Path) -> str:
+    path = folder / "program"
+    path.write_text(f"#!{sys.executable}\nimport sys\nsys.exit(3)\n")
+    path.chmod(0o755)
+    return str(path)
+
+
+def test_tolerances_become_options_of_the_command(designer) -> None:
+    found = Tolerances(
+        {15.0: Limits(1.2, lightness=0.5, ellipsoid=True), 20.0: Limits(1.0)}, Limits(0.8), "cmc21"
+    )
+    assert tolerance_words(found, designer.store.value) == [
+        "--difference", "cmc21", "--tolerance", "15=E1.2,L0.5", "--tolerance", "E0.8", "--ellipsoid",
+    ]  # fmt: skip
+    assert tolerance_words(None, designer.store.value) == []
+
+
+def test_names_of_files_fit_every_system() -> None:
+    assert file_name('a/b:c*"d" ') == "a_b_c_d_"
+    assert file_name(" .. ") == "paint"
+
+
+def test_the_command_brings_the_whole_section_in_sight(qtbot, designer) -> None:
+    window = designer.window
+    for section in window.inspector.sections:
+        section.set_open(section.objectName() != f"section_{KEY}")
+    window.resize(1100, 700)
+    bar = window.inspector.verticalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > window.inspector.viewport().height())
+    bar.setValue(0)
+    control = window.findChild(HandoverControl)
+    control.open()
+    settled(qtbot, control)
+    export, view = control.section.export, window.inspector.viewport()
+
+    def in_sight() -> bool:
+        return all(
+            view.rect().contains(part.mapTo(view, part.rect().center()))
+            for part in (control.section.formats, export)
+        )
+
+    qtbot.waitUntil(in_sight)

@@ -1,0 +1,206 @@
+"""Paints as renderers' materials: what those renderers read, and how their own shaders reflect."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.files.exports import FORMATS, ExportItem
+from brdf_suite.files.exports.carpaint_fit import fit_carpaint
+from brdf_suite.files.exports.metal_rough_fit import fit_gltf, fit_openpbr
+from brdf_suite.files.exports.model_fit import sample_paint
+from brdf_suite.reflectance.designed.build import build_paint
+
+LABS = {15.0: (86.1, 4.1, 44.0), 45.0: (37.8, 2.1, 23.5), 110.0: (13.6, 1.2, 14.5)}
+PAINT = Paint(
+    name="gold fine",
+    measurements=tuple(Measurement(45.0, angle, lab) for angle, lab in LABS.items()),
+    gloss=Gloss(89.5, 97.25),
+)
+BY_NAME = {known.name: known for known in FORMATS}
+
+
+def test_models_of_renderers_come_near_at_the_readings() -> None:
+    assert max(fit_carpaint(PAINT).differences) < 2.0
+    assert max(fit_openpbr(PAINT).differences) < 2.0
+    assert max(fit_gltf(PAINT).differences) < 2.0
+
+
+def test_materialx_takes_the_openpbr_surface(tmp_path: Path) -> None:
+    mx = pytest.importorskip("MaterialX")
+    path = tmp_path / "a.mtlx"
+    BY_NAME["openpbr"].write([ExportItem(PAINT)] * 2, path, None)
+    library, document = mx.createDocument(), mx.createDocument()
+    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), mx.getDefaultDataSearchPath(), library)
+    mx.readFromXmlFile(document, str(path))
+    document.setDataLibrary(library)
+    valid, why = document.validate()
+    assert valid, why
+    surfaces = document.getNodes("open_pbr_surface")
+    assert len(surfaces) == len(document.getMaterialNodes()) == 2
+    definition = library.getNodeDef("ND_open_pbr_surface_surfaceshader")
+    assert {item.getName() for item in surfaces[0].getInputs()} <= {
+        item.getName() for item in definition.getInputs()
+    }
+    assert surfaces[0].getInputValue("base_metalness") == pytest.approx(fit_openpbr(PAINT).metalness)
+
+
+_ONE_POINT = """#version 400
+out VertexData { vec3 normalWorld; vec3 tangentWorld; vec3 positionWorld; } vd;
+void main() {
+    vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+    vd.normalWorld = vec3(0.0, 0.0, 1.0);
+    vd.tangentWorld = vec3(1.0, 0.0, 0.0);
+    vd.positionWorld = vec3(1e-3 * corner, 0.0);  // not all the same: a derivative divides by its change
+}
+"""
+
+
+def test_the_shader_of_materialx_reflects_as_the_fitted_model(tmp_path: Path) -> None:
+    mx = pytest.importorskip("MaterialX")
+    from MaterialX import PyMaterialXGenGlsl, PyMaterialXGenShader
+
+    from brdf_suite.geometry.directions import aspecular_view, illumination
+    from brdf_suite.realtime.gl.context import create_context, release_context
+
+    path = tmp_path / "a.mtlx"
+    BY_NAME["openpbr"].write([ExportItem(PAINT)], path, None)
+    library, document = mx.createDocument(), mx.createDocument()
+    folders = mx.getDefaultDataSearchPath()
+    mx.loadLibraries(mx.getDefaultDataLibraryFolders(), folders, library)
+    mx.readFromXmlFile(document, str(path))
+    document.importLibrary(library)
+    generator = PyMaterialXGenGlsl.GlslShaderGenerator.create()
+    colours = PyMaterialXGenShader.DefaultColorManagementSystem.create(generator.getTarget())
+    colours.loadLibrary(document)
+    generator.setColorManagementSystem(colours)
+    context = PyMaterialXGenShader.GenContext(generator)
+    context.registerSourceCodeSearchPath(folders)
+    options = context.getOptions()
+    options.hwMaxActiveLightSources = 1
+    none = PyMaterialXGenShader.HwSpecularEnvironmentMethod.SPECULAR_ENVIRONMENT_NONE
+    options.hwSpecularEnvironmentMethod = none
+    light = document.getNodeDef("ND_directional_light")
+    PyMaterialXGenShader.HwShaderGenerator.bindLightShader(light, 1, context)
+    (element,) = PyMaterialXGenShader.findRenderableElements(document)
+    source = generator.generate("paint", element, context).getSourceCode(PyMaterialXGenShader.PIXEL_STAGE)
+    head = "#version 400\n"
+    # The generator leaves this one to the program that draws.
+    source = source.replace(head, head + "const bool u_refractionTwoSided = false;\n", 1)
+    angles = np.array([(45.0, 15.0), (45.0, 45.0), (45.0, 75.0), (45.0, 110.0), (20.0, 30.0), (65.0, 60.0)])
+    wi, wo = illumination(angles[:, 0]), aspecular_view(angles[:, 0], angles[:, 1])
+    gl = create_context()
+    try:
+        program = gl.program(vertex_shader=_ONE_POINT, fragment_shader=source)
+        target = gl.framebuffer([gl.texture((2, 2), 4, dtype="f4")])
+        points = gl.vertex_array(program, [])
+        program["u_numActiveLightSources"].value = 1
+        program["u_lightData[0].type"].value = 1
+        program["u_lightData[0].color"].value = (1.0, 1.0, 1.0)
+        program["u_lightData[0].intensity"].value = 1.0
+        found = []
+        for to_light, to_view in zip(wi, wo, strict=True):
+            program["u_viewPosition"].value = tuple(1e3 * to_view)
+            program["u_lightData[0].direction"].value = tuple(-to_light)
+            target.use()
+            points.render(gl.TRIANGLES, vertices=3)
+            found.append(np.frombuffer(target.read(components=3, dtype="f4"), np.float32)[:3])
+    finally:
+        release_context(gl)
+    expected = fit_openpbr(PAINT).eval(wi, wo) * wi[:, 2:]
+    ratio = np.array(found) / expected
+    assert np.abs(ratio - 1.0).max() < 0.03
+    # Only towards grazing are its formulas for albedos, which are approximations, off by more than a percent.
+    assert np.abs(ratio[wo[:, 2] > 0.5] - 1.0).max() < 0.01
+
+
+def test_gltf_is_read_by_another_library(tmp_path: Path) -> None:
+    pygltflib = pytest.importorskip("pygltflib")
+    import trimesh
+
+    path = tmp_path / "a.gltf"
+    BY_NAME["gltf"].write([ExportItem(PAINT)], path, None)
+    material = pygltflib.GLTF2().load(str(path)).materials[0]
+    found = fit_gltf(PAINT)
+    assert material.extensions["KHR_materials_clearcoat"]["clearcoatFactor"] == 1.0
+    assert material.pbrMetallicRoughness.baseColorFactor == [*found.colour, 1.0]
+    assert material.extras["brdf_suite"]["paints"][0]["paint"]["name"] == PAINT.name
+    (sphere,) = trimesh.load(path).geometry.values()
+    assert sphere.volume == pytest.approx(4.0 / 3.0 * math.pi, rel=0.01)
+
+
+# LuxCore ends in its own way, so it has a process of its own.
+_LUX = """
+import math, os, sys, time
+import numpy as np
+import pyluxcore
+pyluxcore.Init(lambda message: None)
+scene_file, name = sys.argv[1:3]
+for view in map(float, sys.argv[3:]):
+    scene, lines = pyluxcore.Scene(), pyluxcore.Properties()
+    eye = (5.0 * math.sin(view), 0.0, 5.0 * math.cos(view))
+    lines.SetFromString(open(scene_file).read() + f'''
+scene.camera.type = "orthographic"
+scene.camera.lookat.orig = {eye[0]} {eye[1]} {eye[2]}
+scene.camera.lookat.target = 0 0 0
+scene.camera.up = 0 1 0
+scene.camera.screenwindow = -0.1 0.1 -0.1 0.1
+scene.camera.autofocus.enable = 0
+scene.lights.sun.type = "sharpdistant"
+scene.lights.sun.direction = 1 0 -1
+''')
+    scene.Parse(lines)
+    corners = [(-9, -9, 0), (9, -9, 0), (9, 9, 0), (-9, 9, 0)]
+    scene.DefineMesh("quad", corners, [(0, 1, 2), (0, 2, 3)], None, None, None, None)
+    lines = pyluxcore.Properties()
+    lines.SetFromString(f'scene.objects.q.shape = "quad"\\nscene.objects.q.material = "{name}"')
+    scene.Parse(lines)
+    settings = pyluxcore.Properties()
+    settings.SetFromString('''
+renderengine.type = "PATHCPU"
+sampler.type = "RANDOM"
+path.pathdepth.total = 1
+film.width = 8
+film.height = 8
+film.filter.type = "NONE"
+film.imagepipelines.0.0.type = "NOP"
+native.threads.count = 1
+batch.haltspp = 4
+''')
+    session = pyluxcore.RenderSession(pyluxcore.RenderConfig(settings, scene))
+    session.Start()
+    while not session.HasDone():
+        session.UpdateStats()
+        time.sleep(0.01)
+    session.Stop()
+    pixels = np.zeros(8 * 8 * 3, np.float32)
+    session.GetFilm().GetOutputFloat(pyluxcore.FilmOutputType.RGB_IMAGEPIPELINE, pixels, 0)
+    # A pixel of the edge may look past the others by a rounding; all see one plane under one light.
+    print("FOUND", *np.median(pixels.reshape(-1, 3), axis=0).tolist(), flush=True)
+os._exit(0)
+"""
+
+
+def test_luxcore_itself_renders_the_material_as_it_was_fitted(tmp_path: Path) -> None:
+    if importlib.util.find_spec("pyluxcore") is None:
+        pytest.skip("could not import pyluxcore")
+    path = tmp_path / "a.scn"
+    BY_NAME["luxcore"].write([ExportItem(PAINT)], path, None)
+    views = [math.radians(45.0 - angle) for angle in LABS]
+    done = subprocess.run(
+        [sys.executable, "-c", _LUX, str(path), "gold_fine", *map(repr, views)],
+        capture_output=True, text=True, timeout=300, check=False,
+    )  # fmt: skip
+    found = [line.split()[1:] for line in done.stdout.splitlines() if line.startswith("FOUND")]
+    assert len(found) == 3, done.stderr[-2000:]
+    samples = sample_paint(PAINT, build_paint(PAINT))
+    expected = fit_carpaint(PAINT).eval(samples.wi[:3], samples.wo[:3]) * math.cos(math.pi / 4.0)
+    assert np.array(found, float) == pytest.approx(expected, rel=1e-4)

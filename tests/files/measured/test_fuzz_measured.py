@@ -1,0 +1,151 @@
+"""A few hundred damaged copies of each real file; ``tools/attack/fuzz_measured.py`` makes ten thousand."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
+from brdf_suite.documents.store import paint_to_json
+from brdf_suite.files.measured import read_measured, write_measured
+from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+pytest.importorskip("resource", reason="memory limits are set through the Unix module resource")
+if not Path("/proc/self/statm").exists():
+    pytest.skip("the memory in use is read from /proc", allow_module_level=True)
+
+MUTATIONS = 150
+
+
+@pytest.fixture(scope="module")
+def fuzzing(checkout: Path) -> ModuleType:
+    path = checkout / "tools" / "attack" / "fuzz_measured.py"
+    spec = importlib.util.spec_from_file_location("fuzz_measured", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    module.SECONDS = 60.0  # a busy machine is no fault of a reader
+    return module
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "bird_example.json",
+        "cayman.brdf",
+        "krylon_blue.brdf",
+        "paper_white_rgb.bsdf",
+        "retro-gray-tape.dat",
+        "vch_golden_yellow_rgb.bsdf",
+    ],
+)
+def test_damaged_files_are_refused_or_read_within_the_limits(
+    shared_data: Path, tmp_path: Path, fuzzing: ModuleType, name: str
+) -> None:
+    counts, longest = fuzzing.fuzz(shared_data / "brdf" / name, MUTATIONS, seed=7, keep=tmp_path)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    assert counts["read"] > 0  # some damage does no harm, so the readers were really reached
+    assert counts["refused"] > MUTATIONS // 2
+    assert longest < fuzzing.SECONDS
+
+
+SMALL = {
+    "chip.astm": "NUM_POINTS 2\nVARS theta_i,phi_i,theta_s,phi_s,465nm,525nm,630nm\n"
+    "0.1,0,0.2,3.0,0.5,0.25,0.125\n0.3,0,0.4,1.0,1,1,1\n",
+    "foil.dat": "#format: theta phi DSF\n#intheta 30\n#inphi 0\n60 180 0.5\n30 180 4.0\n150 0 9\n",
+    "pair.alta": "#DIM 6 3\n#PARAM_IN CARTESIAN\n#PARAM_OUT RGB_COLOR\n0 0 1 0.6 0 0.8 1.0 0.5 0.2\n",
+    "half.alta": "#DIM 4 1\n#VS 1\n#PARAM_IN RUSIN_TH_PH_TD_PD\n0.2 0.3 0.4 1.5 1.0 0.1\n0.2 0.3 0.5 1.5 1.0 0.1\n",
+    "lobes.brdfpaint": json.dumps(
+        paint_to_json(
+            CookTorrancePaint("L", (0.1, 0.05, 0.02), (CookTorranceLobe((0.2, 0.3, 0.4), 0.3, 0.05),))
+        )
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SMALL)
+def test_formats_without_a_real_file_at_hand(tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
+    path = tmp_path / name
+    path.write_text(SMALL[name])
+    counts, longest = fuzzing.fuzz(path, MUTATIONS, seed=3)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    assert counts["read"] > 0
+    assert longest < fuzzing.SECONDS
+
+
+@pytest.fixture(scope="module")
+def tables(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a table of each layout, small or of the one size that the format knows."""
+    folder = tmp_path_factory.mktemp("tables")
+    matt = Lambertian(0.5)
+    write_measured(
+        IsotropicTable.from_reflectance(matt, HalfAngleGrid(6, 6, 12)), folder / "isotropic.brdftable"
+    )
+    write_measured(IsotropicTable.from_reflectance(matt, HalfAngleGrid(20, 20, 40)), folder / "small.binary")
+    rng = np.random.default_rng(4)
+    directions = rng.normal(size=(2, 40, 3))
+    directions[..., 2] = np.abs(directions[..., 2]) + 0.1
+    directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
+    write_measured(
+        ScatteredSamples(directions[0], directions[1], rng.random((40, 3))), folder / "scattered.brdftable"
+    )
+    maps = rng.random((2, 8, 8, 3)).astype(np.float32)
+    write_measured(Factored(maps[0], maps[1], (0.5, 0.6, 0.7)), folder / "factored.brdftable")
+    rng.uniform(0.01, 0.2, (3, 288, 288)).astype("<f8").tofile(folder / "cloth.bin")
+    write_measured(read_measured(folder / "cloth.bin"), folder / "anisotropic.brdftable")
+    return folder
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "isotropic.brdftable",
+        "scattered.brdftable",
+        "anisotropic.brdftable",
+        "factored.brdftable",
+        "small.binary",
+        "cloth.bin",
+    ],
+)
+def test_damaged_tables(tables: Path, tmp_path: Path, fuzzing: ModuleType, name: str) -> None:
+    counts, longest = fuzzing.fuzz(tables / name, MUTATIONS, seed=5, keep=tmp_path)
+    assert not [result for result in counts if result.startswith("FAULT")]
+    # Past the checksum, too: without a right one next to nothing of our own tables would be read.
+    assert counts["read"] > MUTATIONS // 10
+    assert counts["refused"] > 0
+    assert longest < fuzzing.SECONDS
+
+
+def test_the_limits_bite(fuzzing: ModuleType, tmp_path: Path) -> None:
+    from brdf_suite.files.measured.format import MeasuredFormat
+
+    path = tmp_path / "any"
+    path.write_bytes(b"x")
+
+    def greedy(_path: object, _options: object) -> object:
+        return bytearray(400 << 20)
+
+    def endless(_path: object, _options: object) -> object:
+        while True:
+            pass
+
+    before = fuzzing.SECONDS
+    try:
+        # Time enough for the first: on a busy machine a short one may be over before the memory is asked for.
+        for read, word, fuzzing.SECONDS in ((greedy, "memory", before), (endless, "over", 0.1)):
+            known = MeasuredFormat("x", "x", (".x",), lambda _head, _size: True, read)
+            assert word in fuzzing.outcome(path, known)
+    finally:
+        fuzzing.SECONDS = before

@@ -1,0 +1,153 @@
+"""The tone section: curves, marks, what the screen cannot show, and the monitor's profile."""
+
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+
+import numpy as np
+import pytest
+from brdf_qt.program import monitor_profile
+from brdf_qt.program.monitor_profile import monitor_of
+from brdf_viewer.tone.section import TONE_TITLES, told
+from PIL import Image
+
+from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE
+from brdf_suite.documents.view import TONE_CURVES
+from brdf_suite.files.images.icc import profile_bytes
+from brdf_suite.realtime.pictures.display import Unshowable
+
+
+def choose(viewer, key: str) -> None:
+    box = viewer.window.tone.curve
+    box.activated.emit(box.findData(key))
+
+
+def test_every_curve_has_its_title_and_its_picture(viewer) -> None:
+    assert set(TONE_TITLES) == set(TONE_CURVES)
+    viewer.stage.change_view(exposure_ev=2.0)  # some of it is above 0.8
+    seen = []
+    for key in TONE_CURVES:
+        choose(viewer, key)
+        assert viewer.view.tone_curve == key
+        assert viewer.window.tone.curve.currentData() == key
+        seen.append(viewer.pixels().astype(int))
+    for i, one in enumerate(seen):
+        assert all(np.abs(one - other).max() > 3 for other in seen[i + 1 :])
+
+
+def test_linear_comes_with_its_clipping_marked_and_takes_the_marks_along(viewer) -> None:
+    choose(viewer, "linear")
+    assert viewer.view.clipping_marks
+    assert viewer.window.tone.clipping.isChecked()
+    choose(viewer, "faithful")
+    assert not viewer.view.clipping_marks
+    viewer.window.tone.clipping.click()
+    choose(viewer, "linear")
+    choose(viewer, "faithful")
+    assert viewer.view.clipping_marks  # the user's own
+
+
+def test_marks_and_count(viewer) -> None:
+    choose(viewer, "linear")
+    viewer.window.tone.clipping.click()
+    viewer.stage.change_view(exposure_ev=5.0, background="grey")
+    plain = viewer.pixels()
+    tone = viewer.controller.tone
+
+    def told_of_bright() -> bool:
+        # Counted again after every frame: a count from before the exposure, or none yet, may still be there.
+        seen = tone.counted
+        return seen is not None and seen.too_bright > 0 and viewer.window.tone.counted.text() == told(seen)
+
+    viewer.qtbot.waitUntil(told_of_bright)
+    counted = tone.counted
+    assert "of the object" in viewer.window.tone.counted.text()
+    viewer.window.tone.clipping.click()
+    box = viewer.window.tone.style_box
+    box.activated.emit(box.findData("colour"))
+    marked = viewer.pixels()
+    orange = (np.abs(marked.astype(int) - [213, 94, 0]).max(axis=-1) <= 1).mean()
+    assert orange > 0.5 * counted.too_bright / counted.pixels * (plain != marked).any(axis=-1).mean()
+    assert orange > 0.01
+
+
+def test_words_of_the_count() -> None:
+    assert told(Unshowable(0, 0, 0)) == "The object is not in the picture"
+    assert told(Unshowable(1000, 0, 0)) == "Too bright for the screen: none; out of its gamut: none"
+    assert "less than 0.1 % of the object" in told(Unshowable(100_000, 3, 70_000))
+    assert "70.0 %" in told(Unshowable(100_000, 3, 70_000))
+
+
+class RootProperty:
+    """A property of the X server's root window, as colord sets it; it stays while this connection is open."""
+
+    def __init__(self, name: str, data: bytes) -> None:
+        self._x11 = ctypes.CDLL(ctypes.util.find_library("X11"))
+        self._x11.XOpenDisplay.restype = ctypes.c_void_p
+        self._x11.XInternAtom.restype = ctypes.c_ulong
+        self._x11.XDefaultRootWindow.restype = ctypes.c_ulong
+        self._display = ctypes.c_void_p(self._x11.XOpenDisplay(None))
+        self._root = ctypes.c_ulong(self._x11.XDefaultRootWindow(self._display))
+        self._atom = ctypes.c_ulong(self._x11.XInternAtom(self._display, name.encode(), 0))
+        cardinal = ctypes.c_ulong(6)
+        self._x11.XChangeProperty(self._display, self._root, self._atom, cardinal, 8, 0, data, len(data))
+        self._x11.XSync(self._display, 0)
+
+    def __enter__(self) -> RootProperty:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._x11.XDeleteProperty(self._display, self._root, self._atom)
+        self._x11.XSync(self._display, 0)
+        self._x11.XCloseDisplay(self._display)
+
+
+@pytest.mark.screen
+def test_the_monitors_profile_is_read_and_drawn_with(start, tmp_path) -> None:
+    with RootProperty("_ICC_PROFILE", profile_bytes(DISPLAY_P3_SPACE)):
+        asked = []
+        viewer = start(ask_picture=lambda _window, name: asked.append(name) or str(tmp_path / "a.png"))
+        tone = viewer.controller.tone
+        viewer.qtbot.waitUntil(lambda: tone.display.space is not SRGB_SPACE)
+        assert viewer.window.tone.profile_told.text() == "Monitor profile: Display P3"
+        by_profile = viewer.pixels().astype(int)
+        viewer.window.tone.profile.click()
+        assert tone.display.space is SRGB_SPACE
+        assert viewer.window.tone.profile_told.text().startswith("sRGB;")
+        plain = viewer.pixels().astype(int)
+        # Blue within sRGB is less than all of P3's blue, and has some of its red.
+        difference = by_profile - plain
+        assert np.abs(difference).max() > 5
+        viewer.window.tone.profile.click()
+        viewer.controller.save.save()
+        with Image.open(tmp_path / "a.png") as image:
+            saved = np.asarray(image.convert("RGB")).astype(int)
+        assert np.abs(saved - plain).max() <= 1  # a file is in sRGB, whatever the monitor is
+        assert np.array_equal(viewer.pixels(), by_profile)
+
+
+@pytest.mark.screen
+def test_without_a_profile_or_with_a_bad_one_srgb_is_assumed_and_said(qapp) -> None:
+    screen = qapp.primaryScreen()
+    monitor = monitor_of(screen)
+    assert monitor.space is SRGB_SPACE
+    assert monitor.told == "sRGB assumed: the system tells no profile of this monitor"
+    with RootProperty("_ICC_PROFILE", b"not a profile"):
+        bad = monitor_of(screen)
+    assert bad.space is SRGB_SPACE
+    assert "is not an ICC profile" in bad.told
+
+
+@pytest.mark.parametrize(
+    ("platform", "word"), [("cocoa", "macOS"), ("wayland-egl", "Wayland"), ("offscreen", "assumed")]
+)
+def test_other_platforms_say_what_is_shown(platform: str, word: str) -> None:
+    monitor = monitor_of(None, platform)
+    assert word in monitor.told
+    assert not monitor.is_measured
+
+
+def test_no_x_library_is_no_profile(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(monitor_profile.ctypes.util, "find_library", lambda _name: None)
+    assert not monitor_of(None, "xcb").is_measured

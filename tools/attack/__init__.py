@@ -1,0 +1,1 @@
+"""Programs that damage files, kill writers and count what survives."""

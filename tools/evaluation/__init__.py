@@ -1,0 +1,1 @@
+"""Comparisons that measure the renderers."""
