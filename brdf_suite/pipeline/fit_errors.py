@@ -27,16 +27,23 @@ from brdf_suite.fitting.lobes.undivided_samples import (
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, as_rgb_tuple, error_figures
 from brdf_suite.geometry.directions import (
+    Floats,
     angle_between,
     aspecular_angle,
     aspecular_view,
     illumination,
     mirror,
+    spherical,
 )
-from brdf_suite.pipeline.measuring import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+
+ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
+
+NEAR_MIRROR_DEG = 5.0
+
+_LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
 FloatArray = NDArray[np.float64]
 
@@ -187,3 +194,14 @@ def _relative(data: FloatArray, lobes: FloatArray, wi: FloatArray, weight: Float
     scale = weight[:, None] * wi[:, 2:3] ** 2
     whole = float((scale * data**2).sum())
     return float(np.sqrt((scale * (data - lobes) ** 2).sum() / whole)) if whole > 0.0 else 0.0
+
+
+def hemisphere_pairs() -> tuple[Floats, Floats, Floats]:
+    """Return wi, wo (n, 3) and the weights (n,), all alike, of :data:`ANGLE_SET`."""
+    cos_light = (np.arange(_LIGHTS) + 0.5) / _LIGHTS
+    cos_view = (np.arange(_VIEW_RINGS) + 0.5) / _VIEW_RINGS
+    phi = 2.0 * math.pi * (np.arange(_VIEW_AZIMUTHS) + 0.5) / _VIEW_AZIMUTHS
+    light, view, azimuth = np.meshgrid(np.arccos(cos_light), np.arccos(cos_view), phi, indexing="ij")
+    wi = spherical(light.ravel(), math.pi)
+    wo = spherical(view.ravel(), azimuth.ravel())
+    return wi, wo, np.full(len(wi), (2.0 * math.pi) ** 2 / len(wi))

@@ -16,8 +16,7 @@ from brdf_suite.appearance.geometries import (
     geometry_set,
     measured_set,
 )
-from brdf_suite.appearance.gloss import gloss_units
-from brdf_suite.appearance.haze import haze_units
+from brdf_suite.appearance.gloss import gloss_units, haze_units
 from brdf_suite.errors import ValueRangeError
 
 

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 SLOW = {
-    "brdf_suite.pipeline.measuring",
+    "brdf_suite.inspection.measuring",
     "brdf_suite.pipeline.scene",
     "brdf_suite.fitting.lobes.undivided",
     "trimesh",

@@ -13,8 +13,13 @@ from PySide6.QtWidgets import QCheckBox, QWidget
 from brdf_designer.session.fields import DEFAULT_PEEL
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
-from brdf_suite.appearance.gloss import HIGHEST_IOR, HIGHEST_ROUGHNESS, LOWEST_IOR, LOWEST_ROUGHNESS
-from brdf_suite.appearance.haze import haze_units
+from brdf_suite.appearance.gloss import (
+    HIGHEST_IOR,
+    HIGHEST_ROUGHNESS,
+    LOWEST_IOR,
+    LOWEST_ROUGHNESS,
+    haze_units,
+)
 from brdf_suite.documents.paint import OrangePeel, Paint
 
 _IOR_TIP = mark(

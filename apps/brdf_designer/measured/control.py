@@ -12,8 +12,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.measured.endings import patterns
-from brdf_designer.measured.section import ANGLE_SETS, MeasuredSection
+from brdf_designer.measured.section import ANGLE_SETS, MeasuredSection, patterns
 from brdf_designer.session.desk import Desk
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow

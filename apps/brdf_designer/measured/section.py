@@ -10,7 +10,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from brdf_designer.standard.tables import WholeTable
+from brdf_suite.documents.palette_store import PALETTE_ENDING
+from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart
+
+CXF_ENDING = ".cxf"
 
 ANGLE_SETS = (
     ("e2194", mark("3 angles: 15, 45, 110°")),
@@ -113,3 +117,17 @@ def _wrapped() -> QLabel:
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     label.setMinimumWidth(80)
     return label
+
+
+def patterns(*more: str) -> str:
+    """Return the patterns of every measured format and of ``more`` endings: ``*.bsdf *.brdf …``."""
+    # Every reader comes with the list of formats; a start that opens no such dialog does without.
+    from brdf_suite.files.measured import FORMATS
+
+    endings = dict.fromkeys((*more, *(ending for known in FORMATS for ending in known.endings)))
+    return " ".join(f"*{ending}" for ending in endings)
+
+
+def standard_patterns() -> str:
+    """Return the patterns of whatever may hold a standard."""
+    return patterns(PAINT_ENDING, PALETTE_ENDING, CXF_ENDING, ".csv")

@@ -13,7 +13,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.measured.endings import standard_patterns
+from brdf_designer.measured.section import standard_patterns
 from brdf_designer.session.desk import Desk
 from brdf_designer.standard.keeping import StandardKeeping
 from brdf_designer.standard.kept import Kept, Request, Swap, load_request

@@ -8,7 +8,6 @@ from brdf_qt.program.translation import mark, tr
 
 from brdf_designer.colour.display import lab_to_codes
 from brdf_designer.session.fields import by_angle
-from brdf_designer.standard.patch import StandardPatch
 from brdf_designer.standard.words import say
 from brdf_suite.appearance.difference.tolerance import difference_title
 from brdf_suite.appearance.difference.words import words_text
@@ -181,3 +180,20 @@ def _tip(row: AngleRow, words: str) -> str:
     if row.computed:
         lines.append(tr("* Read from the standard's reflectance by the virtual spectrophotometer."))
     return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class StandardPatch:
+    """One angle against the standard.
+
+    ``rgb`` is the standard's sRGB code, ``None`` where it has no colour at this angle. ``forms`` are the difference
+    and the verdict from the longest text to the shortest, ``words`` the difference in words, likewise. ``passes`` is
+    ``None`` where the angle is not judged.
+    """
+
+    rgb: tuple[int, int, int] | None
+    in_gamut: bool
+    forms: tuple[str, ...]
+    words: tuple[str, ...]
+    passes: bool | None
+    tip: str = ""

@@ -11,7 +11,7 @@ from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.measured.endings import standard_patterns
+from brdf_designer.measured.section import standard_patterns
 from brdf_designer.preview.thumbnails import thumbnails_of
 from brdf_designer.session.desk import Desk
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 
 from brdf_lobe_visualizer.desk import Desk
@@ -19,7 +20,7 @@ from brdf_lobe_visualizer.subjects.subjects import Dash, PlottedMaterial, Srgb
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Bools, Slice
 from brdf_suite.inspection.slices.samples import SlicePoints, points_near
-from brdf_suite.inspection.slices.values import SliceError, channel_of, evaluate, slice_error
+from brdf_suite.inspection.slices.values import SliceError, channel_of, evaluate, slice_error, slices_csv
 
 Kind = Literal["target", "fit", "difference"]
 
@@ -200,3 +201,26 @@ def largest(lines: Sequence[Line]) -> float:
     tops = [float(np.nanmax(np.abs(line.value))) for line in lines if np.isfinite(line.value).any()]
     top = max(tops, default=0.0)
     return top if top > 0.0 else 1.0
+
+
+def csv_of(lines: Lines, angle: str, quantity: str, incidence_deg: tuple[float, float]) -> str:
+    """Return the lines over their angle; ``angle`` and ``quantity`` name columns, with their units."""
+    columns: list[tuple[str, Floats]] = []
+    for line in lines.lines:
+        columns.append((f"{_name(line)}: {quantity}", line.value))
+        if line.filled is not None and line.filled.any():
+            measured = np.where(line.filled, 0.0, 1.0)
+            columns.append((tr("{name}: measured (1) or filled in (0)").format(name=line.title), measured))
+    theta, phi = incidence_deg
+    told = tr("Lobe Visualizer, incidence {theta}°, azimuth {phi}°").format(
+        theta=f"{theta:g}", phi=f"{phi:g}"
+    )
+    return slices_csv(angle, lines.cut.angle_deg, columns, told)
+
+
+def _name(line: Line) -> str:
+    if line.kind == "fit":
+        return tr("{name}, fit").format(name=line.title)
+    if line.kind == "difference":
+        return tr("{name}, difference").format(name=line.title)
+    return line.title

@@ -18,12 +18,11 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer.cuts import half_angle_view, unrolled_view
-from brdf_lobe_visualizer.cuts.curves_csv import csv_of
 from brdf_lobe_visualizer.cuts.curves_plot import CurvesPlot
 from brdf_lobe_visualizer.cuts.half_angle_view import HalfAngleView
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid
-from brdf_lobe_visualizer.cuts.lines import SliceLines
+from brdf_lobe_visualizer.cuts.lines import SliceLines, csv_of
 from brdf_lobe_visualizer.cuts.options import SliceState
 from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
 from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot

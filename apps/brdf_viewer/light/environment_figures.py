@@ -8,6 +8,7 @@ from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QVBoxLayout, QWidget
 
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram
+from brdf_suite.pipeline.scene import PreparedEnvironment
 
 _HEIGHT = 56
 _LEAST_BAR = 3.0  # pixels: a sun is a millionth of the sphere, and still has to be seen
@@ -130,3 +131,24 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
         f"Range {reach}; illuminance from above {statistics.horizontal_illuminance:.3g}",
         sun,
     ]
+
+
+def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
+    """Return the lines under the chooser; ``loading``: whether the missing maps are on their way."""
+    rows, columns = prepared.environment.radiance.shape[:2]
+    lines = [f"{columns} × {rows} pixels", *map(_sentence, prepared.environment.notes)]
+    if prepared.draft:
+        lines.append("A draft; the light as it will be follows when the hand rests.")
+    elif not prepared.is_final:
+        made = prepared.wanted - prepared.missing
+        what = f"{made} of {prepared.wanted} maps are there; "
+        if loading:
+            lines.append(what + "sharp reflections follow.")
+        else:
+            lines.append(what + "sharp reflections are wrong. Choose the light again to finish it.")
+    return "\n".join([*lines, *prepared.notices])
+
+
+def _sentence(text: str) -> str:
+    """Return a note as a sentence: notes of files are phrases in lower case."""
+    return text[:1].upper() + text[1:].rstrip(".") + "."

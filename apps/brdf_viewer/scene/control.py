@@ -18,7 +18,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
-from brdf_viewer.light.environment_facts import environment_facts
+from brdf_viewer.light.environment_figures import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.stage import Stage
 from brdf_viewer.window import ViewerWindow

@@ -17,7 +17,6 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
 from brdf_suite.acquisition.reconstruction.calibration import Calibration, Corrections, corrections
-from brdf_suite.acquisition.reconstruction.clock import StepClock
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
 from brdf_suite.acquisition.reconstruction.response import find_response
@@ -28,6 +27,7 @@ from brdf_suite.acquisition.reconstruction.source import (
     SeriesKind,
     Stack,
 )
+from brdf_suite.acquisition.reconstruction.work_file import StepClock
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import AcquisitionError, FileError, ValueRangeError
 from brdf_suite.progress import Progress, report, subrange

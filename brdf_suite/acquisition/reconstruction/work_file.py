@@ -22,10 +22,12 @@ import json
 import math
 import os
 import struct
+import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from time import perf_counter
 from typing import IO, Any
 
 import numpy as np
@@ -208,3 +210,26 @@ def _unpacked(payload: bytes) -> tuple[dict[str, Any], dict[str, Array]] | None:
         return dict(described["values"]), arrays
     except (ValueError, KeyError, TypeError, struct.error):
         return None
+
+
+class StepClock:
+    """Seconds by the name of a step; a step within another counts for itself alone."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self._lock = threading.Lock()
+        self._within = threading.local()
+
+    @contextmanager
+    def step(self, name: str) -> Iterator[None]:
+        """Count the time of the block."""
+        outer: float = getattr(self._within, "seconds", 0.0)
+        self._within.seconds = 0.0
+        start = perf_counter()
+        try:
+            yield
+        finally:
+            whole = perf_counter() - start
+            with self._lock:
+                self.seconds[name] = self.seconds.get(name, 0.0) + whole - self._within.seconds
+            self._within.seconds = outer + whole

@@ -31,8 +31,8 @@ def run(options: argparse.Namespace) -> int:
     """Compare and print; 1 where a tolerance is exceeded."""
     from brdf_suite.appearance.difference.tolerance import difference_title
     from brdf_suite.appearance.geometries import geometry_set
+    from brdf_suite.inspection.measuring import compare
     from brdf_suite.pipeline.material import load_material
-    from brdf_suite.pipeline.measuring import compare
     from brdf_suite.reflectance.instruments.aperture import aperture
 
     geometry = geometry_set(options.geometry)

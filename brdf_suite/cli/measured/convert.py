@@ -44,7 +44,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Convert and print a line or a JSON object."""
-    from brdf_suite.pipeline.measuring import convert
+    from brdf_suite.inspection.measuring import convert
 
     done = convert(
         options.source,

@@ -74,8 +74,8 @@ def add_instrument(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
     from brdf_suite.appearance.geometries import geometry_set
+    from brdf_suite.inspection.measuring import measurement_json
     from brdf_suite.pipeline.material import load_material
-    from brdf_suite.pipeline.measuring import measurement_json
     from brdf_suite.reflectance.instruments.aperture import aperture
     from brdf_suite.reflectance.instruments.spectrophotometer import measure
 

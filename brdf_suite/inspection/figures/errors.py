@@ -1,6 +1,6 @@
 """How far one reflectance is from another, over all directions: the worst, the root mean square, the cube roots'.
 
-Over the pairs of :func:`~brdf_suite.pipeline.measuring.hemisphere_pairs`; pairs where either has no number are left
+Over the pairs of :func:`~brdf_suite.pipeline.fit_errors.hemisphere_pairs`; pairs where either has no number are left
 out. A coat's lobe outweighs all else by 10⁴, so the same is said once more without the views within 5° of the light's
 mirror direction.
 """
@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.geometry.directions import Floats, angle_between, mirror
-from brdf_suite.pipeline.measuring import NEAR_MIRROR_DEG, hemisphere_pairs
+from brdf_suite.pipeline.fit_errors import NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.reflectance.protocol import Reflectance
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import csv
+import io
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal, Protocol
@@ -124,3 +127,18 @@ def nice_above(value: float) -> float:
         if value <= step * decade * (1.0 + 1e-9):
             return float(f"{step * decade:.3g}")
     return float(f"{10.0 * decade:.3g}")
+
+
+def slices_csv(angle: str, angle_deg: Floats, columns: Sequence[tuple[str, Floats]], told: str) -> str:
+    """Return the text: ``angle`` and each of ``columns`` (name with unit, (n,)) over ``angle_deg`` (n,).
+
+    ``told`` is the comment, one line.
+    """
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([angle, *(name for name, _ in columns)])
+    out.write("# " + " ".join(told.split()) + "\n")
+    for row, place in enumerate(angle_deg.tolist()):
+        values = [float(value[row]) for _, value in columns]
+        writer.writerow([repr(place), *(repr(v) if math.isfinite(v) else "" for v in values)])
+    return out.getvalue()

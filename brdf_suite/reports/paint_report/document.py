@@ -15,7 +15,7 @@ from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.haze import haze_units
+from brdf_suite.appearance.gloss import haze_units
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View

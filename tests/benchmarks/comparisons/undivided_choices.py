@@ -23,8 +23,8 @@ from brdf_suite.fitting.lobes.undivided import fit_rows
 from brdf_suite.fitting.lobes.undivided_samples import INCIDENCES_DEG, reflectance_rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e, error_figures
+from brdf_suite.pipeline.fit_errors import hemisphere_pairs
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.pipeline.measuring import hemisphere_pairs
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

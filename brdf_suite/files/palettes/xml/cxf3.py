@@ -25,8 +25,7 @@ from brdf_suite.files.exports.cxf3 import attribute, clean_text, fits, tag_colle
 from brdf_suite.files.exports.format import ExportItem, Spectra
 from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.xml.cxf3_reading import read
-from brdf_suite.files.palettes.xml.cxf3_tags import (
+from brdf_suite.files.palettes.xml.cxf3_reading import (
     CODE,
     COLOUR,
     COLUMNS,
@@ -39,6 +38,7 @@ from brdf_suite.files.palettes.xml.cxf3_tags import (
     PALETTE,
     SPECTRA,
     USAGE,
+    read,
 )
 
 _SAME_DE = 0.5

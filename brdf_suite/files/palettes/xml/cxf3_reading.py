@@ -20,20 +20,17 @@ from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
 from brdf_suite.files.palettes.format import PathLike
-from brdf_suite.files.palettes.xml.cxf3_tags import (
-    CODE,
-    COLOUR,
-    COLUMNS,
-    DATE,
-    FLAT,
-    GROUP,
-    GROUPS,
-    LABELS,
-    NOTES,
-    PALETTE,
-    SPECTRA,
-    USAGE,
-)
+
+GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
+    "palette.group", "palette.code", "palette.tags", "palette.usage", "palette.date", "palette.notes", "palette.flat",
+)  # fmt: skip
+"""Of an entry."""
+
+PALETTE, COLUMNS, COLOUR, GROUPS = "palette.name", "palette.columns", "palette.colour", "palette.groups"
+"""Of the file, with ``palette.notes``."""
+
+SPECTRA = "cxf.spectra"
+"""Under this name an entry keeps the spectra of a multi-angle sample, so that they can go back."""
 
 _ANGLES_FOR_A_PAINT = 3
 _UNCHANGED = 1e-6

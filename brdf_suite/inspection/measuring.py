@@ -7,7 +7,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -23,20 +22,15 @@ from brdf_suite.appearance.difference.words import NamedDifference, name_differe
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
-from brdf_suite.geometry.directions import Floats, angle_between, mirror, spherical
+from brdf_suite.geometry.directions import angle_between, mirror
+from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, Reading, measure
 from brdf_suite.reflectance.instruments.under_light import has_spectra, metamerism, readings_under
 from brdf_suite.reflectance.material import Material
 
-if TYPE_CHECKING:
-    pass
-
-ANGLE_SET = "8 light directions by 16 x 32 views, even in solid angle over both hemispheres (midpoints in cos θ and φ)"
-NEAR_MIRROR_DEG = 5.0
 _USUAL_LIGHT_DEG = 45.0
-_LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
 
 def measurement_json(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, object]:
@@ -210,17 +204,6 @@ def compare(
         None if tolerances is None else judge(angles, one.lab, two.lab, tolerances),
         lights,
     )
-
-
-def hemisphere_pairs() -> tuple[Floats, Floats, Floats]:
-    """Return wi, wo (n, 3) and the weights (n,), all alike, of :data:`ANGLE_SET`."""
-    cos_light = (np.arange(_LIGHTS) + 0.5) / _LIGHTS
-    cos_view = (np.arange(_VIEW_RINGS) + 0.5) / _VIEW_RINGS
-    phi = 2.0 * math.pi * (np.arange(_VIEW_AZIMUTHS) + 0.5) / _VIEW_AZIMUTHS
-    light, view, azimuth = np.meshgrid(np.arccos(cos_light), np.arccos(cos_view), phi, indexing="ij")
-    wi = spherical(light.ravel(), math.pi)
-    wo = spherical(view.ravel(), azimuth.ravel())
-    return wi, wo, np.full(len(wi), (2.0 * math.pi) ** 2 / len(wi))
 
 
 @dataclass(frozen=True)

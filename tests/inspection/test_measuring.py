@@ -10,8 +10,9 @@ import pytest
 
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.geometries import geometry_set
+from brdf_suite.inspection.measuring import compare, measurement_json
+from brdf_suite.pipeline.fit_errors import hemisphere_pairs
 from brdf_suite.pipeline.material import Material, load_material
-from brdf_suite.pipeline.measuring import compare, hemisphere_pairs, measurement_json
 from brdf_suite.reflectance.instruments.aperture import WIDE
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 
