@@ -25,14 +25,12 @@ LONG_FILE = 500
 
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
-    "full folders": 516,
-    "families of names": 97,
     "import circles": 4,
-    "imports inside functions": 456,
-    "class names in several rooms": 65,
-    "attributes by text": 17,
+    "imports inside functions": 425,
+    "class names in several rooms": 29,
+    "attributes by text": 15,
     "private accesses in tests": 326,
-    "unwanted words": 1720,
+    "unwanted words": 794,
 }
 
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}
