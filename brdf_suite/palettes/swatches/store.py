@@ -116,6 +116,9 @@ class SwatchStore:
         with self._lock:
             self._shut()
 
+    def __del__(self) -> None:
+        self._shut()
+
     # Below here the lock is held.
 
     def _shut(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import sqlite3
@@ -41,6 +42,25 @@ def test_pictures_come_back_and_stay(store: SwatchStore, tmp_path: Path) -> None
     assert other.clear() == len(KEYS)
     assert store.get(KEYS) == {}
     assert store.notices == []
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="open files are read from /proc")
+def test_the_file_is_closed_with_its_store(tmp_path: Path) -> None:
+    store = SwatchStore(tmp_path)
+    store.put(PICTURES)
+    path = store.path
+    assert path in open_files()
+    del store
+    assert path not in open_files()
+
+
+def open_files() -> list[Path]:
+    """Return what this process has open."""
+    found = []
+    for entry in Path("/proc/self/fd").iterdir():
+        with contextlib.suppress(OSError):  # the listing's own
+            found.append(entry.readlink())
+    return found
 
 
 def test_the_default_place_is_the_suites_cache(own_cache: None) -> None:
