@@ -108,6 +108,8 @@ class _Checkout:
         self.root = root
         self.files = frozenset(files)
         self._modules = {name: file for file in self.files if (name := _module(file))}
+        # A word such as "factored.json" is no module of the script factored.py.
+        self._top = {file for name, file in self._modules.items() if "." not in name}
         self._begins: dict[str, set[str]] = {}
         for name, file in self._modules.items():
             for end in (place for place, letter in enumerate(name) if letter == "."):
@@ -161,14 +163,19 @@ class _Checkout:
             if word in self._programs:
                 found |= set() if installed else self._of_module(f"{word}.__main__")
             elif "." in word:  # a word alone may be any word; one that ends in a dot goes on when it runs
-                found |= self._begins.get(word, set()) | self._of_module(word.rstrip("."))
+                found |= self._begins.get(word, set()) | self._of_module(word.rstrip(".")) - self._top
         last = text.rstrip("/").rpartition("/")[2]
         if not last.strip(".") or len(text) > _LONGEST_PATH:
             return found
         found |= self._names.get(last, set()) | self._folders.get(last, set())
         found |= {str(user.parent / f"{last}.py")} & self.files
         if re.search(r"[*].*[.]\w", last):
-            found.update(*(files for name, files in self._names.items() if fnmatch(name, last)))
+            fitting = {file for name in self._names if fnmatch(name, last) for file in self._names[name]}
+            # "*.py" means the files of some folder: that of the module which says so.
+            wide = last.startswith("*.")
+            found |= (
+                {file for file in fitting if PurePosixPath(file).parent == user.parent} if wide else fitting
+            )
         return found
 
     def _read_scripts(self) -> dict[str, str]:

@@ -83,12 +83,24 @@ def qtbot(qapp, request: pytest.FixtureRequest) -> QtBot:
 
 
 @pytest.fixture(scope="session")
-def walks(qapp) -> ModuleType:
+def load_helper() -> Callable[[str], ModuleType]:
+    """Return what loads a module beside this file by its file's name."""
+
+    def load(name: str) -> ModuleType:
+        spec = importlib.util.spec_from_file_location(
+            name.removesuffix(".py"), Path(__file__).with_name(name)
+        )
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+        return module
+
+    return load
+
+
+@pytest.fixture(scope="session")
+def walks(qapp, load_helper: Callable[[str], ModuleType]) -> ModuleType:
     """Walks through all widgets of a program: see ``window_walks.py``."""
-    spec = importlib.util.spec_from_file_location("window_walks", Path(__file__).with_name("window_walks.py"))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load_helper("window_walks.py")
 
 
 @pytest.fixture(autouse=True)
@@ -199,12 +211,3 @@ def _chi_square(
         assert seen < 25.0, "directions were drawn where the density is next to nothing"
     statistic = float(np.sum((counted - wanted) ** 2 / wanted))
     return float(gammaincc(0.5 * (len(wanted) - 1), 0.5 * statistic))
-
-
-@pytest.fixture(scope="session")
-def materials(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """A name or file of every kind of material, by kind: see ``materials.py``."""
-    spec = importlib.util.spec_from_file_location("materials", Path(__file__).with_name("materials.py"))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.make_materials(tmp_path_factory.mktemp("materials"))

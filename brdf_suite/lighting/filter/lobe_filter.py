@@ -117,7 +117,7 @@ class LobeFilter:
     def background(self, size: int, room: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
         """Return the environment itself as a cube map (6, size, size, 3); ``room`` as for :meth:`lobe`."""
         if self._kernels is not None:
-            faces: NDArray[np.float32] = self._kernels.resampled(self._radiance, size, room)
+            faces: NDArray[np.float32] = self._kernels.resample_to_cube(self._radiance, size, room)
             return faces
         towards = texel_directions(size).reshape(-1, size, 3)
         faces = np.empty(towards.shape, np.float32)

@@ -31,7 +31,7 @@ def pack_lobe(faces: Faces) -> FaceArray:
     changes = edge_changes(faces)
     kernels = loaded_kernels()
     if kernels is not None and faces.dtype == np.float32:
-        packed: FaceArray = kernels.packed(faces, BEND_SHARE, changes)
+        packed: FaceArray = kernels.pack_faces(faces, BEND_SHARE, changes)
         return packed
     values = np.empty_like(faces)
 
@@ -49,7 +49,7 @@ def pack_background(faces: Faces) -> FaceArray:
     """Pack the environment itself (6, F, F, 3), F ≥ 3, as it is."""
     kernels = loaded_kernels()
     if kernels is not None and faces.dtype == np.float32:
-        packed: FaceArray = kernels.packed(faces, 0.0, None)
+        packed: FaceArray = kernels.pack_faces(faces, 0.0, None)
         return packed
     return pack_faces(faces)
 

@@ -83,7 +83,7 @@ def compile_now() -> ModuleType | None:
         if not stamp.exists():
             coefficients = module.analyse(np.ones((8, 16, 3), dtype=np.float32), np.full(8, 0.25), 8)
             module.cube(coefficients, np.ones(9), 8)
-            module.packed(module.resampled(np.ones((8, 16, 3), dtype=np.float32), 8), 0.0, None)
+            module.pack_faces(module.resample_to_cube(np.ones((8, 16, 3), dtype=np.float32), 8), 0.0, None)
             stamp.touch()
         _State.kernels = module
         return module
