@@ -153,11 +153,11 @@ class LobeVisualizer:
         add = self.window.add_command
         listed = add(
             "file",
-            mark("Reflectances from the &List…"),
+            mark("Add from &Library…"),
             "Ctrl+L",
             self.show_list,
             icon="list-plus",
-            tip=mark("Shipped paints, measured paints of Table 1, models, opened palettes"),
+            tip=mark("Sample paints, measured paints of Table 1, models, opened palettes"),
         )
         reset = add(
             "view",
@@ -165,7 +165,7 @@ class LobeVisualizer:
             "Ctrl+0",
             self._reset_views,
             icon="arrow-counter-clockwise",
-            tip=mark("Put incidence, channel, radius, cosine and lobes back"),
+            tip=mark("Restore the default incidence, channel, radius, cosine and lobes"),
         )
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))

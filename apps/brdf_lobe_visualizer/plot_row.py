@@ -61,7 +61,7 @@ class PlotRow(QWidget):
         first = len(self._plots) < _FIRST if self._chosen is None else key in self._chosen
         button = ChoiceButton(title)
         button.setObjectName(f"plot_button_{key}")
-        button.setAccessibleName(tr("Show the plot {name}").format(name=title))
+        button.setAccessibleName(tr("Show plot {name}").format(name=title))
         button.setChecked(first)
         button.clicked.connect(lambda: self.set_shown(key, button.isChecked()))
         self._head.insertWidget(self._head.count() - 1, button)

@@ -15,33 +15,34 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     view = parser.add_argument_group("the view of this run")
     view.add_argument(
-        "--incidence", type=incidence, metavar="THETA,PHI", help="the light, degrees: as in 45,0 or 60,90"
+        "--incidence",
+        type=incidence,
+        metavar="THETA,PHI",
+        help="direction of the light in degrees, such as 45,0 or 60,90",
     )
-    view.add_argument("--radius", choices=RADII, help="how values become lengths")
-    view.add_argument("--channel", choices=CHANNELS, help="what the surface is coloured by, and plots draw")
+    view.add_argument("--radius", choices=RADII, help="mapping from values to radii")
+    view.add_argument("--channel", choices=CHANNELS, help="channel of surface colours and plots")
     view.add_argument(
-        "--cosine", choices=COSINES, help="what f_r is multiplied with: N·L, N·L and N·V, or nothing"
+        "--cosine", choices=COSINES, help="cosines that multiply f_r: light (N·L), both (N·L and N·V) or none"
     )
     view.add_argument(
         "--show",
         type=shown,
         metavar="WHAT",
-        help="target, fit, both of them as target,fit, side-by-side, or difference",
+        help="target, fit, both (target,fit), side-by-side or difference",
     )
-    view.add_argument(
-        "--reference", type=int, metavar="N", help="the N-th reflectance is the reference, from 1"
-    )
-    view.add_argument("--front", type=int, metavar="N", help="the N-th reflectance is selected, from 1")
-    view.add_argument("--plots", metavar="KEY,KEY", help="the plots that are shown below, and no others")
-    view.add_argument("--panels", metavar="KEY,KEY", help="panels that are shown: numbers, reflectances")
-    view.add_argument("--no-inspector", action="store_true", help="leave the inspector out")
+    view.add_argument("--reference", type=int, metavar="N", help="index of the reference, from 1")
+    view.add_argument("--front", type=int, metavar="N", help="index of the selected reflectance, from 1")
+    view.add_argument("--plots", metavar="KEY,KEY", help="visible plots; all others are hidden")
+    view.add_argument("--panels", metavar="KEY,KEY", help="visible panels: numbers, reflectances, factors")
+    view.add_argument("--no-inspector", action="store_true", help="hide the inspector")
     view.add_argument(
         "--set",
         action="append",
         default=[],
         type=_pair,
         metavar="KEY=VALUE",
-        help="an option of a view of its own; may be given more than once",
+        help="option of a view or panel; repeatable",
     )
 
 

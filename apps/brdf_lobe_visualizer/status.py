@@ -26,11 +26,11 @@ class Status(QObject):
         super().__init__(window)
         self._desk = desk
         line: StatusLine = window.status
-        self._subject = line.cell("subject", tr("The reflectance that is selected"), elastic=True)
-        self._fit = line.cell("fit", tr("The lobes fitted to it, and how long that took"))
-        self._notes = line.cell("notes", tr("What is to be known of it"), elastic=True)
-        self._light = line.cell("incidence", tr("Where the light stands"), right=True)
-        self._link = line.cell("link", tr("Other programs of the suite that are open"), right=True)
+        self._subject = line.cell("subject", tr("Selected reflectance"), elastic=True)
+        self._fit = line.cell("fit", tr("Fitted lobes and fitting time"))
+        self._notes = line.cell("notes", tr("Notes on the reflectance"), elastic=True)
+        self._light = line.cell("incidence", tr("Direction of the light"), right=True)
+        self._link = line.cell("link", tr("Connected programs of the suite"), right=True)
         desk.subjects_changed.connect(self._show_front)
         desk.front_changed.connect(self._show_front)
         desk.incidence_changed.connect(lambda _theta, _phi: self._show_light())
@@ -40,7 +40,7 @@ class Status(QObject):
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show which programs are on the link."""
         named = [tr(_ROLES[role]) if role in _ROLES else role for role in roles]
-        self._link.set(tr("Linked: {names}").format(names=", ".join(named)) if named else "")
+        self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
 
     def _show_front(self) -> None:
         front = self._desk.front
@@ -58,7 +58,7 @@ class Status(QObject):
         if fit.worst_delta_e is not None:
             parts.append(tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}"))
         if fit.time_limited:
-            follows = tr("the exact one follows") if fit.exact_follows else tr("the best that was found")
+            follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
         state = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
         self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)

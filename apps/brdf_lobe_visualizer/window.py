@@ -198,7 +198,7 @@ class LobeWindow(SuiteWindow):
         self.top_split.setObjectName("top_split")
         self.top_split.setHandleWidth(8)
         self.top_split.setChildrenCollapsible(False)
-        absent = PlainLabel(tr("No view in three dimensions"))
+        absent = PlainLabel(tr("No 3-D view"))
         absent.setAlignment(Qt.AlignmentFlag.AlignCenter)
         absent.setObjectName("no_view")
         self.top_split.addWidget(absent)

@@ -46,7 +46,7 @@ def test_the_stored_search_is_drawn(basis) -> None:
     last = search.results[-1]
     assert np.sort(points[1][points[0] == last.count]) == pytest.approx(np.log10(last.exponents))
     words = basis.view.note.text()
-    assert "Shipped paints" in words
+    assert "Sample paints" in words
     assert f"default: {search.default_count} lobes" in words
     assert "changed" not in words
     basis.view.plots._read_exponents(float(search.default_count))
@@ -69,7 +69,7 @@ def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
         assert errors.errors == pytest.approx([result.errors[place] for result in search.results], rel=1e-6)
     desk.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
     qtbot.waitUntil(lambda: not basis.view.plots.own[1].whole)
-    assert "matt: colour alone" in basis.view.note.text()
+    assert "matt: colour error only" in basis.view.note.text()
     desk.set_subjects(())
     qtbot.waitUntil(lambda: basis.view.plots.own is None)
 
@@ -81,7 +81,7 @@ def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
     save_state(state, settings, search.results[:2])
     basis.show_file(state)
     assert len(basis.search.results) == 2
-    assert "2 counts so far" in basis.view.note.text()
+    assert "2 lobe counts so far" in basis.view.note.text()
     save_state(state, settings, search.results[:5])
     qtbot.waitUntil(lambda: len(basis.search.results) >= 5)
     assert len(basis.search.results) == 5
@@ -96,7 +96,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     paints.mkdir()
     shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", paints)
     basis.show_folder(paints)
-    assert "not searched yet" in basis.view.note.text()
+    assert "no search yet" in basis.view.note.text()
     basis.view.search.click()
     assert not basis.view.search.isEnabled()
     assert basis.view.progress.jobs == (BASIS,)
@@ -115,7 +115,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     qtbot.waitUntil(lambda: basis.run is None)
     assert BASIS not in basis._window.messages.shown()
     basis.view.reset.trigger()
-    assert "Shipped paints" in basis.view.note.text()
+    assert "Sample paints" in basis.view.note.text()
 
 
 def test_what_cannot_be_searched_is_told(basis, qtbot, tmp_path: Path) -> None:

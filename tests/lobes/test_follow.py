@@ -110,9 +110,9 @@ def test_a_fit_that_time_has_limited_says_so(opened, program) -> None:
     (blue,) = program.desk.subjects
     limited = replace(blue.fit, weights=replace(blue.fit.weights, time_limited=True))
     program.desk.change(blue.key, fit=replace(limited, exact=Future()))
-    assert "the exact one follows" in program.window.status.cell("fit").text()
+    assert "exact fit follows" in program.window.status.cell("fit").text()
     program.desk.change(blue.key, fit=limited)
-    assert "the best that was found" in program.window.status.cell("fit").text()
+    assert "best result so far" in program.window.status.cell("fit").text()
 
 
 def test_a_subject_that_changes_is_fitted_anew(opened, program, qtbot) -> None:

@@ -137,13 +137,13 @@ def test_the_menu_acts_on_the_one_in_front(three) -> None:
     assert desk.is_hidden(second)
     command(three, "Show All").trigger()
     assert not desk.is_hidden(second)
-    command(three, "Take as Reference").trigger()
+    command(three, "Set as Reference").trigger()
     assert desk.compared.key == second
     command(three, "Next Reflectance").trigger()
     assert desk.front.key == third
-    command(three, "Blink with the Reference").trigger()
+    command(three, "Alternate with Reference").trigger()
     assert [s.key for s in desk.visible] == [third]
-    command(three, "Blink with the Reference").trigger()
+    command(three, "Alternate with Reference").trigger()
     assert [s.key for s in desk.visible] == [second]
     command(three, "Show All").trigger()
     command(three, "Move Up").trigger()

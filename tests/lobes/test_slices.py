@@ -237,7 +237,7 @@ def test_zero_nothing_and_holes_are_told_and_no_exception(slices, desk, qtbot) -
     desk.set_options(shown="both")
     qtbot.waitUntil(lambda: slices.is_complete)
     note = slices.curves.note.text()
-    for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: nothing to draw here"):
+    for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: no values here"):
         assert words in note
     assert slices.curves._bands.isVisible()
     holes = slices.unrolled.grid.pictures[0, 0].holes
@@ -266,7 +266,7 @@ def test_a_model_that_fails_is_told_and_the_others_are_drawn(slices, desk, qtbot
     for plot in (slices.polar, slices.curves):
         assert np.isnan(line(plot.lines, "broken").value).all()
         assert np.isfinite(line(plot.lines, "matt").value).any()
-    assert "broken: nothing to draw" in slices.curves.note.text()
+    assert "broken: no values" in slices.curves.note.text()
     for key in list(slices._window.messages.shown()):
         slices._window.dismiss_message(key)
 

@@ -125,7 +125,7 @@ def test_a_model_that_fails_is_told_and_ends_nothing(space, program) -> None:
 
     shown(space, PlottedMaterial("a", "A", Material("A", Broken()), RED))
     assert "space a" in list(program.window.messages.shown())
-    assert "no value in any direction" in space.view.scene.panels[0].note
+    assert "No values in any direction" in space.view.scene.panels[0].note
 
 
 def test_brushed_metal_turns_with_the_azimuth(space, program) -> None:
@@ -171,7 +171,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
         program.desk.set_incidence(theta, 0.0)
         space.draw_now()
     assert (panel := space.view.scene.panels[0]).layers, "the lobes of before stay"
-    assert "was before" in panel.note
+    assert "Outdated" in panel.note
     space._desk.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
     space.draw_now()
     assert space.view.scene.panels[0].layers, "of what is edited, too"

@@ -51,21 +51,21 @@ class BasisView(QWidget):
         self.progress = ProgressStrip()
         self.search = QPushButton(tr("Search"))
         self.search.setObjectName("basis_search")
-        self.search.setToolTip(tr("Search the exponents that fit these paints best; it takes minutes."))
+        self.search.setToolTip(tr("Search for the exponents that best fit these paints. Takes minutes."))
         self.database = QToolButton()
         self.database.setObjectName("basis_database")
         self.database.setText(tr("Database"))
-        self.database.setToolTip(tr("Which paints the lobes are searched for."))
+        self.database.setToolTip(tr("Paints that the search optimises the lobes for"))
         self.database.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.database)
         menu.setToolTipsVisible(True)
         self.choose = menu.addAction(tr("Folder of Paints…"))
-        self.choose.setToolTip(tr("Take another folder of paints as the database."))
+        self.choose.setToolTip(tr("Use another folder of paints as the database"))
         self.open = menu.addAction(tr("Open a Search…"))
-        self.open.setToolTip(tr("Show a search from a file, also while it is still running."))
+        self.open.setToolTip(tr("Show a finished or running search from a file"))
         menu.addSeparator()
-        self.reset = menu.addAction(tr("Shipped Paints"))
-        self.reset.setToolTip(tr("Back to the shipped paints and their search."))
+        self.reset = menu.addAction(tr("Sample Paints"))
+        self.reset.setToolTip(tr("Return to the sample paints and their search"))
         self.database.setMenu(menu)
         head = QHBoxLayout()
         head.setSpacing(4)
@@ -147,7 +147,7 @@ class Basis(QObject):
         if self.run is not None or not self.view.search.isEnabled():
             return
         self.view.search.setEnabled(False)
-        self.view.progress.set_job(BASIS, 0.0, tr("Looking for paints"), self._drop_search)
+        self.view.progress.set_job(BASIS, 0.0, tr("Scanning the folder for paints"), self._drop_search)
         self._paints.look(self._begin_search)
 
     def _drop_search(self) -> None:
@@ -164,7 +164,7 @@ class Basis(QObject):
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
         self._follows_run = True
-        words = tr("Searching the basis of {count} paints").format(count=paints.count)
+        words = tr("Searching a basis for {count} paints").format(count=paints.count)
         run.moved.connect(lambda fraction, what: self._moved(fraction, f"{words}: {what}"))
         run.done.connect(self._done)
         run.failed.connect(self._failed)
@@ -220,26 +220,26 @@ class Basis(QObject):
     def _tell(self) -> None:
         search, words = self.search, [self._name()]
         if search is None or not search.results:
-            words.append(tr("not searched yet: press Search"))
+            words.append(tr("no search yet: choose Search"))
         else:
             words.append(tr("{count} targets").format(count=len(search.paints)))
             if search.default_count is None:
-                words.append(tr("{count} counts so far").format(count=len(search.results)))
+                words.append(tr("{count} lobe counts so far").format(count=len(search.results)))
             else:
                 words.append(tr("default: {count} lobes").format(count=search.default_count))
             if search.date:
                 words.append(search.date)
             if self._is_stale(search):
-                words.append(tr("the paints have changed since: search again"))
+                words.append(tr("paints changed since the search: search again"))
         own = self.view.plots.own
         if own is not None and not own[1].whole:
-            words.append(tr("{name}: colour alone, nothing divides it").format(name=own[0].title))
+            words.append(tr("{name}: colour error only, no separate coat").format(name=own[0].title))
         self.view.note.setText(" · ".join(words))
 
     def _name(self) -> str:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
             return self._source.name
-        return tr("Shipped paints") if self.folder == _shipped() else self.folder.name
+        return tr("Sample paints") if self.folder == _shipped() else self.folder.name
 
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):

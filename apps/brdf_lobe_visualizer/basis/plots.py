@@ -61,7 +61,7 @@ class BasisPlots(QWidget):
             [[(float(np.log10(error)), f"{error:g}") for error in _ERROR_TICKS]]
         )
         self.exponents.setLabel("left", tr("Exponent"))
-        self.errors.setLabel("left", tr("Error (1: just seen)"))
+        self.errors.setLabel("left", tr("Error (1: just noticeable)"))
         self._dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
         self._own_dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
         self._chosen = [pg.LinearRegionItem((0.0, 0.0), movable=False) for _ in range(2)]

@@ -58,20 +58,18 @@ class CurvesPlot(QWidget):
             head.addWidget(button)
         head.addSpacing(8)
         self.log_value = ChoiceButton(tr("log y"))
-        self.log_value.setToolTip(
-            tr("A logarithmic axis of values; differences, which have a sign, stay linear.")
-        )
+        self.log_value.setToolTip(tr("Logarithmic value axis. Differences are signed and stay linear."))
         self.log_value.clicked.connect(lambda on: state.set(log_value=on))
         self.log_angle = ChoiceButton(tr("log x"))
         self.log_angle.setToolTip(
-            tr("A logarithmic axis of angles, for peaks; of γ the side towards the normal is shown.")
+            tr("Logarithmic angle axis, for peaks. For γ, only the side towards the normal is shown.")
         )
         self.log_angle.clicked.connect(lambda on: state.set(log_angle=on))
         head.addWidget(self.log_value)
         head.addWidget(self.log_angle)
         head.addStretch(1)
         self._box.addLayout(head)
-        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         self._box.addWidget(self.empty, 1)
@@ -237,7 +235,7 @@ class CurvesPlot(QWidget):
             error = lines.errors.get(line.key)
             if error is not None and line.key not in errors:
                 errors[line.key] = tr(
-                    "{name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
+                    "{name}: RMS {rms} {unit} ({share} %), maximum {worst} {unit} at {angle}"
                 ).format(
                     name=line.title,
                     rms=number(error.rms),
@@ -248,7 +246,7 @@ class CurvesPlot(QWidget):
                 )
         rest = [tr("hatched: not measured")] if holes else []
         silent = {line.title for line in lines.lines if not np.isfinite(line.value).any()}
-        rest.extend(tr("{name}: nothing to draw here").format(name=name) for name in sorted(silent))
+        rest.extend(tr("{name}: no values here").format(name=name) for name in sorted(silent))
         black = {line.title for line in lines.lines if line.kind != "difference" and _is_zero(line.value)}
         rest.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
         front = next((line for line in lines.lines if line.is_front), lines.lines[-1])

@@ -38,7 +38,7 @@ class FactorsPanel(QWidget):
         self.tone = ChoiceField(TONES, "gamma")
         self.tone.setAccessibleName(tr("Scale of the maps"))
         self.tone.setToolTip(
-            tr("Each map is shown over its largest value; the logarithmic scale has four decades")
+            tr("Each map is scaled to its maximum. The logarithmic scale covers four decades.")
         )
         self.channel.chosen.connect(self.channel_chosen)
         self.tone.chosen.connect(self.tone_chosen)
@@ -137,13 +137,9 @@ class Factors(QObject):
         value = None if front is None else factored_in(front.reflectance)
         tone = cast(Tone, self._tone)
         if front is None or value is None:
-            why = (
-                tr("Nothing to draw: add a reflectance.")
-                if front is None
-                else tr("{name} is no product of maps.")
-            )
+            why = tr("No reflectance shown. Add one.") if front is None else tr("{name} is not factored.")
             why = why.format(name="" if front is None else front.title)
-            hint = tr("brdf-suite factorize writes one.") if front is not None else ""
+            hint = tr("Create a factored reflectance with brdf-suite factorize.") if front is not None else ""
             self.panel.view.show_pictures((), self._channel, tone, "\n".join(filter(None, (why, hint))))
             self.panel.note.setText("")
             return

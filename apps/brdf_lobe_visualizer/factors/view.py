@@ -21,7 +21,7 @@ CHANNELS = {
     "green": mark("green"),
     "blue": mark("blue"),
 }
-TONES = {"gamma": mark("as it looks"), "log": mark("logarithmic")}
+TONES = {"gamma": mark("perceptual"), "log": mark("logarithmic")}
 _READS = {
     "wi": "ωi",
     "wo": "ωo",
@@ -53,7 +53,7 @@ def grid_of(pictures: tuple[FactorPicture, ...], channel: str, tone: Tone) -> Gr
         else:
             value = channel_of(picture.values, channel)
             codes = mapped_codes(share_of(value, tone, 1.0), _GREYS)
-        notes = (tr("added: the peak"), tr("peak")) if picture.part == "peak" else ()
+        notes = (tr("added peak"), tr("peak")) if picture.part == "peak" else ()
         drawn[0, number] = Picture(codes, value, nothing=picture.outside, notes=notes)
         columns.append(title_of(picture))
     return Grid(("",), tuple(columns), drawn, _bar(tone))
@@ -64,7 +64,7 @@ def _bar(tone: Tone) -> ScaleBar:
         (1.0, 0.5, 0.2, 0.1, 0.02) if tone == "gamma" else tuple(10.0**-k for k in range(int(DECADES) + 1))
     )
     ticks = tuple((float(share_of(value, tone, 1.0)), plain(value)) for value in values)
-    return ScaleBar(mapped_codes(np.linspace(0.0, 1.0, _BAR_STEPS), _GREYS), ticks, tr("over the largest"))
+    return ScaleBar(mapped_codes(np.linspace(0.0, 1.0, _BAR_STEPS), _GREYS), ticks, tr("relative to maximum"))
 
 
 class FactorsView(SliceImageView):

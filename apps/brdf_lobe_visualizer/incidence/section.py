@@ -41,7 +41,7 @@ class IncidenceSection(QWidget):
         form.add_row(
             tr("Polar angle θi"),
             self.theta,
-            tr("From the normal to the light. Drag the yellow handle in the view, too."),
+            tr("Angle between the normal and the light. The yellow handle in the view sets it, too."),
         )
         self.theta_slider = QuietSlider(Qt.Orientation.Horizontal)
         self.theta_slider.setRange(0, 890)
@@ -58,11 +58,13 @@ class IncidenceSection(QWidget):
         form.add_row(
             tr("Azimuth φi"),
             self.phi,
-            tr("Of the plane of incidence. It matters to anisotropic reflectances: brushed metal, cloth."),
+            tr(
+                "Azimuth of the plane of incidence. Affects only anisotropic reflectances, such as brushed metal."
+            ),
         )
         self.kind = ChoiceField(_SWEEPS, plain.sweep)
         self.kind.chosen.connect(lambda key: state.set(sweep=key))
-        form.add_row(tr("Sweep"), self.kind, tr("What moves while the sweep runs."))
+        form.add_row(tr("Sweep"), self.kind, tr("Angle that the sweep changes"))
         self.speed = NumberField(tr("Speed of the sweep"), "°/s", *SPEED_RANGE, 5.0, 0, plain.speed)
         self.speed.edited.connect(lambda value: state.set(speed=value))
         form.add_row(tr("Speed"), self.speed)
@@ -70,7 +72,7 @@ class IncidenceSection(QWidget):
         row.setSpacing(8)
         self.run = QPushButton(icon("play"), tr("Sweep"))
         self.run.setCheckable(True)
-        self.run.setToolTip(tr("Let the light move (space, in the view)."))
+        self.run.setToolTip(tr("Move the light continuously (Space in the view)"))
         self.run.clicked.connect(sweep.set_running)
         self.reset = QPushButton(tr("Reset"))
         self.reset.clicked.connect(self._reset)

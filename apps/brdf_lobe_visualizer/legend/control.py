@@ -137,7 +137,7 @@ class LegendControl(QObject):
             error = f"({error})" if self.errors.is_stale(subject.key) else error
             told.append(
                 tr(
-                    "Against the reference: {rms} of its root mean square away from the mirror, {all} in all"
+                    "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
                 ).format(
                     rms=f"{100.0 * found.errors.away.relative_rms:.3g} %",
                     all=f"{100.0 * found.errors.whole.relative_rms:.3g} %",
@@ -165,13 +165,13 @@ class LegendControl(QObject):
     def _build_commands(self) -> None:
         add, menu = self._window.add_command, "reflectance"
         self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
-        self._solo = add(menu, mark("Show A&lone"), "Ctrl+Shift+H", None)
+        self._solo = add(menu, mark("So&lo"), "Ctrl+Shift+H", None)
         self._reference = add(
             menu,
-            mark("Take as &Reference"),
+            mark("Set as &Reference"),
             "Ctrl+R",
             None,
-            tip=mark("Differences and errors are taken against it"),
+            tip=mark("Compute differences and errors against this reflectance"),
         )
         for action, slot in (
             (self._shown, lambda on: self._for_front(lambda key: self._desk.set_hidden(key, not on))),
@@ -208,10 +208,10 @@ class LegendControl(QObject):
         add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
         self._blink = add(
             menu,
-            mark("&Blink with the Reference"),
+            mark("Al&ternate with Reference"),
             "B",
             self.blink,
-            tip=mark("Show the selected reflectance and the reference in turn"),
+            tip=mark("Show the selected reflectance and the reference alternately"),
         )
 
     def _build_line_menu(self) -> None:

@@ -51,7 +51,7 @@ class LegendRow:
         """What a screen reader says of it."""
         words = [self.title, tr("shown") if self.shown else tr("hidden")]
         if self.solo:
-            words.append(tr("alone"))
+            words.append(tr("solo"))
         if self.reference:
             words.append(tr("reference"))
         if self.error:
@@ -203,21 +203,19 @@ class Legend(QWidget):
 
     def _build_rows(self) -> None:
         rows = self.rows
-        rows.setAccessibleName(tr("Legend of the reflectances"))
+        rows.setAccessibleName(tr("Legend of reflectances"))
         rows.setToolTip(
             tr(
-                "Space shows or hides, S alone, R takes as reference, C colour, D dash, F2 renames, Delete removes, "
-                "Alt+Up and Alt+Down move"
+                "Space: show or hide. S: solo. R: set as reference. C: colour. D: dash. "
+                "F2: rename. Delete: remove. Alt+Up, Alt+Down: move."
             )
         )
         rows.setHeaderLabels([tr("Reflectance"), tr("Solo"), tr("Ref."), tr("Error")])
         tips = (
-            tr("Tick to show; the line is how plots draw it"),
-            tr("Tick to show it alone, with the others that are ticked so"),
-            tr("Tick to take differences and errors against it"),
-            tr(
-                "Root mean square of the differences over that of the reference, away from the mirror direction"
-            ),
+            tr("Visibility, and line style in the plots"),
+            tr("Solo: show only the reflectances ticked here"),
+            tr("Reference for differences and errors"),
+            tr("RMS difference relative to the reference, away from the mirror direction"),
         )
         for column, tip in enumerate(tips):
             rows.headerItem().setToolTip(column, plain_tip(tip))
@@ -253,7 +251,7 @@ class Legend(QWidget):
         head.addStretch(1)
         for name, text, signal in (
             ("folder-open", tr("Open a file"), self.open_asked),
-            ("list-plus", tr("Choose from the list of reflectances"), self.list_asked),
+            ("list-plus", tr("Add from the library of reflectances"), self.list_asked),
             ("eye", tr("Show all"), self.all_asked),
         ):
             button = QToolButton()
@@ -268,14 +266,14 @@ class Legend(QWidget):
     def _empty(self) -> QWidget:
         page = QWidget()
         box = QVBoxLayout(page)
-        text = PlainLabel(tr("Nothing is shown. Drop files here, or"))
+        text = PlainLabel(tr("No reflectances. Drop files here, or"))
         text.setWordWrap(True)
         text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         box.addStretch(1)
         box.addWidget(text)
         for title, signal in (
             (tr("Open a File…"), self.open_asked),
-            (tr("Choose from the List"), self.list_asked),
+            (tr("Add from Library…"), self.list_asked),
         ):
             button = QPushButton(title)
             button.clicked.connect(signal)

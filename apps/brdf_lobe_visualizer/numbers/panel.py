@@ -37,7 +37,7 @@ _ANGLES = {
     "e2194": mark("three angles, ASTM E2194"),
     "five": mark("five angles"),
     "six": mark("six angles"),
-    "e2539": mark("two lights, ASTM E2539"),
+    "e2539": mark("two illumination angles, ASTM E2539"),
 }
 
 AskPath = Callable[[Path], Path | None]
@@ -62,15 +62,15 @@ class NumbersPanel(QWidget):
         self.note = PlainLabel()
         self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
         self.angles = QuietComboBox()
-        self.angles.setAccessibleName(tr("Angles of the colours"))
-        self.angles.setToolTip(tr("At which geometries the colours are read, D65 and 10°"))
+        self.angles.setAccessibleName(tr("Colour geometries"))
+        self.angles.setToolTip(tr("Geometries of the L*a*b* values (D65, 10° observer)"))
         for key, title in _ANGLES.items():
             self.angles.addItem(tr(title), key)
         self.angles.activated.connect(lambda place: self.angles_chosen.emit(self.angles.itemData(place)))
         head = QHBoxLayout()
         head.setSpacing(8)
         for key, button in self.buttons.items():
-            button.setAccessibleName(tr("Show the figures {name}").format(name=button.text()))
+            button.setAccessibleName(tr("Show {name}").format(name=button.text()))
             button.clicked.connect(lambda _=False, key=key: self.group_chosen.emit(key))
             head.addWidget(button)
         head.addWidget(self.angles)
@@ -154,7 +154,7 @@ class Numbers(QObject):
             "Ctrl+Shift+N",
             self.copy,
             icon="copy",
-            tip=mark("Copy the table shown"),
+            tip=mark("Copy the visible table"),
         )
         window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
 
@@ -210,7 +210,7 @@ class Numbers(QObject):
                 Message(
                     "figures",
                     tr("There are no figures to export yet."),
-                    todo=tr("Show the panel Numbers (Ctrl+N) and wait for them."),
+                    todo=tr("Open the panel Numbers (Ctrl+N) and wait until they are computed."),
                 )
             )
             return
@@ -223,7 +223,7 @@ class Numbers(QObject):
         except SuiteError as error:
             self._window.show_message(message_of(error, "figures"))
         else:
-            text = tr("The figures of {count} reflectances are in {path}.").format(
+            text = tr("Figures of {count} reflectances exported to {path}.").format(
                 count=len(named), path=path
             )
             self._window.show_message(Message("figures", text))
@@ -265,12 +265,12 @@ class Numbers(QObject):
     def _told(self) -> str:
         visible = self._desk.visible
         if not visible:
-            return tr("Nothing is shown.")
+            return tr("No reflectance shown.")
         if not self.work.is_complete:
             fresh = sum(not self.work.is_stale(s.key) for s in visible)
-            return tr("{fresh} of {count} worked out").format(fresh=fresh, count=len(visible))
+            return tr("{fresh} of {count} computed").format(fresh=fresh, count=len(visible))
         if self._group == "errors" and self._desk.compared is None:
-            return tr("Take a reference in the legend (R) to have differences.")
+            return tr("Set a reference in the legend (R) to see differences.")
         return ""
 
     def _show_lines(self) -> None:

@@ -89,7 +89,7 @@ class AlbedoPlot(QWidget):
         self.plot.getAxis("left").enableAutoSIPrefix(False)
         self.plot.setMouseEnabled(x=False, y=False)
         self._whole = pg.InfiniteLine(pos=1.0, angle=0, movable=False)
-        self._whole.setToolTip(tr("All of the light"))
+        self._whole.setToolTip(tr("Total reflection"))
         self.plot.addItem(self._whole, ignoreBounds=True)
         self._box.insertWidget(0, self.plot, 1)
         self._dress()

@@ -143,7 +143,7 @@ class FiguresWork(QObject):
 
     def _submit(self, subject: PlottedMaterial, wanted: _Wanted) -> None:
         key, job = subject.key, f"figures {subject.key}"
-        text = tr("Working out the figures of {name}").format(name=subject.title)
+        text = tr("Computing statistics for {name}").format(name=subject.title)
         moved = self._progress.begin(job, text, lambda: self._cancel(key))
 
         def done(found: ReflectanceFigures) -> None:
@@ -154,7 +154,7 @@ class FiguresWork(QObject):
 
         def failed(error: Exception) -> None:
             self._progress.end(job)
-            self._window.show_message(message_of(error, job, todo=tr("It has no figures.")))
+            self._window.show_message(message_of(error, job, todo=tr("Its figures are not shown.")))
             self.changed.emit()
 
         self._tasks.submit(key, _figures, wanted, done, failed, moved)

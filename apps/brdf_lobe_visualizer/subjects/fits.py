@@ -77,7 +77,7 @@ class Fits(QObject):
 
         def failed(error: Exception) -> None:
             self._progress.end(job)
-            todo = tr("It is shown without a fit.")
+            todo = tr("The reflectance is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 
         self.tasks.submit(key, _fitted, subject.material, done, failed, moved)

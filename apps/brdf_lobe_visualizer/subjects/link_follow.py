@@ -50,7 +50,7 @@ class FollowedPaint(QObject):
             mark("&Follow Designer"),
             "Ctrl+D",
             self._followed,
-            tip=mark("Show the paint that is edited in Designer, and follow every change"),
+            tip=mark("Show the paint being edited in Designer and follow every change"),
             checked=True,
         )
         desk.subjects_changed.connect(self._look)
@@ -117,7 +117,7 @@ class FollowedPaint(QObject):
         self.arrived.emit()
 
     def _refused(self, error: Exception) -> None:
-        todo = tr("The paint before is still shown.")
+        todo = tr("The previous paint is still shown.")
         self._window.show_message(message_of(error, _TOLD, todo=todo))
         self._go_on()
 

@@ -21,15 +21,15 @@ _SHOWN = {
     "target": mark("Target"),
     "fit": mark("Fit"),
     "both": mark("Fit over target"),
-    "side by side": mark("Target beside fit"),
+    "side by side": mark("Side by side"),
     "difference": mark("Difference"),
 }
-_STYLES = {"lines": mark("As lines"), "glass": mark("Like glass"), "solid": mark("Solid")}
+_STYLES = {"lines": mark("Lines"), "glass": mark("Transparent"), "solid": mark("Solid")}
 _VIEWS = {
-    "sum": mark("Their sum"),
-    "parts": mark("The three parts"),
+    "sum": mark("Sum"),
+    "parts": mark("Three parts"),
     "stacked": mark("Stacked"),
-    "apart": mark("Each lobe alone"),
+    "apart": mark("Separate lobes"),
 }
 
 
@@ -53,15 +53,16 @@ class PartsSection(QWidget):
             tr("Show"),
             self.shown,
             tr(
-                "Of each reflectance, in all views. A difference is against the reference of the legend, or of the fit."
+                "What all views show of each reflectance. Differences are against the legend's reference, "
+                "or else between fit and target."
             ),
         )
         self.style_ = ChoiceField(_STYLES, plain.fit_style)
         self.style_.chosen.connect(lambda key: state.set(fit_style=key))
-        form.add_row(tr("Fit drawn"), self.style_, tr("Where it lies over its target."))
+        form.add_row(tr("Fit style"), self.style_, tr("Style of the fit where it overlays its target"))
         self.lobes = ChoiceField(_VIEWS, plain.lobes)
         self.lobes.chosen.connect(self._choose_lobes)
-        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown where the fit is."))
+        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown"))
         self.switches: dict[tuple[FitPart, int], QCheckBox] = {}
         self._list = QWidget()
         self._grid = QGridLayout(self._list)
@@ -73,8 +74,8 @@ class PartsSection(QWidget):
         self.none = PlainLabel(tr("The selected reflectance has no fit."))
         self.none.setWordWrap(True)
         box.addWidget(self.none)
-        self.reset = QPushButton(tr("Reset parts"))
-        self.reset.setToolTip(tr("All lobes on, the sum of them, and what a first start shows"))
+        self.reset = QPushButton(tr("Reset Parts"))
+        self.reset.setToolTip(tr("Switch all lobes on and restore the default display"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
         for signal in (desk.options_changed, desk.subjects_changed, desk.front_changed, state.changed):
@@ -111,7 +112,7 @@ class PartsSection(QWidget):
                 continue
             whole = QPushButton(_swatch(part), tr(PART_TITLES[part]))
             whole.setFlat(True)
-            whole.setToolTip(tr("All of this part on or off"))
+            whole.setToolTip(tr("Switch all lobes of this part on or off"))
             whole.clicked.connect(lambda _on=False, rows=tuple(of_part): self._switch_part(rows))
             self._grid.addWidget(whole, row, 0, 1, 2, Qt.AlignmentFlag.AlignLeft)
             row += 1
@@ -126,7 +127,7 @@ class PartsSection(QWidget):
                 switch.clicked.connect(lambda on, key=lobe.key: self._desk.switch_lobe(*key, on))
                 weight = ElidedLabel(lobe_weight(lobe))
                 weight.setToolTip(
-                    plain_tip(f"{weight.text()}\n{tr('Weight: red, green, blue of linear Rec. 2020')}")
+                    plain_tip(f"{weight.text()}\n{tr('Weight (linear Rec. 2020 red, green, blue)')}")
                 )
                 self._grid.addWidget(switch, row, 0)
                 self._grid.addWidget(weight, row, 1)

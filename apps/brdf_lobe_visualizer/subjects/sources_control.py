@@ -85,7 +85,9 @@ class Sources(QObject):
 
         def failed(error: Exception) -> None:
             self._ended(job)
-            self._window.show_message(message_of(error, f"open {name}", todo=tr("What was shown stays.")))
+            self._window.show_message(
+                message_of(error, f"open {name}", todo=tr("The previous picture stays."))
+            )
             self.failed.emit(name)
             self._look_idle()
 
@@ -162,7 +164,7 @@ class Sources(QObject):
         noted = " ".join(found.notes)
         more = ""
         if shown + len(found.refused) < len(found.entries):
-            more = tr("The others stand in the panel Reflectances (Ctrl+L).")
+            more = tr("The others are listed in the panel Reflectances (Ctrl+L).")
         if found.refused:
             what = tr("{count} entries of {title} cannot be shown.").format(
                 count=len(found.refused), title=found.title
@@ -175,7 +177,7 @@ class Sources(QObject):
             )
             self._window.show_message(Message(key, what, where=noted, todo=more))
         elif noted:
-            what = tr("{title} was read with remarks.").format(title=found.title)
+            what = tr("{title} imported with notes.").format(title=found.title)
             self._window.show_message(Message(key, what, where=noted))
 
     def _remember(self, name: str) -> None:

@@ -23,7 +23,7 @@ from brdf_lobe_visualizer.subjects import sources
 
 _ORIGIN = Qt.ItemDataRole.UserRole
 _GROUPS = {
-    "paints": mark("Shipped paints"),
+    "paints": mark("Sample paints"),
     "table_1": mark("Measured paints of Table 1"),
     "models": mark("Models"),
 }
@@ -38,21 +38,21 @@ class SourcesPanel(QWidget):
         super().__init__(parent)
         self._filled = False
         self.query = QLineEdit()
-        self.query.setPlaceholderText(tr("Find a paint or a model by name"))
-        self.query.setAccessibleName(tr("Find a paint or a model by name"))
+        self.query.setPlaceholderText(tr("Search paints and models by name"))
+        self.query.setAccessibleName(tr("Search paints and models by name"))
         self.query.setClearButtonEnabled(True)
         self.query.textChanged.connect(self._filter)
         self.query.returnPressed.connect(self._take)
         self.tree = QTreeWidget()
         self.tree.setHeaderHidden(True)
-        self.tree.setAccessibleName(tr("Reflectances that can be shown"))
+        self.tree.setAccessibleName(tr("Available reflectances"))
         self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.tree.setUniformRowHeights(True)
         self.tree.itemActivated.connect(lambda item, _column: self._ask([item]))
         self._add = QPushButton(tr("Show"))
-        self._add.setToolTip(tr("Put the selected ones into the legend (Enter, or a double click)"))
+        self._add.setToolTip(tr("Add the selected reflectances to the legend (Enter or double click)"))
         self._add.clicked.connect(self._take)
-        self._none = PlainLabel(tr("No reflectance has this name."))
+        self._none = PlainLabel(tr("No reflectance matches."))
         self._none.setMargin(8)
         self._none.hide()
         row = QHBoxLayout()

@@ -112,13 +112,13 @@ def framed(camera: Camera) -> Camera:
 
 
 PRESETS: tuple[tuple[str, str], ...] = (
-    ("three_quarters", mark("Three quarters")),
-    ("plane", mark("Across the plane of incidence")),
+    ("three_quarters", mark("Three-quarter view")),
+    ("plane", mark("Side view of the plane of incidence")),
     ("light", mark("From the light")),
-    ("mirror", mark("Into the mirror direction")),
+    ("mirror", mark("From the mirror direction")),
     ("top", mark("From above")),
-    ("behind", mark("Three quarters from behind")),
-    ("back", mark("Across the plane, from behind")),
+    ("behind", mark("Three-quarter view from behind")),
+    ("back", mark("Side view from behind")),
     ("along", mark("Low, along the plane of incidence")),
     ("below", mark("From below")),
 )

@@ -222,7 +222,7 @@ class SceneMaker:
                 _Plan(
                     subject.title,
                     tuple(sheets),
-                    tr("Diffuse, directional diffuse and gloss, each alone"),
+                    tr("Diffuse, directional diffuse and gloss, separately"),
                     "",
                     subject.colour,
                 )
@@ -235,7 +235,7 @@ class SceneMaker:
                 glass = min(0.30, 0.9 / len(lobes))
                 style: Style = "solid" if count == 1 else "glass"
                 sheets.append(self._part(subject, lobes[:count], style, lobes[count - 1].part, glass))
-            words = tr("{count} lobes stacked, from the widest out").format(count=len(lobes))
+            words = tr("{count} lobes stacked, widest innermost").format(count=len(lobes))
             return [_Plan(subject.title, tuple(sheets), words, "", subject.colour)]
         words = tr("Fit: {count} lobes").format(count=len(lobes))
         return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
@@ -271,7 +271,7 @@ class SceneMaker:
                 else:
                     plans.append(self._difference(subject, fit, target, tr("fit minus target")))
         if not plans and reference is not None:
-            note = tr("Only the reference is shown: there is nothing to take the difference of.")
+            note = tr("Only the reference is shown. Show another reflectance to see its difference.")
             plans.append(_Plan(reference.title, (), "", note, reference.colour))
         return plans
 
@@ -302,7 +302,7 @@ class SceneMaker:
         )
         notes = [plan.note] if plan.note else []
         if layers and all(layer.surface.dark for layer in layers):
-            notes.append(tr("It is zero in every direction: there is no lobe."))
+            notes.append(tr("The reflectance is zero in every direction."))
         points = None
         if plan.samples is not None and options.samples and not any(s.signed for s in plan.sheets):
             points, words = sample_points(plan.samples, self._desk, scale, options)
@@ -315,7 +315,7 @@ class SceneMaker:
         if all(layer.surface.dark for layer in layers):
             return ""
         most = max(greatest(layer.surface.values) for layer in layers)
-        text = tr("greatest {value} {unit}").format(value=number(most), unit=UNIT)
+        text = tr("maximum {value} {unit}").format(value=number(most), unit=UNIT)
         if float(layers[0].surface.scale.radius(most)) > CUT:
             text = tr("{text}, cut off in the picture").format(text=text)
         return text
@@ -347,7 +347,7 @@ class SceneMaker:
 _WORDS: dict[str, Callable[[], str]] = {
     "target": lambda: "",
     "fit": lambda: tr("Fit"),
-    "both": lambda: tr("Target, and its fit over it"),
+    "both": lambda: tr("Target with its fit overlaid"),
 }
 
 
@@ -359,7 +359,7 @@ def _sheet(
 
 
 def _coming() -> str:
-    return tr("The values are being worked out.")
+    return tr("Computing the values…")
 
 
 def _no_fit(subject: PlottedMaterial) -> str:
@@ -369,13 +369,13 @@ def _no_fit(subject: PlottedMaterial) -> str:
 def _notes(sheet: _Sheet) -> list[str]:
     notes = []
     if sheet.found.stale:
-        notes.append(tr("As it was before: its values are being worked out."))
+        notes.append(tr("Outdated: computing the new values…"))
     holes = int(np.isnan(sheet.found.values[:, :-1]).any(axis=-1).sum())
     if holes:
         rows, columns = sheet.found.grid.shape
         share = holes / (rows * (columns - 1))
-        text = tr("No values in {share} of the directions: holes.").format(share=f"{share:.1%}")
-        notes.append(text if share < 1.0 else tr("There is no value in any direction."))
+        text = tr("No values in {share} of the directions (holes).").format(share=f"{share:.1%}")
+        notes.append(text if share < 1.0 else tr("No values in any direction."))
     return notes
 
 

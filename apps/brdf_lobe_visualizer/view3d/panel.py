@@ -144,7 +144,7 @@ class Space(QObject):
         if self.view is not None:
             return
         if QGuiApplication.platformName() in ("offscreen", "minimal"):
-            self._holder.show_notice(tr("There is no OpenGL here: the lobes cannot be drawn."))
+            self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
         # Half a second of imports.
         from brdf_lobe_visualizer.incidence.drag import IncidenceDrag

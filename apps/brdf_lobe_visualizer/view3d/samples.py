@@ -31,7 +31,7 @@ def sample_points(
     if not len(wi):
         polar = np.degrees(np.arccos(np.clip(samples.wi[:, 2], -1.0, 1.0)))
         nearest = polar[np.argmin(np.abs(polar - desk.incidence[0]))]
-        text = tr("No sample within {reach}° of this incidence; the nearest lies at {angle}°.")
+        text = tr("No samples within {reach}° of this incidence; the nearest is at {angle}°.")
         return None, text.format(reach=f"{options.within_deg:g}", angle=f"{nearest:.1f}")
     values = values * cosine_factor(desk.options.cosine, wi, wo)[:, None]
     shown = scalar_of(values.astype(np.float32), desk.options.channel)

@@ -58,9 +58,15 @@ class SaveSection(QWidget):
             (self.size_, SIZE_MM),
         ):
             field.set_value(default)
-        form.add_row(tr("Width"), self.width_, tr("Of PNG and SVG. PNG is sampled 16 times a pixel."))
+        form.add_row(
+            tr("Width"), self.width_, tr("Size of PNG and SVG pictures. PNG uses 16 samples per pixel.")
+        )
         form.add_row(tr("Height"), self.height_)
-        form.add_row(tr("Radius 1 is"), self.size_, tr("In OBJ and PLY; the file says what value that is."))
+        form.add_row(
+            tr("Scale"),
+            self.size_,
+            tr("Length of radius 1 in OBJ and PLY. The file states the value it stands for."),
+        )
         grid = QGridLayout()
         grid.setSpacing(8)
         self.buttons: dict[str, QPushButton] = {}
@@ -75,7 +81,7 @@ class SaveSection(QWidget):
         self.told.setWordWrap(True)
         self.told.hide()
         box.addWidget(self.told)
-        self.reset = QPushButton(tr("Reset sizes"))
+        self.reset = QPushButton(tr("Reset Sizes"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
 
@@ -119,7 +125,7 @@ class SaveSurface(QObject):
             self._window.show_message(message_of(error, "export"))
             return
         self._window.dismiss_message("export")
-        self.section.tell(tr("Written: {path}").format(path=path))
+        self.section.tell(tr("Saved: {path}").format(path=path))
 
     def write(self, path: Path) -> None:
         """Write the view or the front surface, by the ending of ``path``.
@@ -141,7 +147,7 @@ class SaveSurface(QObject):
     def _view(self):  # type: ignore[no-untyped-def] # the class is imported with OpenGL
         view = self._space.view
         if view is None or not view.isValid():
-            raise GraphicsError(tr("There is no OpenGL here: the lobes cannot be drawn."))
+            raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))
         return view
 
     def _write_png(self, path: Path) -> None:
@@ -171,7 +177,7 @@ class SaveSurface(QObject):
 
         layers = [layer for panel in self._view().scene.panels for layer in panel.layers]
         if not layers:
-            raise GraphicsError(tr("No surface is shown: add a reflectance, or show one in the legend."))
+            raise GraphicsError(tr("No surface to save. Add a reflectance, or show one in the legend."))
         write_surface(
             path, layers[0].surface, (*self._about(), "lengths in millimetres"), self.section.size_.value()
         )

@@ -51,7 +51,7 @@ class SpaceView(GLViewWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setMinimumSize(200, 160)
-        self.setAccessibleName(tr("Lobes in three dimensions"))
+        self.setAccessibleName(tr("3-D lobe plot"))
         self.setObjectName("space_view")
         self.scene = Scene()
         self.camera = Camera()
@@ -277,7 +277,7 @@ class SpaceView(GLViewWidget):
                 if spot is not None:
                     overlay.probe(spot, self._probe_text, room)
         if not self.scene.panels:
-            overlay.words(tr("Nothing to show: add a reflectance, or show one in the legend."), everything)
+            overlay.words(tr("No reflectance shown. Add one, or show one in the legend."), everything)
 
     def _behind(self, panel: Panel, places: list[tuple[float, float, float]]) -> list[bool]:
         """Which places a solid lobe of the panel hides."""
