@@ -1,4 +1,4 @@
-"""Lobe Visualizer: any reflectance in three dimensions. ``brdf-lobes --help`` tells its options."""
+"""Lobe Visualizer: any reflectance in three dimensions. ``brdf-lobes --help`` lists its options."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A drop-down list of named choices: shows what is set, tells what the user chose, goes back on a double click."""
+"""A drop-down list of named choices with a default that Backspace or Delete restores."""
 
 from __future__ import annotations
 

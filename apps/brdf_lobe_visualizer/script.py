@@ -75,13 +75,13 @@ def shown(text: str) -> Shown:
 
 def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
     """Set what the options ask for and no subject is needed for; call before the window is shown."""
-    desk, window = program.desk, program.window
+    session, window = program.session, program.window
     wanted = {name: getattr(options, name) for name in ("radius", "channel", "cosine")}
     if options.show is not None:
         wanted["shown"] = options.show
-    desk.set_options(**{name: value for name, value in wanted.items() if value is not None})
+    session.set_options(**{name: value for name, value in wanted.items() if value is not None})
     if options.incidence is not None:
-        desk.set_incidence(*options.incidence)
+        session.set_incidence(*options.incidence)
     if options.plots is not None:
         keys = options.plots.split(",") if options.plots else []
         for key in window.plots.plots:
@@ -103,11 +103,11 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
 
 def apply_subjects(program: LobeVisualizer, options: argparse.Namespace) -> None:
     """Choose front and reference by their places, once the subjects are there."""
-    subjects = program.desk.subjects
+    subjects = program.session.subjects
     if options.front is not None and 1 <= options.front <= len(subjects):
-        program.desk.set_front(subjects[options.front - 1].key)
+        program.session.set_front(subjects[options.front - 1].key)
     if options.reference is not None and 1 <= options.reference <= len(subjects):
-        program.desk.set_compared(subjects[options.reference - 1].key)
+        program.session.set_reference(subjects[options.reference - 1].key)
 
 
 def _pair(text: str) -> tuple[str, str]:

@@ -8,7 +8,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.status_line import StatusLine
 from PySide6.QtCore import QObject
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 
 _ROLES = {
@@ -20,20 +20,20 @@ _ROLES = {
 
 
 class Status(QObject):
-    """Keeps the cells in step with the desk; parts may add cells of their own to ``window.status``."""
+    """Keeps the cells in step with the session; parts may add cells of their own to ``window.status``."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         line: StatusLine = window.status
         self._subject = line.cell("subject", tr("Selected reflectance"), elastic=True)
         self._fit = line.cell("fit", tr("Fitted lobes and fitting time"))
         self._notes = line.cell("notes", tr("Notes on the reflectance"), elastic=True)
         self._light = line.cell("incidence", tr("Direction of the light"), right=True)
         self._link = line.cell("link", tr("Connected programs of the suite"), right=True)
-        desk.subjects_changed.connect(self._show_front)
-        desk.front_changed.connect(self._show_front)
-        desk.incidence_changed.connect(lambda _theta, _phi: self._show_light())
+        session.subjects_changed.connect(self._show_front)
+        session.front_changed.connect(self._show_front)
+        session.incidence_changed.connect(lambda _theta, _phi: self._show_light())
         self._show_front()
         self._show_light()
 
@@ -43,7 +43,7 @@ class Status(QObject):
         self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
 
     def _show_front(self) -> None:
-        front = self._desk.front
+        front = self._session.front
         if front is None:
             for cell in (self._subject, self._fit, self._notes):
                 cell.set("")
@@ -64,5 +64,5 @@ class Status(QObject):
         self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)
 
     def _show_light(self) -> None:
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         self._light.set(tr("light {theta}°, {phi}°").format(theta=f"{theta:.1f}", phi=f"{phi:.0f}"))

@@ -23,11 +23,11 @@ _VIEW_WIDTH = 400
 class LobeWindow(SuiteWindow):
     """The window of Lobe Visualizer; parts add to it by the ``add_`` methods and :meth:`set_centre`.
 
-    Intents: ``open_asked(Path | None)``, a file or that one be asked for; ``dropped(list[Path])``;
+    Intents: ``open_requested(Path | None)``, a file or that one be asked for; ``dropped(list[Path])``;
     ``recent_cleared``; ``closing``, just before it closes.
     """
 
-    open_asked = Signal(object)
+    open_requested = Signal(object)
     dropped = Signal(object)
     recent_cleared = Signal()
     closing = Signal()
@@ -165,7 +165,7 @@ class LobeWindow(SuiteWindow):
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
             action.setToolTip(plain_tip(str(path)))
-            action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
+            action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
         self.recent_menu.addSeparator()
         self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
         self.recent_menu.setEnabled(bool(paths))
@@ -186,7 +186,7 @@ class LobeWindow(SuiteWindow):
     def _build_file_menu(self) -> None:
         keys = QKeySequence.StandardKey
         opened = self.add_action(
-            self.file_menu, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+            self.file_menu, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
         )
         self.toolbar.addAction(opened)
         self.recent_menu = QMenu(tr("Open &Recent"), self.file_menu)

@@ -27,7 +27,7 @@ def basis(window_with_basis, qtbot) -> Basis:
     program = window_with_basis
     part = next(part for part in program.parts if isinstance(part, Basis))
     program._started = True
-    program.desk.set_subjects(())
+    program.session.set_subjects(())
     program.window.plots.set_shown(BASIS, True)
     part.show_shipped()
     qtbot.waitUntil(lambda: part.is_complete)
@@ -35,8 +35,8 @@ def basis(window_with_basis, qtbot) -> Basis:
 
 
 @pytest.fixture
-def desk(window_with_basis):
-    return window_with_basis.desk
+def session(window_with_basis):
+    return window_with_basis.session
 
 
 def test_the_stored_search_is_drawn(basis) -> None:
@@ -55,22 +55,22 @@ def test_the_stored_search_is_drawn(basis) -> None:
     assert "worst" in basis.view.plots.readouts[1].text()
 
 
-def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
+def test_the_selected_paint_has_its_errors_live(basis, session, qtbot) -> None:
     search = load_search(STORED)
     for name in ("blue_metallic", "satin_blue"):
-        desk.add(PlottedMaterial(name, name, Material(name, build_reflectance(load_document(name)))))
+        session.add(PlottedMaterial(name, name, Material(name, build_reflectance(load_document(name)))))
     for name in ("blue_metallic", "satin_blue"):
-        desk.set_front(name)
+        session.set_front(name)
         qtbot.waitUntil(
             lambda name=name: basis.view.plots.own is not None and basis.view.plots.own[0].key == name
         )
         errors = basis.view.plots.own[1]
         place = search.paints.index(name)
         assert errors.errors == pytest.approx([result.errors[place] for result in search.results], rel=1e-6)
-    desk.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
+    session.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
     qtbot.waitUntil(lambda: not basis.view.plots.own[1].whole)
     assert "matt: colour error only" in basis.view.note.text()
-    desk.set_subjects(())
+    session.set_subjects(())
     qtbot.waitUntil(lambda: basis.view.plots.own is None)
 
 
@@ -108,7 +108,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     assert "changed" not in basis.view.note.text()
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", paints)
     qtbot.waitUntil(lambda: "changed since" in basis.view.note.text())
-    # Now one that is stopped: it keeps its place and tells nothing.
+    # Now one that is stopped: it keeps its place and reports nothing.
     basis.view.search.click()
     qtbot.waitUntil(lambda: basis.run is not None)
     basis.run.cancel()
@@ -118,16 +118,16 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     assert "Sample paints" in basis.view.note.text()
 
 
-def test_what_cannot_be_searched_is_told(basis, qtbot, tmp_path: Path) -> None:
+def test_what_cannot_be_searched_is_reported(basis, qtbot, tmp_path: Path) -> None:
     basis.show_folder(tmp_path)
     basis.start_search()
     qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
     assert basis.run is None
     assert basis.view.search.isEnabled()
     run = BasisRun(tmp_path, tmp_path / "basis.json", 3, basis)
-    with qtbot.waitSignal(run.failed) as told:
+    with qtbot.waitSignal(run.failed) as failed:
         run.start()
-    assert "no paint" in told.args[0]
+    assert "no paint" in failed.args[0]
 
 
 def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
@@ -155,7 +155,7 @@ def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
     qtbot.waitUntil(lambda: basis.is_complete)
     threads.clear()
     basis.show_folder(tmp_path)
-    basis._tell()
+    basis._show_note()
     qtbot.waitUntil(lambda: basis.is_complete)
     assert not threads  # nothing has changed
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", below)

@@ -84,8 +84,8 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     part.dock.show()
     program.sources.add(PlottedMaterial("", "Satin", Material("Satin", product())))
     program.sources.add(PlottedMaterial("", "Matt", Material("Matt", MODELS["lambertian"].default)))
-    satin, matt = program.desk.subjects
-    program.desk.set_front(satin.key)
+    satin, matt = program.session.subjects
+    program.session.set_front(satin.key)
     view = part.panel.view
     qtbot.waitUntil(lambda: view.grid.columns == ("p(ωi) p(ωo)", "q(|h|)", "d(ω·h)", "s(√|h|)"))
     assert "Satin" in part.panel.note.text()
@@ -98,6 +98,6 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     assert part.set_from_script("factor-channel", "red")
     assert part.panel.channel.choice == "red"
     assert not part.set_from_script("factor-channel", "mauve")
-    program.desk.set_front(matt.key)
+    program.session.set_front(matt.key)
     qtbot.waitUntil(lambda: not view.grid.columns)
     assert "Matt" in view.empty.text()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToo
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import BasisPlots
 from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
@@ -83,9 +83,9 @@ class BasisView(QWidget):
 class Basis(QObject):
     """Shows a search and the selected reflectance's errors; starts searches."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self.view = BasisView()
         self.folder = _remembered_folder()
         self.search: StoredSearch | None = None
@@ -95,8 +95,8 @@ class Basis(QObject):
         self._working = self._built = self._follows_run = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
-        self._paints = FolderPaints(desk, self)
-        self._paints.changed.connect(self._tell)
+        self._paints = FolderPaints(session, self)
+        self._paints.changed.connect(self._show_note)
         self._output_of: tuple[Path, Path] | None = None
         window.add_plot(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
@@ -105,7 +105,7 @@ class Basis(QObject):
         self.view.reset.triggered.connect(self.show_shipped)
         window.add_command("view", mark("Show the Basis"), None, self._show)
         self._timer = QTimer(self, singleShot=True, interval=0, timeout=self._refresh)
-        for signal in (desk.subjects_changed, desk.front_changed):
+        for signal in (session.subjects_changed, session.front_changed):
             signal.connect(self._timer.start)
         window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())
         window.first_painted.connect(self._timer.start)
@@ -159,7 +159,7 @@ class Basis(QObject):
         if not paints.count:
             self._drop_search()
             error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
-            self._desk.show_message(message_of(error, BASIS))
+            self._session.show_message(message_of(error, BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
@@ -201,7 +201,7 @@ class Basis(QObject):
         self._read()
 
     def _read(self) -> None:
-        """Read the search that is shown; where that cannot be, a message tells and the old one stays."""
+        """Read the search that is shown; on an error a message is shown and the old one stays."""
         from brdf_suite.fitting.basis_search.stored import load_search
 
         if self._source is None:
@@ -209,15 +209,15 @@ class Basis(QObject):
         else:
             try:
                 self.search = load_search(self._source)
-                self._desk.dismiss_message(BASIS)
+                self._session.dismiss_message(BASIS)
             except SuiteError as error:
-                self._desk.show_message(message_of(error, BASIS))
+                self._session.show_message(message_of(error, BASIS))
         if self._built:
             self.view.plots.show_search(self.search)
-            self._tell()
+            self._show_note()
             self._ask_own()
 
-    def _tell(self) -> None:
+    def _show_note(self) -> None:
         search, words = self.search, [self._name()]
         if search is None or not search.results:
             words.append(tr("no search yet: choose Search"))
@@ -243,7 +243,7 @@ class Basis(QObject):
 
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
-            return False  # a file of its own: of which paints nobody knows
+            return False  # a file of its own: its paints are unknown
         paints = self._paints.known
         # Until the folder has been looked at nothing is said; without a sum the paints have gone.
         return paints is not None and paints.sha256 != search.sha256
@@ -261,7 +261,7 @@ class Basis(QObject):
 
     def _ask_own(self) -> None:
         """Ask a thread for the errors of the front subject; one at a time, the newest next."""
-        front, search = self._desk.front, self.search
+        front, search = self._session.front, self.search
         if not self._built or not self._is_shown():
             return
         if front is None or search is None or not search.results:
@@ -275,7 +275,7 @@ class Basis(QObject):
             return
         self._working = True
         bases = {result.count: result.exponents for result in search.results}
-        self._desk.tasks.submit(
+        self._session.tasks.submit(
             _TASK,
             _errors,
             (front.reflectance, bases),
@@ -288,18 +288,18 @@ class Basis(QObject):
     ) -> None:
         self._working = False
         self._own_of = wanted
-        front = self._desk.front
+        front = self._session.front
         if front is not None and front.key == subject.key:
             self.view.plots.show_own(front, errors)
-            self._desk.dismiss_message(_TASK)
-        self._tell()
+            self._session.dismiss_message(_TASK)
+        self._show_note()
         self._ask_own()
 
     def _own_failed(self, wanted: tuple[Any, Any], error: Exception) -> None:
         self._working = False
         self._own_of = wanted
         self.view.plots.show_own(None, None)
-        self._desk.show_message(message_of(error, _TASK))
+        self._session.show_message(message_of(error, _TASK))
         self._ask_own()
 
     # The search.
@@ -320,7 +320,7 @@ class Basis(QObject):
 
     def _failed(self, words: str) -> None:
         self._ended()
-        self._desk.show_message(message_of(SuiteError(words), BASIS))
+        self._session.show_message(message_of(SuiteError(words), BASIS))
 
     def _ended(self) -> None:
         self.view.progress.end_job(BASIS)
@@ -328,8 +328,8 @@ class Basis(QObject):
         if self.run is not None:
             self.run.deleteLater()
             self.run = None
-        self._tell()
-        self._paints.look()  # in folders below, no change was told
+        self._show_note()
+        self._paints.look()  # changes in subfolders are not reported
 
     # What the user chooses.
 

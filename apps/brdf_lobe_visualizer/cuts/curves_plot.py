@@ -173,7 +173,7 @@ class CurvesPlot(QWidget):
         self._place_marks(lines.cut.axis, log_x)
         if not self._free:
             self._frame(lines, log_x, log_y)
-        self._tell(lines, bool(bands))
+        self._show_residual(lines, bool(bands))
 
     def _placed(self, line: Line, lines: Lines, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
         x, y = lines.cut.angle_deg, line.value
@@ -228,8 +228,8 @@ class CurvesPlot(QWidget):
             self._view = view
             self.plot.setRange(xRange=x, yRange=y, padding=0.0, disableAutoRange=True)
 
-    def _tell(self, lines: Lines, holes: bool) -> None:
-        """Say how far the selected fit is from its target, and what is not to be seen; the tip tells of all fits."""
+    def _show_residual(self, lines: Lines, holes: bool) -> None:
+        """Write the residual of the selected fit and what is missing; the tooltip has all fits."""
         errors: dict[str, str] = {}
         for line in lines.lines:
             error = lines.errors.get(line.key)

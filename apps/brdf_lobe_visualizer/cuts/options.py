@@ -72,7 +72,7 @@ _RANGES = {
 
 
 class SliceState(QObject):
-    """Holds the options; ``changed()`` tells of others."""
+    """Holds the options; ``changed()`` is emitted when they change."""
 
     changed = Signal()
 

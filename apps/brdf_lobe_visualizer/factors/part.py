@@ -12,8 +12,8 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.inspection.slices.tone import Tone
 
@@ -61,9 +61,9 @@ class FactorsPanel(QWidget):
 class Factors(QObject):
     """A part of the window: the panel Factors at the bottom, hidden at a first start."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._ready = self._closed = False
         self.panel = FactorsPanel()
         self.dock = window.add_dock(
@@ -76,9 +76,9 @@ class Factors(QObject):
         self.panel.channel_chosen.connect(self.choose_channel)
         self.panel.tone_chosen.connect(self.choose_tone)
         self.panel.seen.connect(self._show)
-        desk.subjects_changed.connect(self._show)
-        desk.front_changed.connect(self._show)
-        # What draws maps knows reflectances, which nobody needs before the window is painted.
+        session.subjects_changed.connect(self._show)
+        session.front_changed.connect(self._show)
+        # Drawing maps imports reflectances, which are not needed before the window is painted.
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         window.add_command(
             "view",
@@ -133,7 +133,7 @@ class Factors(QObject):
             return
         from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
 
-        front = self._desk.front
+        front = self._session.front
         value = None if front is None else factored_in(front.reflectance)
         tone = cast(Tone, self._tone)
         if front is None or value is None:

@@ -77,7 +77,7 @@ class IncidenceDrag(QObject):
                 else:
                     self._view.unsetCursor()
             return False
-        if event.buttons() == Qt.MouseButton.NoButton:  # released where nobody told us
+        if event.buttons() == Qt.MouseButton.NoButton:  # released outside of the view
             self._end()
             return False
         if self._mode == "handle":

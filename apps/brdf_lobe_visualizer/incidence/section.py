@@ -11,23 +11,23 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SPEED_RANGE, SpaceOptions, SpaceState
 
 _SWEEPS = {"polar": mark("Polar angle"), "azimuth": mark("Azimuth")}
 
 
 class IncidenceSection(QWidget):
-    """Sets the desk's incidence and the sweep, and shows them."""
+    """Sets the session's incidence and the sweep, and shows them."""
 
     def __init__(
-        self, desk: Desk, state: SpaceState, sweep: SweepControl, parent: QWidget | None = None
+        self, session: LobeSession, state: SpaceState, sweep: SweepControl, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("incidence_section")
-        self._desk, self._state, self._sweep = desk, state, sweep
+        self._session, self._state, self._sweep = session, state, sweep
         plain = SpaceOptions()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -37,7 +37,7 @@ class IncidenceSection(QWidget):
         self.theta = NumberField(
             tr("Polar angle of the light"), "°", 0.0, MOST_THETA_DEG, 1.0, 1, INCIDENCE_DEG[0]
         )
-        self.theta.edited.connect(lambda value: desk.set_incidence(value, desk.incidence[1]))
+        self.theta.edited.connect(lambda value: session.set_incidence(value, session.incidence[1]))
         form.add_row(
             tr("Polar angle θi"),
             self.theta,
@@ -49,12 +49,12 @@ class IncidenceSection(QWidget):
         self.theta_slider.setSingleStep(10)
         self.theta_slider.setAccessibleName(tr("Polar angle of the light, tenths of a degree"))
         self.theta_slider.valueChanged.connect(
-            lambda value: desk.set_incidence(value / 10.0, desk.incidence[1])
+            lambda value: session.set_incidence(value / 10.0, session.incidence[1])
         )
         form.add_wide(self.theta_slider)
         self.phi = NumberField(tr("Azimuth of the light"), "°", -180.0, 180.0, 1.0, 1, INCIDENCE_DEG[1])
         self.phi.setWrapping(True)
-        self.phi.edited.connect(lambda value: desk.set_incidence(desk.incidence[0], value))
+        self.phi.edited.connect(lambda value: session.set_incidence(session.incidence[0], value))
         form.add_row(
             tr("Azimuth φi"),
             self.phi,
@@ -79,14 +79,14 @@ class IncidenceSection(QWidget):
         row.addWidget(self.run)
         row.addWidget(self.reset)
         box.addLayout(row)
-        desk.incidence_changed.connect(lambda _theta, _phi: self.show_now())
+        session.incidence_changed.connect(lambda _theta, _phi: self.show_now())
         state.changed.connect(self.show_now)
         sweep.running_changed.connect(lambda _on: self.show_now())
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         self.theta.set_value(theta)
         self.phi.set_value(phi)
         self.theta_slider.blockSignals(True)
@@ -98,5 +98,5 @@ class IncidenceSection(QWidget):
 
     def _reset(self) -> None:
         self._sweep.set_running(False)
-        self._desk.reset_incidence()
+        self._session.reset_incidence()
         self._state.reset("sweep", "speed")

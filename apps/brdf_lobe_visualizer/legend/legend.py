@@ -29,12 +29,12 @@ from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
-_OF_COLUMN = {SOLO: "solo_asked", REFERENCE: "reference_asked"}
+_OF_COLUMN = {SOLO: "solo_requested", REFERENCE: "reference_requested"}
 
 
 @dataclass(frozen=True)
 class LegendRow:
-    """What a row shows. ``error`` is a short text; ``tip`` tells all that is known of the subject."""
+    """What a row shows. ``error`` is a short text; ``tip`` lists all that is known of the subject."""
 
     key: str
     title: str
@@ -114,7 +114,7 @@ class _Rows(QTreeWidget):
             super().keyPressEvent(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Tell which row was dropped where; the rows themselves follow the desk."""
+        """Emit which row was dropped where; the rows themselves follow the session."""
         row = self.currentItem()
         under = self.itemAt(event.position().toPoint())
         place = self.topLevelItemCount() if under is None else self.indexOfTopLevelItem(under)
@@ -130,24 +130,25 @@ class _Rows(QTreeWidget):
 class Legend(QWidget):
     """All subjects. Signals carry the key of the subject that they are about.
 
-    ``front_asked``, ``shown_asked(key, bool)``, ``solo_asked(key, bool)``, ``reference_asked(key, bool)``,
-    ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``, ``dash_asked(key)``, ``menu_asked(QPoint)``,
-    ``colour_asked(key)``; without one ``open_asked``, ``list_asked``, ``all_asked``.
+    ``front_requested``, ``shown_requested(key, bool)``, ``solo_requested(key, bool)``,
+    ``reference_requested(key, bool)``, ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``,
+    ``dash_requested(key)``, ``colour_requested(key)``; without a key ``menu_requested(QPoint)``, ``open_requested``,
+    ``list_requested``, ``all_requested``.
     """
 
-    front_asked = Signal(str)
-    shown_asked = Signal(str, bool)
-    solo_asked = Signal(str, bool)
-    reference_asked = Signal(str, bool)
+    front_requested = Signal(str)
+    shown_requested = Signal(str, bool)
+    solo_requested = Signal(str, bool)
+    reference_requested = Signal(str, bool)
     renamed = Signal(str, str)
     removed = Signal(str)
     moved = Signal(str, int)
-    colour_asked = Signal(str)
-    dash_asked = Signal(str)
-    menu_asked = Signal(QPoint)
-    open_asked = Signal()
-    list_asked = Signal()
-    all_asked = Signal()
+    colour_requested = Signal(str)
+    dash_requested = Signal(str)
+    menu_requested = Signal(QPoint)
+    open_requested = Signal()
+    list_requested = Signal()
+    all_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -232,7 +233,7 @@ class Legend(QWidget):
         rows.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         rows.customContextMenuRequested.connect(
-            lambda at: self.menu_asked.emit(rows.viewport().mapToGlobal(at))
+            lambda at: self.menu_requested.emit(rows.viewport().mapToGlobal(at))
         )
         rows.currentItemChanged.connect(self._selected)
         rows.itemChanged.connect(self._changed)
@@ -250,9 +251,9 @@ class Legend(QWidget):
         head.addWidget(title)
         head.addStretch(1)
         for name, text, signal in (
-            ("folder-open", tr("Open a file"), self.open_asked),
-            ("list-plus", tr("Add from the library of reflectances"), self.list_asked),
-            ("eye", tr("Show all"), self.all_asked),
+            ("folder-open", tr("Open a file"), self.open_requested),
+            ("list-plus", tr("Add from the library of reflectances"), self.list_requested),
+            ("eye", tr("Show all"), self.all_requested),
         ):
             button = QToolButton()
             button.setIcon(icon(name))
@@ -272,8 +273,8 @@ class Legend(QWidget):
         box.addStretch(1)
         box.addWidget(text)
         for title, signal in (
-            (tr("Open a File…"), self.open_asked),
-            (tr("Add from Library…"), self.list_asked),
+            (tr("Open a File…"), self.open_requested),
+            (tr("Add from Library…"), self.list_requested),
         ):
             button = QPushButton(title)
             button.clicked.connect(signal)
@@ -285,7 +286,7 @@ class Legend(QWidget):
 
     def _selected(self, item: QTreeWidgetItem | None) -> None:
         if item is not None and not self._filling:
-            self.front_asked.emit(item.data(0, _KEY))
+            self.front_requested.emit(item.data(0, _KEY))
 
     def _changed(self, item: QTreeWidgetItem, column: int) -> None:
         if self._filling:
@@ -298,7 +299,7 @@ class Legend(QWidget):
         if column in _OF_COLUMN:
             getattr(self, _OF_COLUMN[column]).emit(key, checked)
         elif checked != row.shown:
-            self.shown_asked.emit(key, checked)
+            self.shown_requested.emit(key, checked)
         elif item.text(TITLE) != row.title:
             self._shown = ()  # the row shows what was typed, also where it is refused
             self.renamed.emit(key, item.text(TITLE))
@@ -314,11 +315,11 @@ class Legend(QWidget):
             return
         place = self.rows.indexOfTopLevelItem(item)
         acts = {
-            "shown": lambda: self.shown_asked.emit(row.key, not row.shown),
-            "solo": lambda: self.solo_asked.emit(row.key, not row.solo),
-            "reference": lambda: self.reference_asked.emit(row.key, not row.reference),
-            "colour": lambda: self.colour_asked.emit(row.key),
-            "dash": lambda: self.dash_asked.emit(row.key),
+            "shown": lambda: self.shown_requested.emit(row.key, not row.shown),
+            "solo": lambda: self.solo_requested.emit(row.key, not row.solo),
+            "reference": lambda: self.reference_requested.emit(row.key, not row.reference),
+            "colour": lambda: self.colour_requested.emit(row.key),
+            "dash": lambda: self.dash_requested.emit(row.key),
             "rename": lambda: self.rows.editItem(item, TITLE),
             "remove": lambda: self.removed.emit(row.key),
             "up": lambda: self.moved.emit(row.key, place - 1),

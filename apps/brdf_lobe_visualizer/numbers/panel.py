@@ -17,11 +17,11 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.legend.line import line_icon
 from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
 from brdf_lobe_visualizer.numbers.work import FiguresWork
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
@@ -45,14 +45,14 @@ AskPath = Callable[[Path], Path | None]
 
 
 class NumbersPanel(QWidget):
-    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_asked()``,
-    ``export_asked()``, ``seen(bool)``.
+    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_requested()``,
+    ``export_requested()``, ``seen(bool)``.
     """
 
     group_chosen = Signal(str)
     angles_chosen = Signal(str)
-    copy_asked = Signal()
-    export_asked = Signal()
+    copy_requested = Signal()
+    export_requested = Signal()
     seen = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -77,8 +77,8 @@ class NumbersPanel(QWidget):
         head.addWidget(self.note)
         head.addStretch(1)
         for name, text, signal in (
-            ("copy", tr("Copy the table"), self.copy_asked),
-            ("export", tr("Export all figures as CSV"), self.export_asked),
+            ("copy", tr("Copy the table"), self.copy_requested),
+            ("export", tr("Export all figures as CSV"), self.export_requested),
         ):
             button = QToolButton()
             button.setIcon(icon(name))
@@ -112,13 +112,13 @@ class NumbersPanel(QWidget):
 class Numbers(QObject):
     """A part of the window: the panel Numbers at the bottom, and the plot Albedo in the row of plots."""
 
-    def __init__(self, desk: Desk, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._ask_path = ask_path or _asks(window)
         # Nothing is worked out or imported before the window is painted, also where the panel was left open.
         self._ready = self._closed = False
-        self.work = FiguresWork(desk, window)
+        self.work = FiguresWork(session, window)
         self.panel, self.plot = NumbersPanel(), AlbedoPlot()
         self.dock = window.add_dock(
             "numbers", mark("Numbers"), self.panel, Qt.DockWidgetArea.BottomDockWidgetArea
@@ -131,14 +131,14 @@ class Numbers(QObject):
         self.panel.show_choices(self._group, self.work.angles.name)
         self.panel.group_chosen.connect(self.choose_group)
         self.panel.angles_chosen.connect(self.choose_angles)
-        self.panel.copy_asked.connect(self.copy)
-        self.panel.export_asked.connect(self.export)
+        self.panel.copy_requested.connect(self.copy)
+        self.panel.export_requested.connect(self.export)
         self.panel.seen.connect(lambda _seen: self._look())
         self.plot.seen.connect(lambda _seen: self._look())
         self.work.changed.connect(self._show)
-        desk.subjects_changed.connect(self._show_lines)
-        desk.front_changed.connect(self._show_lines)
-        desk.visibility_changed.connect(self._show)
+        session.subjects_changed.connect(self._show_lines)
+        session.front_changed.connect(self._show_lines)
+        session.visibility_changed.connect(self._show)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         self.action = window.add_command(
             "view",
@@ -238,11 +238,11 @@ class Numbers(QObject):
     def _look(self) -> None:
         if self._closed or not self._ready:
             return
-        self.work.set_wanted(self.panel.isVisible() or self.plot.isVisible())
+        self.work.set_needed(self.panel.isVisible() or self.plot.isVisible())
         self._show()
 
     def _named(self) -> list[tuple[str, object]]:
-        found = [(s.title, self.work.figures(s.key)) for s in self._desk.visible]
+        found = [(s.title, self.work.figures(s.key)) for s in self._session.visible]
         return [(title, figures) for title, figures in found if figures is not None]
 
     def _show(self) -> None:
@@ -253,30 +253,30 @@ class Numbers(QObject):
             return
         from brdf_suite.inspection.figures.text import figure_rows
 
-        shown = [s for s in self._desk.visible if self.work.figures(s.key) is not None]
+        shown = [s for s in self._session.visible if self.work.figures(s.key) is not None]
         rows = [row for row in figure_rows(self._named()) if row.group == self._group]
         ratio = self.panel.devicePixelRatioF()
         columns = [
             Column(s.title, line_icon(s.colour, s.dash, ratio), self.work.is_stale(s.key)) for s in shown
         ]
         self.panel.table.figures.show(columns, rows)
-        self.panel.note.setText(self._told())
+        self.panel.note.setText(self._note())
 
-    def _told(self) -> str:
-        visible = self._desk.visible
+    def _note(self) -> str:
+        visible = self._session.visible
         if not visible:
             return tr("No reflectance shown.")
         if not self.work.is_complete:
             fresh = sum(not self.work.is_stale(s.key) for s in visible)
             return tr("{fresh} of {count} computed").format(fresh=fresh, count=len(visible))
-        if self._group == "errors" and self._desk.compared is None:
+        if self._group == "errors" and self._session.reference is None:
             return tr("Set a reference in the legend (R) to see differences.")
         return ""
 
     def _show_lines(self) -> None:
-        front = self._desk.front
+        front = self._session.front
         lines = []
-        for subject in self._desk.visible:
+        for subject in self._session.visible:
             figures = self.work.figures(subject.key)
             if figures is not None:
                 curve = figures.curve

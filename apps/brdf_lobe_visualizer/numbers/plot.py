@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.cuts.pens import colour_of, dashed, grey_pen
+from brdf_lobe_visualizer.cuts.pens import colour_of, dashed_pen, grey_pen
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_suite.geometry.directions import Floats
 
@@ -115,7 +115,7 @@ class AlbedoPlot(QWidget):
         for curve, line in zip(self._curves, self._lines, strict=False):
             colour = colour_of(line.subject.colour, base)
             colour.setAlphaF(0.5 if line.stale else 1.0)
-            curve.setPen(dashed(colour, 2.4 if line.front else 1.6, line.subject.dash))
+            curve.setPen(dashed_pen(colour, 2.4 if line.front else 1.6, line.subject.dash))
             curve.setData(line.incidence_deg, line.albedo)
             curve.setVisible(True)
         for curve in self._curves[len(self._lines) :]:

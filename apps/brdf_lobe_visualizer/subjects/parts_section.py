@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, 
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.cuts.crosshair import number
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SpaceOptions, SpaceState
 from brdf_lobe_visualizer.view3d.words import PART_TITLES, lobe_weight
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
@@ -36,10 +36,10 @@ _VIEWS = {
 class PartsSection(QWidget):
     """Sets what is shown of target and fit, and which lobes are on."""
 
-    def __init__(self, desk: Desk, state: SpaceState, parent: QWidget | None = None) -> None:
+    def __init__(self, session: LobeSession, state: SpaceState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("parts_section")
-        self._desk, self._state = desk, state
+        self._session, self._state = session, state
         self._listed: tuple[FitLobe, ...] | None = None
         shared, plain = Options(), SpaceOptions()
         box = QVBoxLayout(self)
@@ -48,7 +48,7 @@ class PartsSection(QWidget):
         form = Form()
         box.addWidget(form)
         self.shown = ChoiceField(_SHOWN, shared.shown)
-        self.shown.chosen.connect(lambda key: desk.set_options(shown=key))
+        self.shown.chosen.connect(lambda key: session.set_options(shown=key))
         form.add_row(
             tr("Show"),
             self.shown,
@@ -78,18 +78,23 @@ class PartsSection(QWidget):
         self.reset.setToolTip(tr("Switch all lobes on and restore the default display"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
-        for signal in (desk.options_changed, desk.subjects_changed, desk.front_changed, state.changed):
+        for signal in (
+            session.options_changed,
+            session.subjects_changed,
+            session.front_changed,
+            state.changed,
+        ):
             signal.connect(self.show_now)
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        shared, own = self._desk.options, self._state.options
+        shared, own = self._session.options, self._state.options
         self.shown.set_choice(shared.shown)
         self.style_.set_choice(own.fit_style)
         self.style_.setEnabled(shared.shown == "both")
         self.lobes.set_choice(own.lobes)
-        front = self._desk.front
+        front = self._session.front
         lobes = () if front is None or front.fit is None else fit_lobes(front.fit.weights)
         if lobes != self._listed:
             self._list_lobes(lobes)
@@ -124,7 +129,7 @@ class PartsSection(QWidget):
                 )
                 switch = self.switches[lobe.key] = QCheckBox(text)
                 switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
-                switch.clicked.connect(lambda on, key=lobe.key: self._desk.switch_lobe(*key, on))
+                switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(*key, on))
                 weight = ElidedLabel(lobe_weight(lobe))
                 weight.setToolTip(
                     plain_tip(f"{weight.text()}\n{tr('Weight (linear Rec. 2020 red, green, blue)')}")
@@ -134,19 +139,19 @@ class PartsSection(QWidget):
                 row += 1
 
     def _switch_part(self, lobes: tuple[FitLobe, ...]) -> None:
-        off = self._desk.options.lobes_off
+        off = self._session.options.lobes_off
         keys = frozenset(lobe.key for lobe in lobes)
-        self._desk.set_options(lobes_off=off - keys if keys & off else off | keys)
+        self._session.set_options(lobes_off=off - keys if keys & off else off | keys)
 
     def _choose_lobes(self, key: str) -> None:
         self._state.set(lobes=key)
         # Lobes are of the fit: who wants to see them wants to see it.
-        if key != "sum" and self._desk.options.shown not in ("fit", "side by side"):
-            self._desk.set_options(shown="fit")
+        if key != "sum" and self._session.options.shown not in ("fit", "side by side"):
+            self._session.set_options(shown="fit")
 
     def _reset(self) -> None:
         self._state.reset("fit_style", "lobes")
-        self._desk.reset_options("shown", "lobes_off")
+        self._session.reset_options("shown", "lobes_off")
 
 
 def _swatch(part: FitPart) -> QIcon:

@@ -60,7 +60,7 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
         return _of_palette(asked, progress)
     material = load_material(asked)
     report(progress, 0.7, "looking at the values")
-    return Opened((_described(material),), material.name)
+    return Opened((_describe(material),), material.name)
 
 
 def _of_palette(path: str, progress: Progress | None) -> Opened:
@@ -75,14 +75,14 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
             break
         report(progress, 0.2 + 0.8 * place / min(len(palette), MOST_AT_ONCE), "building paints")
         try:
-            subjects.append(_described(material_of_entry(entry, entries[place][1])))
+            subjects.append(_describe(material_of_entry(entry, entries[place][1])))
         except SuiteError as error:
             refused.append(str(error))
     return Opened(tuple(subjects), palette.name, entries, tuple(refused), read.notes)
 
 
-def _described(material: Material) -> PlottedMaterial:
-    """Add what the reflectance itself tells: whether it is isotropic, where its samples and holes are, and notes."""
+def _describe(material: Material) -> PlottedMaterial:
+    """Add the properties of the reflectance: whether it is isotropic, where its samples and holes are, and notes."""
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
     from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -94,16 +94,16 @@ def _described(material: Material) -> PlottedMaterial:
     if isinstance(value, IsotropicTable):
         holes = value.holes_above_horizon()
         measured = MeasuredBins(value) if holes else None
-        return _noted(replace(subject, measured=measured, isotropic=True))
+        return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
         from brdf_suite.inspection.figures.figures import is_isotropic
 
         known = material.document is not None or is_isotropic(value)
-    return _noted(replace(subject, isotropic=known))
+    return _add_notes(replace(subject, isotropic=known))
 
 
-def _noted(subject: PlottedMaterial) -> PlottedMaterial:
+def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     """Say what makes a picture look empty or strange: nothing, one spike, no numbers."""
     values = _look(subject.reflectance)
     numbers = np.isfinite(values).all(axis=-1)

@@ -1,4 +1,4 @@
-"""The list of all that comes with the program and of opened palettes: found by a word, put on the desk by Enter."""
+"""The list of all that comes with the program and of opened palettes: found by a word, put in the session by Enter."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _GROUPS = {
 
 
 class SourcesPanel(QWidget):
-    """Groups of names. Signals: ``asked(list[str])`` with what :func:`open_source` takes."""
+    """Groups of names. Signals: ``open_requested(list[str])`` with what :func:`open_source` takes."""
 
-    asked = Signal(object)
+    open_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -137,4 +137,4 @@ class SourcesPanel(QWidget):
     def _ask(self, items: Sequence[QTreeWidgetItem]) -> None:
         origins = [item.data(0, _ORIGIN) for item in items if item.data(0, _ORIGIN)]
         if origins:
-            self.asked.emit(origins)
+            self.open_requested.emit(origins)

@@ -1,4 +1,4 @@
-"""From the desk to a scene: which surfaces stand in which panel, over one another, with which words."""
+"""From the session to a scene: which surfaces stand in which panel, over one another, with which words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.cuts.crosshair import number
 from brdf_lobe_visualizer.cuts.words import UNIT, quantity
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
 from brdf_lobe_visualizer.view3d.fill import full_of, tops_of
 from brdf_lobe_visualizer.view3d.frame import rings_of
@@ -67,19 +67,19 @@ class _Plan:
 
 
 class SceneMaker:
-    """Makes scenes of a desk; what stays the same stays the same object, so that nothing is handed over twice."""
+    """Makes scenes of a session; what stays the same stays the same object, so that nothing is handed over twice."""
 
-    def __init__(self, desk: Desk, values: SpaceValues) -> None:
-        self._desk, self._values = desk, values
+    def __init__(self, session: LobeSession, values: SpaceValues) -> None:
+        self._session, self._values = session, values
         # With the arrays that they come from: while those are held, nothing else has their identities.
         self._made: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
         self._shown: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
 
     def scene(self, options: SpaceOptions) -> Scene:
-        """Return the scene of the desk as it is now."""
-        desk = self._desk
-        shared = desk.options
-        self._values.forget_others({s.key for s in desk.subjects})
+        """Return the scene of the session as it is now."""
+        session = self._session
+        shared = session.options
+        self._values.forget_others({s.key for s in session.subjects})
         difference = shared.shown == "difference"
         plans = self._plans(options)[:MOST_PANELS]
         numbers = {
@@ -106,10 +106,10 @@ class SceneMaker:
         mapped = options.colouring == "values" and any(s.line is None for plan in plans for s in plan.sheets)
         if panels and (difference or mapped):
             bar = _bar(scale, quantity(shared), signed=difference)
-        return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
+        return Scene(panels, session.light, scale, bar, quantity(shared), frame)
 
     def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
-        channel = self._desk.options.channel
+        channel = self._session.options.channel
         tops = [
             tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets
         ] or [(0.0, 0.0)]
@@ -118,11 +118,11 @@ class SceneMaker:
     # Which panels.
 
     def _plans(self, options: SpaceOptions) -> list[_Plan]:
-        visible = self._desk.visible
+        visible = self._session.visible
         if not visible:
             return []
-        shown = self._desk.options.shown
-        front = self._desk.front
+        shown = self._session.options.shown
+        front = self._session.front
         if shown == "difference":
             return self._differences()
         if shown == "side by side":
@@ -141,12 +141,12 @@ class SceneMaker:
 
     def _ordered(self) -> tuple[PlottedMaterial, ...]:
         """The visible subjects, the front one first."""
-        front = self._desk.front
-        return tuple(sorted(self._desk.visible, key=lambda s: s is not front))
+        front = self._session.front
+        return tuple(sorted(self._session.visible, key=lambda s: s is not front))
 
     def _overlay(self, subjects: tuple[PlottedMaterial, ...], options: SpaceOptions) -> _Plan:
         """Targets, fits or both over one another: the first solid, the others like glass, fits over their targets."""
-        shown = self._desk.options.shown
+        shown = self._session.options.shown
         sheets: list[_Sheet] = []
         notes: list[str] = []
         for place, subject in enumerate(subjects):
@@ -189,7 +189,7 @@ class SceneMaker:
     def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
         if subject.fit is None:
             return ()
-        off = self._desk.options.lobes_off
+        off = self._session.options.lobes_off
         return tuple(lobe for lobe in fit_lobes(subject.fit.weights) if lobe.key not in off)
 
     def _fit_plans(self, subject: PlottedMaterial, options: SpaceOptions) -> list[_Plan]:
@@ -256,7 +256,7 @@ class SceneMaker:
 
     def _differences(self) -> list[_Plan]:
         """Against the reference where one is chosen, else fit minus target."""
-        reference = self._desk.compared
+        reference = self._session.reference
         plans = []
         base = None if reference is None else self._values.target(reference)
         for subject in self._ordered():
@@ -305,7 +305,7 @@ class SceneMaker:
             notes.append(tr("The reflectance is zero in every direction."))
         points = None
         if plan.samples is not None and options.samples and not any(s.signed for s in plan.sheets):
-            points, words = sample_points(plan.samples, self._desk, scale, options)
+            points, words = sample_points(plan.samples, self._session, scale, options)
             if words:
                 notes.append(words)
         caption = "\n".join(line for line in (plan.caption, self._peak(layers)) if line)
@@ -323,7 +323,7 @@ class SceneMaker:
     def _surface(
         self, sheet: _Sheet, scale: RadiusScale, values: Singles, options: SpaceOptions
     ) -> LobeSurface:
-        shared = self._desk.options
+        shared = self._session.options
         colouring: Colouring = "line" if sheet.line is not None else options.colouring
         line = sheet.line or sheet.legend
         origin = sheet.origin or (sheet.found.values,)
@@ -336,7 +336,7 @@ class SceneMaker:
     def _make(
         self, sheet: _Sheet, scale: RadiusScale, values: Singles, colouring: Colouring, line: Srgb
     ) -> LobeSurface:
-        channel = self._desk.options.channel
+        channel = self._session.options.channel
         if sheet.signed:
             return difference_surface(sheet.found.grid, scalar_of(values, channel), scale, CUT)
         return lobe_surface(

@@ -96,7 +96,7 @@ _RANGES = {
 
 
 class SpaceState(QObject):
-    """Holds the options; ``changed()`` tells of others."""
+    """Holds the options; ``changed()`` is emitted when they change."""
 
     changed = Signal()
 

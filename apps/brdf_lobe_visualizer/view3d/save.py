@@ -16,7 +16,7 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, QSize
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
 
@@ -77,18 +77,18 @@ class SaveSection(QWidget):
             button.clicked.connect(lambda _on=False, kind=kind: save.ask(kind))
             grid.addWidget(button, number // 2, number % 2)
         box.addLayout(grid)
-        self.told = PlainLabel()
-        self.told.setWordWrap(True)
-        self.told.hide()
-        box.addWidget(self.told)
+        self.message = PlainLabel()
+        self.message.setWordWrap(True)
+        self.message.hide()
+        box.addWidget(self.message)
         self.reset = QPushButton(tr("Reset Sizes"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
 
-    def tell(self, text: str) -> None:
+    def report(self, text: str) -> None:
         """Say what was written."""
-        self.told.setText(text)
-        self.told.show()
+        self.message.setText(text)
+        self.message.show()
 
     def _reset(self) -> None:
         for field in (self.width_, self.height_, self.size_):
@@ -98,9 +98,11 @@ class SaveSection(QWidget):
 class SaveSurface(QObject):
     """Writes what the view shows."""
 
-    def __init__(self, space: Space, desk: Desk, window: LobeWindow, ask_path: AskPath | None = None) -> None:
+    def __init__(
+        self, space: Space, session: LobeSession, window: LobeWindow, ask_path: AskPath | None = None
+    ) -> None:
         super().__init__(space)
-        self._space, self._desk, self._window = space, desk, window
+        self._space, self._session, self._window = space, session, window
         self.ask_path = ask_path or _ask_path
         self.section = SaveSection(self)
         window.add_section("export", tr("Export"), self.section, is_open=False)
@@ -108,9 +110,9 @@ class SaveSurface(QObject):
             window.add_command("file", title, None, lambda kind=kind: self.ask(kind))
 
     def ask(self, kind: str) -> None:
-        """Ask for a file of a kind and write it; what goes wrong is told in the window."""
+        """Ask for a file of a kind and write it; errors are shown in the window."""
         title, filters = KINDS[kind]
-        front = self._desk.front
+        front = self._session.front
         name = "".join(c if c.isalnum() or c in " -_" else "_" for c in (front.title if front else "lobes"))
         folder = Path(str(settings().value(_FOLDER_KEY, str(Path.home()))))
         path = self.ask_path(self._window, tr(title), folder / f"{name}.{kind}", tr(filters))
@@ -125,7 +127,7 @@ class SaveSurface(QObject):
             self._window.show_message(message_of(error, "export"))
             return
         self._window.dismiss_message("export")
-        self.section.tell(tr("Saved: {path}").format(path=path))
+        self.section.report(tr("Saved: {path}").format(path=path))
 
     def write(self, path: Path) -> None:
         """Write the view or the front surface, by the ending of ``path``.
@@ -184,7 +186,7 @@ class SaveSurface(QObject):
 
     def _about(self) -> list[str]:
         view = self._view()
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         title = view.scene.panels[0].title if view.scene.panels else ""
         return [title, view.scene.quantity, f"incidence {theta:g}, azimuth {phi:g} degrees"]
 

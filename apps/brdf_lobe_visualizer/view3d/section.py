@@ -8,8 +8,8 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import FULL_RANGE, SpaceOptions, SpaceState
 from brdf_suite.inspection.lobe_surface.scale import LEAST_DECADES, MOST_DECADES
 
@@ -47,12 +47,12 @@ _FLAGS = {
 
 
 class SurfaceSection(QWidget):
-    """Sets the options of the desk and of the view that make a surface, and shows them."""
+    """Sets the options of the session and of the view that make a surface, and shows them."""
 
-    def __init__(self, desk: Desk, state: SpaceState, parent: QWidget | None = None) -> None:
+    def __init__(self, session: LobeSession, state: SpaceState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("surface_section")
-        self._desk, self._state = desk, state
+        self._session, self._state = session, state
         shared, plain = Options(), SpaceOptions()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -60,7 +60,7 @@ class SurfaceSection(QWidget):
         form = Form()
         box.addWidget(form)
         self.radius = ChoiceField(_RADII, shared.radius)
-        self.radius.chosen.connect(lambda key: desk.set_options(radius=key))
+        self.radius.chosen.connect(lambda key: session.set_options(radius=key))
         form.add_row(tr("Radius"), self.radius, tr("Mapping from values to distances from the centre"))
         self.decades = NumberField(tr("Decades"), "", LEAST_DECADES, MOST_DECADES, 1.0, 1, plain.decades)
         self.decades.edited.connect(lambda value: state.set(decades=value))
@@ -80,14 +80,14 @@ class SurfaceSection(QWidget):
         self.full.edited.connect(lambda value: state.set(full=value, fill="value"))
         form.add_row(tr("Value"), self.full, tr("Stays fixed while the light moves"))
         self.cosine = ChoiceField(_COSINES, shared.cosine)
-        self.cosine.chosen.connect(lambda key: desk.set_options(cosine=key))
+        self.cosine.chosen.connect(lambda key: session.set_options(cosine=key))
         form.add_row(
             tr("Quantity"),
             self.cosine,
             tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo"),
         )
         self.channel = ChoiceField(_CHANNELS, shared.channel)
-        self.channel.chosen.connect(lambda key: desk.set_options(channel=key))
+        self.channel.chosen.connect(lambda key: session.set_options(channel=key))
         form.add_row(tr("Channel"), self.channel, tr("Channel that the radius shows (linear Rec. 2020)"))
         self.colouring = ChoiceField(_COLOURINGS, plain.colouring)
         self.colouring.chosen.connect(lambda key: state.set(colouring=key))
@@ -123,13 +123,13 @@ class SurfaceSection(QWidget):
         self.reset = QPushButton(tr("Reset Radius"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
-        desk.options_changed.connect(self.show_now)
+        session.options_changed.connect(self.show_now)
         state.changed.connect(self.show_now)
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        shared, own = self._desk.options, self._state.options
+        shared, own = self._session.options, self._state.options
         self.radius.set_choice(shared.radius)
         self.cosine.set_choice(shared.cosine)
         self.channel.set_choice(shared.channel)
@@ -159,6 +159,6 @@ class SurfaceSection(QWidget):
         self._state.set(fill=key, **({"full": self.full.value()} if key == "value" else {}))
 
     def _reset(self) -> None:
-        self._desk.reset_options("radius", "cosine", "channel")
+        self._session.reset_options("radius", "cosine", "channel")
         kept = ("fit_style", "lobes", "sweep", "speed")
         self._state.reset(*(name for name in vars(SpaceOptions()) if name not in kept))
