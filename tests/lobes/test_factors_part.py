@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.factors.part import Factors
@@ -76,6 +78,14 @@ def test_the_scale_is_that_of_the_pictures(channel: str, tone: str) -> None:
     assert codes[0, 0].max() < codes[0, -1].max()
     assert grid.pictures[0, 3].notes
     assert not grid.pictures[0, 0].notes
+
+
+@pytest.mark.parametrize(("channel", "index"), [("red", 0), ("green", 1), ("blue", 2)])
+def test_a_channel_shows_its_own_values(channel: str, index: int) -> None:
+    first = factor_pictures(product())[0]
+    coloured = replace(first, values=first.values * (1.0, 0.5, 0.2))
+    value = grid_of((coloured,), channel, "gamma").pictures[0, 0].value
+    np.testing.assert_array_equal(value, coloured.values[..., index])
 
 
 def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_with_factors, qtbot) -> None:

@@ -10,7 +10,7 @@ from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid, Picture, ScaleBar
 from brdf_suite.inspection.factor_pictures import FactorPicture, angles_at
 from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
-from brdf_suite.inspection.slices.values import channel_of
+from brdf_suite.inspection.slices.values import Channel, channel_of
 
 _BAR_STEPS = 128
 _GREYS = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
@@ -21,6 +21,7 @@ CHANNELS = {
     "green": mark("green"),
     "blue": mark("blue"),
 }
+_CODES: dict[str, Channel] = {"luminance": "luminance", "red": "r", "green": "g", "blue": "b"}
 TONES = {"gamma": mark("perceptual"), "log": mark("logarithmic")}
 _READS = {
     "wi": "ωi",
@@ -51,7 +52,7 @@ def grid_of(pictures: tuple[FactorPicture, ...], channel: str, tone: Tone) -> Gr
         if channel == "colour":
             codes, value = colour_codes(picture.values, tone, 1.0), channel_of(picture.values, "luminance")
         else:
-            value = channel_of(picture.values, channel)
+            value = channel_of(picture.values, _CODES[channel])
             codes = mapped_codes(share_of(value, tone, 1.0), _GREYS)
         notes = (tr("added peak"), tr("peak")) if picture.part == "peak" else ()
         drawn[0, number] = Picture(codes, value, nothing=picture.outside, notes=notes)
