@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.status_line import StatusLine
+from brdf_qt.window.status_line import State, StatusLine
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.session import LobeSession
@@ -60,7 +60,7 @@ class Status(QObject):
         if fit.time_limited:
             follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
-        state = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
+        state: State = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
         self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)
 
     def _show_light(self) -> None:

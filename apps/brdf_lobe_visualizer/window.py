@@ -154,7 +154,7 @@ class LobeWindow(SuiteWindow):
 
     def _lay_out(self) -> None:
         beside = [self.top_split.widget(place) for place in range(1, self.top_split.count())]
-        widths = [widget.sizeHint().width() for widget in beside]
+        widths = [widget.sizeHint().width() for widget in beside if widget is not None]
         self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
         self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
         self.plots.even()

@@ -265,7 +265,7 @@ def test_samples_lie_on_the_surface_at_their_incidence(space, program) -> None:
     program.session.set_incidence(10.0, 0.0)
     settle(space)
     assert space.view.scene.panels[0].points is None
-    assert "nearest lies at 45" in space.view.scene.panels[0].note
+    assert "nearest is at 45" in space.view.scene.panels[0].note
 
 
 def test_a_sample_behind_a_lobe_is_seen_faintly(space, program) -> None:

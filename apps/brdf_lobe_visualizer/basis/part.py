@@ -104,7 +104,10 @@ class Basis(QObject):
         self.view.open.triggered.connect(self._choose_file)
         self.view.reset.triggered.connect(self.show_shipped)
         window.add_command("view", mark("Show the Basis"), None, self._show)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self._refresh)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self._refresh)
         for signal in (session.subjects_changed, session.front_changed):
             signal.connect(self._timer.start)
         window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())

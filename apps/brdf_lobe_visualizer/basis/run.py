@@ -36,7 +36,10 @@ class BasisRun(QObject):
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._finished)
         self._process.errorOccurred.connect(self._not_started)
-        self._force = QTimer(self, singleShot=True, interval=PATIENCE_MS, timeout=self._process.kill)
+        self._force = QTimer(self)
+        self._force.setSingleShot(True)
+        self._force.setInterval(PATIENCE_MS)
+        self._force.timeout.connect(self._process.kill)
 
     @property
     def state(self) -> Path:
@@ -69,7 +72,7 @@ class BasisRun(QObject):
                 self._process.waitForFinished(PATIENCE_MS)
 
     def _read(self) -> None:
-        *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
+        *lines, self._rest = (self._rest + bytes(self._process.readAllStandardOutput().data())).split(b"\n")
         for line in lines:
             step = _step(line.decode("utf-8", errors="replace"))
             if step is not None and self._wanted:
@@ -86,7 +89,7 @@ class BasisRun(QObject):
         self._ended = True
         self._force.stop()
         self._read()
-        words = self._process.readAllStandardError().data().decode("utf-8", errors="replace").strip()
+        words = bytes(self._process.readAllStandardError().data()).decode("utf-8", errors="replace").strip()
         if not self._wanted or code == _CANCELLED:
             self.cancelled.emit()
         elif code or status == QProcess.ExitStatus.CrashExit:

@@ -29,7 +29,7 @@ def bands_of(angle_deg: Floats, holes: Bools | None) -> list[tuple[float, float]
     ]
 
 
-class HoleBands(pg.GraphicsObject):
+class HoleBands(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
     """Hatched from top to bottom over spans of x."""
 
     def __init__(self) -> None:
@@ -68,7 +68,7 @@ class HoleBands(pg.GraphicsObject):
         painter.restore()
 
 
-class PolarRings(pg.GraphicsObject):
+class PolarRings(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
     """Rings of radii up to 1 and spokes of a half disc, the normal upwards; drawn once and kept."""
 
     def __init__(self) -> None:

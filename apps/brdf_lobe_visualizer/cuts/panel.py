@@ -7,6 +7,7 @@ at once, images on a thread: while one is made, no other is begun, and when it i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -30,10 +31,11 @@ from brdf_lobe_visualizer.cuts.section import SlicesSection
 from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
 from brdf_lobe_visualizer.cuts.words import AXIS_TITLES, quantity
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.subjects import Srgb
+from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
+from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Slice, difference_slice, half_slice, plane_slice
 
 POLAR, CURVES, UNROLLED, HALF_ANGLE = "polar", "curves", "unrolled", "half_angle"
@@ -69,7 +71,10 @@ class Slices(QObject):
         window.add_section("slices", tr("Slices"), self.section, is_open=False)
         window.add_command("edit", mark("Copy Curves"), "Ctrl+Shift+C", self.copy_curves)
         window.add_command("file", mark("Save Curves as CSV…"), None, self._save_curves)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.draw_now)
         for signal in (
             session.subjects_changed,
             session.front_changed,
@@ -212,15 +217,14 @@ class Slices(QObject):
             angles = options.incidences_deg
             pairs = tuple(unrolled_view.pairs_of(angle, phi) for angle in angles)
             columns, axes = unrolled_view.columns_of(angles), unrolled_view.AXES
-
-            def places(samples: Any, column: int) -> Any:
-                return unrolled_view.sample_places(angles, phi, samples, column)
         else:
             pairs = (half_angle_view.pairs_of(options.phi_d_deg, phi, options.by_root),)
             columns, axes = ("",), half_angle_view.axes_of(options.by_root)
 
-            def places(samples: Any, _column: int) -> Any:
-                return half_angle_view.sample_places(options.phi_d_deg, phi, options.by_root, samples)
+        def places(samples: SamplePoints, column: int) -> Floats:
+            if key == UNROLLED:
+                return unrolled_view.sample_places(options.incidences_deg, phi, samples, column)
+            return half_angle_view.sample_places(options.phi_d_deg, phi, options.by_root, samples)
 
         return Request(
             title=subject.title,
@@ -290,6 +294,10 @@ class Slices(QObject):
             if kind == "gamma":
                 self._cuts[key] = self._plane().over("gamma", angles[0])
             else:
-                make = {"plane": plane_slice, "theta_h": half_slice, "theta_d": difference_slice}[kind]
-                self._cuts[key] = make(*angles)
+                makers: dict[str, Callable[..., Slice]] = {
+                    "plane": plane_slice,
+                    "theta_h": half_slice,
+                    "theta_d": difference_slice,
+                }
+                self._cuts[key] = makers[kind](*angles)
         return self._cuts[key]

@@ -23,7 +23,9 @@ class SweepControl(QObject):
         self._session, self._state = session, state
         self._rising = True
         self._clock = QElapsedTimer()
-        self._timer = QTimer(self, interval=_STEP_MS, timeout=self._tick)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_STEP_MS)
+        self._timer.timeout.connect(self._tick)
 
     @property
     def running(self) -> bool:

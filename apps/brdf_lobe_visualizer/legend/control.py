@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
@@ -13,7 +14,7 @@ from brdf_lobe_visualizer.legend.errors import LegendErrors
 from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
 from brdf_lobe_visualizer.legend.line import colour_of, line_icon
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial, Srgb
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 
 LONGEST_TITLE = 200
@@ -26,7 +27,7 @@ _COLOUR_NAMES = (
     mark("Blue"),
     mark("Yellow"),
 )
-_DASH_NAMES = {
+_DASH_NAMES: dict[Dash, str] = {
     "solid": mark("Solid"),
     "dash": mark("Dashes"),
     "dot": mark("Dots"),
@@ -259,7 +260,7 @@ class LegendControl(QObject):
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def _for_front(self, act) -> None:
+    def _for_front(self, act: Callable[[str], object]) -> None:
         front = self._session.front
         if front is not None:
             act(front.key)

@@ -42,7 +42,10 @@ class LegendErrors(QObject):
         self._found: dict[str, ShownError] = {}
         self._working: set[str] = set()
         self._of: dict[str, tuple[Reflectance, Reflectance]] = {}
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self._look)
         session.subjects_changed.connect(self._touch)
         session.visibility_changed.connect(self._touch)
 

@@ -182,6 +182,8 @@ class Legend(QWidget):
             old = self._shown if len(self._shown) == len(rows) else (None,) * len(rows)
             for place, (row, before) in enumerate(zip(rows, old, strict=True)):
                 item = self.rows.topLevelItem(place)
+                if item is None:
+                    continue
                 if row != before:
                     _fill(item, row, before, self.devicePixelRatioF())
                 if row.key == front and self.rows.currentItem() is not item:
@@ -195,9 +197,10 @@ class Legend(QWidget):
     def edit_title(self, key: str) -> None:
         """Let the user type another title for a row."""
         for place, row in enumerate(self._shown):
-            if row.key == key:
+            item = self.rows.topLevelItem(place)
+            if row.key == key and item is not None:
                 self.rows.setFocus()
-                self.rows.editItem(self.rows.topLevelItem(place), TITLE)
+                self.rows.editItem(item, TITLE)
 
     def sizeHint(self) -> QSize:
         return QSize(252, 240)
@@ -310,7 +313,9 @@ class Legend(QWidget):
 
     def _key(self, what: str) -> None:
         item = self.rows.currentItem()
-        row = None if item is None else self._row(item.data(0, _KEY))
+        if item is None:
+            return
+        row = self._row(item.data(0, _KEY))
         if row is None:
             return
         place = self.rows.indexOfTopLevelItem(item)

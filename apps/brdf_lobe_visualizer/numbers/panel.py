@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -26,8 +27,12 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
 
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
+    from brdf_suite.inspection.figures.text import Group
+
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
-_GROUPS = {
+_GROUPS: dict[Group, str] = {
     "overview": mark("Overview"),
     "albedo": mark("Albedo"),
     "colours": mark("Colours"),
@@ -80,13 +85,13 @@ class NumbersPanel(QWidget):
             ("copy", tr("Copy the table"), self.copy_requested),
             ("export", tr("Export all figures as CSV"), self.export_requested),
         ):
-            button = QToolButton()
-            button.setIcon(icon(name))
-            button.setAutoRaise(True)
-            button.setToolTip(plain_tip(text))
-            button.setAccessibleName(text)
-            button.clicked.connect(signal)
-            head.addWidget(button)
+            tool = QToolButton()
+            tool.setIcon(icon(name))
+            tool.setAutoRaise(True)
+            tool.setToolTip(plain_tip(text))
+            tool.setAccessibleName(text)
+            tool.clicked.connect(signal)
+            head.addWidget(tool)
         box = QVBoxLayout(self)
         box.setContentsMargins(8, 4, 8, 8)
         box.setSpacing(4)
@@ -125,7 +130,7 @@ class Numbers(QObject):
         )
         window.add_plot("albedo", tr("Albedo"), self.plot)
         group = str(settings().value(_GROUP_KEY, "overview"))
-        self._group = group if group in _GROUPS else "overview"
+        self._group: Group = _known_group(group) or "overview"
         angles = str(settings().value(_ANGLES_KEY, DEFAULT_SET))
         self.work.set_angles(angles if angles in _ANGLES else DEFAULT_SET)
         self.panel.show_choices(self._group, self.work.angles.name)
@@ -170,15 +175,16 @@ class Numbers(QObject):
 
     def set_from_script(self, key: str, value: str) -> bool:
         """Take ``figures=GROUP`` and ``angles=SET`` from the command line."""
-        if key == "figures" and value in _GROUPS:
-            self.choose_group(value)
+        group = _known_group(value)
+        if key == "figures" and group is not None:
+            self.choose_group(group)
         elif key == "angles" and value in GEOMETRY_SETS:
             self.choose_angles(value)
         else:
             return False
         return True
 
-    def choose_group(self, group: str) -> None:
+    def choose_group(self, group: Group) -> None:
         """Show the figures of a group, and remember it."""
         self._group = group
         settings().setValue(_GROUP_KEY, group)
@@ -241,7 +247,7 @@ class Numbers(QObject):
         self.work.set_needed(self.panel.isVisible() or self.plot.isVisible())
         self._show()
 
-    def _named(self) -> list[tuple[str, object]]:
+    def _named(self) -> list[tuple[str, ReflectanceFigures]]:
         found = [(s.title, self.work.figures(s.key)) for s in self._session.visible]
         return [(title, figures) for title, figures in found if figures is not None]
 
@@ -289,3 +295,7 @@ class Numbers(QObject):
 
 def _asks(window: LobeWindow) -> AskPath:
     return lambda suggested: QtDialogs(window).save_path(suggested, tr("Comma-separated values (*.csv)"))
+
+
+def _known_group(text: str) -> Group | None:
+    return next((group for group in _GROUPS if group == text), None)

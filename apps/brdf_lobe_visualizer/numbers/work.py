@@ -16,8 +16,10 @@ from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
+    from brdf_suite.fitting.lobes.weights import LobeWeights
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _PAUSE_MS = 200
@@ -28,9 +30,9 @@ _PAUSE_MS = 200
 class _Inputs:
     """What figures depend on, compared by identity where it is large."""
 
-    reflectance: object
-    weights: object
-    reference: object
+    reflectance: Reflectance
+    weights: LobeWeights | None
+    reference: Reflectance | None
     azimuth_deg: float
     isotropic: bool
     angles: GeometrySet
@@ -62,7 +64,10 @@ class FiguresWork(QObject):
         self._needed = False
         self._of: dict[str, _Inputs] = {}
         self._found: dict[str, tuple[_Inputs, ReflectanceFigures]] = {}
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self._look)
         for signal in (session.subjects_changed, session.visibility_changed, session.options_changed):
             signal.connect(self._touch)
         session.incidence_changed.connect(lambda _theta, _phi: self._touch())

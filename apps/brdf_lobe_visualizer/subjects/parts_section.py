@@ -105,7 +105,8 @@ class PartsSection(QWidget):
 
     def _list_lobes(self, lobes: tuple[FitLobe, ...]) -> None:
         while self._grid.count():
-            widget = self._grid.takeAt(0).widget()
+            taken = self._grid.takeAt(0)
+            widget = None if taken is None else taken.widget()
             if widget is not None:
                 widget.deleteLater()
         self.switches = {}
@@ -129,7 +130,7 @@ class PartsSection(QWidget):
                 )
                 switch = self.switches[lobe.key] = QCheckBox(text)
                 switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
-                switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(*key, on))
+                switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(key[0], key[1], on))
                 weight = ElidedLabel(lobe_weight(lobe))
                 weight.setToolTip(
                     plain_tip(f"{weight.text()}\n{tr('Weight (linear Rec. 2020 red, green, blue)')}")

@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
@@ -24,6 +27,9 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
@@ -69,7 +75,8 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
     entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if not entries:
         raise FileError(path, "is a palette without a paint")
-    subjects, refused = [], []
+    subjects: list[PlottedMaterial] = []
+    refused: list[str] = []
     for place, entry in enumerate(palette):
         if len(subjects) == MOST_AT_ONCE:
             break
@@ -122,7 +129,7 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     return replace(subject, notes=tuple(notes))
 
 
-def _look(reflectance: Reflectance) -> np.ndarray:
+def _look(reflectance: Reflectance) -> Floats:
     """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
     from brdf_suite.geometry.directions import illumination, mirror, spherical
 
@@ -138,9 +145,9 @@ def _look(reflectance: Reflectance) -> np.ndarray:
 class MeasuredBins:
     """Which pairs of directions fall into bins of a table that were measured: ``(wi, wo) -> (...)`` bool."""
 
-    table: object
+    table: IsotropicTable
 
-    def __call__(self, wi: object, wo: object) -> np.ndarray:
+    def __call__(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> npt.NDArray[np.bool_]:
         table = self.table
         light, view = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
         shape = light.shape[:-1]
@@ -150,13 +157,13 @@ class MeasuredBins:
             # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
             from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
 
-            return (above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape)
+            return np.asarray((above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape))
         places = table.grid.index_of(flat_light, flat_view)
         h, d, p = (
             np.minimum(place.astype(np.intp), size - 1)
             for place, size in zip(places, table.grid.shape, strict=True)
         )
-        return (above & ~np.asarray(table.holes)[h, d, p]).reshape(shape)
+        return np.asarray((above & ~np.asarray(table.holes)[h, d, p]).reshape(shape))
 
 
 def names() -> dict[str, Sequence[tuple[str, str]]]:

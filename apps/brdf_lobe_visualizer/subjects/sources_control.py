@@ -108,7 +108,8 @@ class Sources(QObject):
         file that is read for longer keeps its place.
         """
         key = f"subject {next(self._numbers)}"
-        colour, dash = self._lines.pop(turn, None) or self.next_line()
+        chosen = None if turn is None else self._lines.pop(turn, None)
+        colour, dash = chosen or self.next_line()
         subjects = list(self._session.subjects)
         place = len(subjects)
         if turn is not None:
@@ -134,8 +135,8 @@ class Sources(QObject):
     def recent(self) -> Sequence[Path]:
         """Return the files that were opened last and are still there, newest first."""
         stored = settings().value(RECENT_KEY, [])
-        stored = [stored] if isinstance(stored, str) else list(stored or [])
-        return [Path(path) for path in stored if isinstance(path, str) and Path(path).is_file()]
+        paths = [stored] if isinstance(stored, str) else stored if isinstance(stored, (list, tuple)) else []
+        return [Path(path) for path in paths if isinstance(path, str) and Path(path).is_file()]
 
     def clear_recent(self) -> None:
         """Forget them."""

@@ -79,7 +79,8 @@ class SourcesPanel(QWidget):
         """Put in the entries of a palette, in the place of one of the same title; each a name and an origin."""
         self.fill()
         for place in reversed(range(self.tree.topLevelItemCount())):
-            if self.tree.topLevelItem(place).text(0) == title:
+            group = self.tree.topLevelItem(place)
+            if group is not None and group.text(0) == title:
                 self.tree.takeTopLevelItem(place)
         self._add_group(title, entries)
 
@@ -109,11 +110,9 @@ class SourcesPanel(QWidget):
     def _filter(self, text: str) -> None:
         words = text.casefold().split()
         found = 0
-        for place in range(self.tree.topLevelItemCount()):
-            group = self.tree.topLevelItem(place)
+        for group in self._groups():
             shown = 0
-            for index in range(group.childCount()):
-                item = group.child(index)
+            for item in _children(group):
                 name = f"{item.text(0)} {item.data(0, _ORIGIN)}".casefold()
                 item.setHidden(not all(word in name for word in words))
                 shown += not item.isHidden()
@@ -126,15 +125,18 @@ class SourcesPanel(QWidget):
         self._ask(chosen or self._visible()[:1])
 
     def _visible(self) -> list[QTreeWidgetItem]:
-        groups = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]
-        return [
-            item
-            for group in groups
-            for item in (group.child(index) for index in range(group.childCount()))
-            if not item.isHidden()
-        ]
+        return [item for group in self._groups() for item in _children(group) if not item.isHidden()]
+
+    def _groups(self) -> list[QTreeWidgetItem]:
+        rows = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]
+        return [row for row in rows if row is not None]
 
     def _ask(self, items: Sequence[QTreeWidgetItem]) -> None:
         origins = [item.data(0, _ORIGIN) for item in items if item.data(0, _ORIGIN)]
         if origins:
             self.open_requested.emit(origins)
+
+
+def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
+    rows = [group.child(index) for index in range(group.childCount())]
+    return [row for row in rows if row is not None]

@@ -156,7 +156,7 @@ class SceneMaker:
                 if target is None:
                     notes.append(_coming())
                 else:
-                    style = "solid" if place == 0 else "glass"
+                    style: Style = "solid" if place == 0 else "glass"
                     sheets.append(_sheet(target, style, subject, line=legend if place else None))
             if shown in ("fit", "both"):
                 fit = self._values.fit(subject, self._lobes_on(subject))
@@ -215,7 +215,7 @@ class SceneMaker:
         if options.lobes == "parts":
             sheets = [
                 self._part(subject, tuple(lobe for lobe in lobes if lobe.part == part), style)
-                for part, style in zip(FIT_PARTS, ("solid", "glass", "lines"), strict=True)
+                for part, style in zip(FIT_PARTS, _PART_STYLES, strict=True)
                 if any(lobe.part == part for lobe in lobes)
             ]
             return [
@@ -229,14 +229,14 @@ class SceneMaker:
             ]
         if options.lobes == "stacked":
             # Each shell holds all lobes within it: the last is the whole fit.
-            sheets = []
+            shells: list[_Sheet] = []
             for count in range(1, len(lobes) + 1):
                 # The more shells, the clearer each: the innermost is to be seen through all.
                 glass = min(0.30, 0.9 / len(lobes))
-                style: Style = "solid" if count == 1 else "glass"
-                sheets.append(self._part(subject, lobes[:count], style, lobes[count - 1].part, glass))
+                shell: Style = "solid" if count == 1 else "glass"
+                shells.append(self._part(subject, lobes[:count], shell, lobes[count - 1].part, glass))
             words = tr("{count} lobes stacked, widest innermost").format(count=len(lobes))
-            return [_Plan(subject.title, tuple(sheets), words, "", subject.colour)]
+            return [_Plan(subject.title, tuple(shells), words, "", subject.colour)]
         words = tr("Fit: {count} lobes").format(count=len(lobes))
         return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
 
@@ -344,6 +344,7 @@ class SceneMaker:
         )
 
 
+_PART_STYLES: tuple[Style, ...] = ("solid", "glass", "lines")
 _WORDS: dict[str, Callable[[], str]] = {
     "target": lambda: "",
     "fit": lambda: tr("Fit"),

@@ -59,12 +59,16 @@ class Space(QObject):
         self.incidence = IncidenceSection(session, self.state, self.sweep)
         self.surface = SurfaceSection(session, self.state)
         self.parts = PartsSection(session, self.state)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.draw_now)
         # Numbers that follow the picture wait until it rests: setting one costs as much as a surface's colours.
         self._full = 0.0
-        self._settle = QTimer(
-            self, singleShot=True, interval=150, timeout=lambda: self.surface.hold(self._full)
-        )
+        self._settle = QTimer(self)
+        self._settle.setSingleShot(True)
+        self._settle.setInterval(150)
+        self._settle.timeout.connect(lambda: self.surface.hold(self._full))
         window.set_centre(self._holder, tab_hides_panels=True)
         for signal in (
             session.subjects_changed,
@@ -215,7 +219,7 @@ class _Holder(QWidget):
         self._layout.setCurrentWidget(view)
         self.setFocusProxy(view)
         ground = self._layout.widget(1)
-        if ground is not view:
+        if ground is not None and ground is not view:
             self._layout.removeWidget(ground)
             ground.deleteLater()
 

@@ -22,6 +22,7 @@ from brdf_suite.errors import GraphicsError, SuiteError
 
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.view3d.panel import Space
+    from brdf_lobe_visualizer.view3d.view import SpaceView
 
 AskPath = Callable[[QWidget, str, Path, str], Path | None]
 """``(parent, title, suggested, filters) -> path``: asks where to write; tests answer for the user."""
@@ -146,7 +147,7 @@ class SaveSurface(QObject):
     def _sizes(self) -> tuple[int, int]:
         return round(self.section.width_.value()), round(self.section.height_.value())
 
-    def _view(self):  # type: ignore[no-untyped-def] # the class is imported with OpenGL
+    def _view(self) -> SpaceView:
         view = self._space.view
         if view is None or not view.isValid():
             raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))

@@ -156,7 +156,10 @@ class SurfaceSection(QWidget):
 
     def _choose_fill(self, key: str) -> None:
         # What is held first is what was shown.
-        self._state.set(fill=key, **({"full": self.full.value()} if key == "value" else {}))
+        if key == "value":
+            self._state.set(fill=key, full=self.full.value())
+        else:
+            self._state.set(fill=key)
 
     def _reset(self) -> None:
         self._session.reset_options("radius", "cosine", "channel")
