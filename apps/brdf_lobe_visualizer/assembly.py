@@ -100,6 +100,10 @@ class LobeVisualizer:
         self.window.show_recent(self.sources.recent())
         self.link.start()
 
+    def skip_start(self) -> None:
+        """Count as started without opening anything or joining the link."""
+        self._started = True
+
     def close(self) -> None:
         """Leave the link and end what runs; called once or more."""
         if self._closed:
@@ -143,7 +147,7 @@ class LobeVisualizer:
         self.legend.list_requested.connect(self.show_list)
         self.link.received.connect(self.followed.receive)
         self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
-        self.followed.arrived.connect(self._drop_default)
+        self.followed.arrived.connect(self.drop_default)
         sources.opened.connect(self._opened)
         app = QCoreApplication.instance()
         if app is not None:
@@ -183,9 +187,9 @@ class LobeVisualizer:
         if asked == self._default and keys:
             self._default = keys[0]
             if self.session.subject(DESIGNER) is not None:
-                self._drop_default()
+                self.drop_default()
 
-    def _drop_default(self) -> None:
+    def drop_default(self) -> None:
         """Take the paint of an empty start away: Designer's has come in its place."""
         if self._default and self.session.subject(self._default) is not None:
             self.session.remove(self._default)

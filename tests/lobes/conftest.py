@@ -67,7 +67,7 @@ def asked(lasting) -> Asked:
 def program(lasting, asked) -> LobeVisualizer:
     """The program with nothing in its session, all options at their defaults and no message."""
     program, _ = lasting
-    program._started = True
+    program.skip_start()
     program.session.set_subjects(())
     program.session.show_all()
     program.session.reset_options()
@@ -137,7 +137,7 @@ def slices(window_with_slices, qtbot) -> Slices:
     program = window_with_slices
     part = next(part for part in program.parts if isinstance(part, Slices))
     qtbot.waitUntil(lambda: part.polar.plot is not None)
-    program._started = True
+    program.skip_start()
     program.session.set_subjects(())
     program.session.show_all()
     program.session.reset_options()

@@ -26,7 +26,7 @@ STORED = Path(str(resource("basis", STORED_NAME)))
 def basis(window_with_basis, qtbot) -> Basis:
     program = window_with_basis
     part = next(part for part in program.parts if isinstance(part, Basis))
-    program._started = True
+    program.skip_start()
     program.session.set_subjects(())
     program.window.plots.set_shown(BASIS, True)
     part.show_shipped()
@@ -41,7 +41,7 @@ def session(window_with_basis):
 
 def test_the_stored_search_is_drawn(basis) -> None:
     search = load_search(STORED)
-    points = basis.view.plots._dots.getData()
+    points = basis.view.plots.dots.getData()
     assert len(points[0]) == sum(result.count for result in search.results)
     last = search.results[-1]
     assert np.sort(points[1][points[0] == last.count]) == pytest.approx(np.log10(last.exponents))
@@ -49,9 +49,9 @@ def test_the_stored_search_is_drawn(basis) -> None:
     assert "Sample paints" in words
     assert f"default: {search.default_count} lobes" in words
     assert "changed" not in words
-    basis.view.plots._read_exponents(float(search.default_count))
+    basis.view.plots.read_exponents(float(search.default_count))
     assert f"{search.default_count} lobes" in basis.view.plots.readouts[0].text()
-    basis.view.plots._read_errors(1.2)
+    basis.view.plots.read_errors(1.2)
     assert "worst" in basis.view.plots.readouts[1].text()
 
 
@@ -85,9 +85,9 @@ def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
     save_state(state, settings, search.results[:5])
     qtbot.waitUntil(lambda: len(basis.search.results) >= 5)
     assert len(basis.search.results) == 5
-    assert len(basis.view.plots._dots.getData()[0]) == 1 + 2 + 3 + 4 + 5
+    assert len(basis.view.plots.dots.getData()[0]) == 1 + 2 + 3 + 4 + 5
     state.write_text("{")
-    qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
+    qtbot.waitUntil(lambda: BASIS in basis.window.messages.shown())
     assert len(basis.search.results) == 5  # what was read stays
 
 
@@ -113,7 +113,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     qtbot.waitUntil(lambda: basis.run is not None)
     basis.run.cancel()
     qtbot.waitUntil(lambda: basis.run is None)
-    assert BASIS not in basis._window.messages.shown()
+    assert BASIS not in basis.window.messages.shown()
     basis.view.reset.trigger()
     assert "Sample paints" in basis.view.note.text()
 
@@ -121,7 +121,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
 def test_what_cannot_be_searched_is_reported(basis, qtbot, tmp_path: Path) -> None:
     basis.show_folder(tmp_path)
     basis.start_search()
-    qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
+    qtbot.waitUntil(lambda: BASIS in basis.window.messages.shown())
     assert basis.run is None
     assert basis.view.search.isEnabled()
     run = BasisRun(tmp_path, tmp_path / "basis.json", 3, basis)
@@ -149,20 +149,20 @@ def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
     shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", below)
     basis.show_folder(tmp_path)
     qtbot.waitUntil(lambda: basis.is_complete)
-    known = basis._paints.known
+    known = basis.paints.known
     assert (known.count, known.sha256) == (1, read(tmp_path))
     basis.show_shipped()
     qtbot.waitUntil(lambda: basis.is_complete)
     threads.clear()
     basis.show_folder(tmp_path)
-    basis._show_note()
+    basis.show_note()
     qtbot.waitUntil(lambda: basis.is_complete)
     assert not threads  # nothing has changed
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", below)
-    basis._paints.look()
-    qtbot.waitUntil(lambda: basis._paints.known.count == 2)
+    basis.paints.look()
+    qtbot.waitUntil(lambda: basis.paints.known.count == 2)
     assert len(threads) == 1
     assert main_thread() not in threads
     basis.show_folder(tmp_path / "gone")
     qtbot.waitUntil(lambda: basis.is_complete)
-    assert basis._paints.known.count == 0
+    assert basis.paints.known.count == 0

@@ -21,11 +21,10 @@ from brdf_suite.reflectance.registry import MODELS
 def following(program, monkeypatch):
     """The program as it follows; fits are exact at once, however busy the machine is."""
     monkeypatch.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
-    program.followed._fitter = program.followed._newest = program.followed._next = None
+    program.followed.close()
     program.followed.action.setChecked(True)
     yield program
-    program.followed._tasks.stop()
-    program.followed._fitter = None
+    program.followed.close()
 
 
 def publish(program, paint) -> None:
@@ -152,4 +151,4 @@ def test_a_drag_is_shown_while_it_lasts(following, qtbot) -> None:
     assert shown[0] == 10.0
     assert shown[-1] == 59.0
     following.followed.arrived.disconnect()
-    following.followed.arrived.connect(following._drop_default)
+    following.followed.arrived.connect(following.drop_default)

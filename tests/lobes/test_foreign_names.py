@@ -21,7 +21,7 @@ def whole(qapp, own_session):
     program = LobeVisualizer()
     program.window.resize(1400, 900)
     program.window.show()
-    program._started = True
+    program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()

@@ -159,7 +159,7 @@ def test_the_menu_acts_on_the_one_in_front(three) -> None:
 def test_lines_take_another_colour_and_go_back(three) -> None:
     control, session = three.legend, three.session
     key = session.subjects[1].key
-    control._ask_colour(session.subjects[1].key)
+    control.choose_colour(session.subjects[1].key)
     dialog = three.window.findChild(QColorDialog)
     dialog.setCurrentColor(Qt.GlobalColor.red)
     assert session.subject(key).colour == (1.0, 0.0, 0.0)

@@ -103,7 +103,7 @@ def test_only_an_anisotropic_one_is_worked_out_anew_where_the_azimuth_turns(two,
     assert two.numbers.work.figures(two.session.subjects[0].key) is grey
     metal = MODELS["poulin_fournier"].default
     wanted = [
-        two.numbers.work._inputs_of(
+        two.numbers.work.inputs_of(
             PlottedMaterial("m", "Metal", Material("Metal", metal), isotropic=isotropic)
         )
         for isotropic in (False, True)
@@ -148,7 +148,7 @@ def test_the_plot_draws_the_albedo_of_each_that_is_visible(two, qtbot) -> None:
     qtbot.waitUntil(lambda: len(plot.lines) == 2 and plot.plot is not None)
     np.testing.assert_allclose(plot.lines[0].albedo, 0.5, atol=2e-3)
     assert [line.front for line in plot.lines] == [True, False]
-    drawn = plot._curves[0].getData()
+    drawn = plot.curves[0].getData()
     np.testing.assert_allclose(drawn[1], plot.lines[0].albedo)
     two.session.set_subjects(())
     qtbot.waitUntil(lambda: plot.lines == ())

@@ -58,7 +58,7 @@ def move(widget, place: QPointF) -> None:
 
 def test_the_unrolled_images_have_target_above_and_fit_below(slices, session, qtbot) -> None:
     session.add(subject("spike", Spike(), fit=matt_fit()))
-    slices._window.plots.set_shown(UNROLLED, True)
+    slices.window.plots.set_shown(UNROLLED, True)
     qtbot.waitUntil(lambda: slices.is_complete)
     grid = slices.unrolled.grid
     assert grid.columns == ("10°", "40°", "70°")
@@ -95,7 +95,7 @@ def test_the_unrolled_images_have_target_above_and_fit_below(slices, session, qt
 def test_the_half_angle_slice_follows_its_slider(slices, session, qtbot) -> None:
     metal = PoulinFournier()
     session.add(subject("metal", metal))
-    slices._window.plots.set_shown(HALF_ANGLE, True)
+    slices.window.plots.set_shown(HALF_ANGLE, True)
     qtbot.waitUntil(lambda: slices.is_complete)
     before = slices.half_angle.grid.pictures[0, 0].value
     slices.section.phi_d_slider.setValue(20)

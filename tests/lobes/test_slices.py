@@ -233,13 +233,13 @@ def test_zero_nothing_and_holes_are_reported_and_no_exception(slices, session, q
     session.add(subject("zero", Zero(), 1))
     session.add(subject("nothing", Nothing(), 2))
     for key in (UNROLLED, HALF_ANGLE):
-        slices._window.plots.set_shown(key, True)
+        slices.window.plots.set_shown(key, True)
     session.set_options(shown="both")
     qtbot.waitUntil(lambda: slices.is_complete)
     note = slices.curves.note.text()
     for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: no values here"):
         assert words in note
-    assert slices.curves._bands.isVisible()
+    assert slices.curves.bands.isVisible()
     holes = slices.unrolled.grid.pictures[0, 0].holes
     assert holes[:, -1].all()
     assert not holes[:, 0].any()
@@ -262,13 +262,13 @@ def test_a_model_that_fails_is_reported_and_the_others_are_drawn(slices, session
     session.add(subject("broken", Broken()))
     session.add(subject("matt", Lambertian(0.5), 1))
     qtbot.waitUntil(lambda: slices.is_complete)
-    assert "slices broken target" in slices._window.messages.shown()
+    assert "slices broken target" in slices.window.messages.shown()
     for plot in (slices.polar, slices.curves):
         assert np.isnan(line(plot.lines, "broken").value).all()
         assert np.isfinite(line(plot.lines, "matt").value).any()
     assert "broken: no values" in slices.curves.note.text()
-    for key in list(slices._window.messages.shown()):
-        slices._window.dismiss_message(key)
+    for key in list(slices.window.messages.shown()):
+        slices.window.dismiss_message(key)
 
 
 def test_samples_lie_on_the_line(slices, session, qtbot) -> None:
@@ -284,7 +284,7 @@ def test_samples_lie_on_the_line(slices, session, qtbot) -> None:
         [15.0, 95.5]
     )  # the others are out of the plane or the light
     assert found.value == pytest.approx(0.5 / np.pi)
-    slices._window.plots.set_shown(UNROLLED, True)
+    slices.window.plots.set_shown(UNROLLED, True)
     slices.state.set(incidences_deg=(10.0, 45.0, 70.0))
     qtbot.waitUntil(lambda: slices.is_complete)
     shown = [slices.unrolled.grid.pictures[0, column].points for column in range(3)]
@@ -307,11 +307,11 @@ def test_curves_are_copied_as_numbers(slices, session, qtbot, tmp_path: Path) ->
     slices.save_curves(path)
     assert path.read_text() == text
     slices.save_curves(tmp_path / "no folder" / "curves.csv")
-    assert "curves" in slices._window.messages.shown()
+    assert "curves" in slices.window.messages.shown()
 
 
 def test_hidden_plots_are_drawn_when_they_are_shown(slices, session, qtbot) -> None:
-    plots = slices._window.plots
+    plots = slices.window.plots
     plots.set_shown(POLAR, False)
     session.add(subject("one", Lambertian(0.5)))
     qtbot.waitUntil(lambda: slices.is_complete)

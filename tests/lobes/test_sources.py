@@ -145,7 +145,7 @@ def test_what_was_assumed_of_a_palette_is_reported_apart_from_what_cannot_be_sho
     opened(path)
     shown = program.window.messages.shown()
     assert [key for key in shown if "few.gpl" in key]
-    message = program.window.messages._rows[f"open {path}"].message
+    message = program.window.messages.shown()[f"open {path}"]
     assert "count of columns" in message.where
     assert "cannot be shown" not in message.what
 
@@ -249,7 +249,7 @@ def test_the_list_finds_by_words_and_opens_on_enter(program, qtbot) -> None:
         qtbot.keyClick(panel.query, Qt.Key.Key_Return)
     assert [s.title for s in program.session.subjects] == ["Polaris Silver"]
     panel.query.setText("no such thing")
-    assert panel._none.isVisible()
+    assert panel.no_match.isVisible()
     program.panel_dock.hide()
 
 

@@ -72,10 +72,10 @@ def test_plots_that_are_shown_are_as_wide_as_each_other(qtbot) -> None:
 
 def test_without_a_plot_the_row_is_its_buttons(qtbot) -> None:
     row = plot_row(qtbot, "a")
-    row._buttons["a"].click()
+    row.buttons["a"].click()
     assert row.shown() == ()
     assert row.maximumHeight() < 60
-    row._buttons["a"].click()
+    row.buttons["a"].click()
     assert row.plots["a"].isVisible()
 
 
@@ -122,7 +122,7 @@ def whole(qapp, tmp_path_factory):
         program = LobeVisualizer(PARTS)
         program.window.resize(1100, 760)
         program.window.show()
-        program._started = True
+        program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()

@@ -30,7 +30,7 @@ RED = (0.9, 0.15, 0.1)
 def shown(space, *subjects: PlottedMaterial) -> QImage:
     """Put subjects in the session and return the picture of the view, without the frame about the lobes."""
     space.state.set(hemisphere=False, labels=False, arrows=False, rings=False, colouring="line")
-    space._session.set_subjects(subjects)
+    space.session.set_subjects(subjects)
     return picture(space)
 
 
@@ -163,7 +163,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
 
     model = Slow()
     shown(space, PlottedMaterial("slow", "A", Material("A", model), RED))
-    kept = space._values._kept["slow"]
+    kept = space.values.kept["slow"]
     kept.seconds = 1.0  # as after a long evaluation
     model.may.clear()
     model.threads.clear()
@@ -172,7 +172,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
         space.draw_now()
     assert (panel := space.view.scene.panels[0]).layers, "the lobes of before stay"
     assert "Outdated" in panel.note
-    space._session.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
+    space.session.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
     space.draw_now()
     assert space.view.scene.panels[0].layers, "of what is edited, too"
     assert not any(model.threads)

@@ -85,7 +85,7 @@ class Basis(QObject):
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._session, self._window = session, window
+        self._session, self.window = session, window
         self.view = BasisView()
         self.folder = _remembered_folder()
         self.search: StoredSearch | None = None
@@ -95,8 +95,8 @@ class Basis(QObject):
         self._working = self._built = self._follows_run = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
-        self._paints = FolderPaints(session, self)
-        self._paints.changed.connect(self._show_note)
+        self.paints = FolderPaints(session, self)
+        self.paints.changed.connect(self.show_note)
         self._output_of: tuple[Path, Path] | None = None
         window.add_plot(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
@@ -116,7 +116,7 @@ class Basis(QObject):
     @property
     def is_complete(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
-        waits = self._working or self._paints.busy or self._timer.isActive()
+        waits = self._working or self.paints.busy or self._timer.isActive()
         return not self._is_shown() or (self._built and not waits)
 
     def close(self) -> None:
@@ -151,10 +151,10 @@ class Basis(QObject):
             return
         self.view.search.setEnabled(False)
         self.view.progress.set_job(BASIS, 0.0, tr("Scanning the folder for paints"), self._drop_search)
-        self._paints.look(self._begin_search)
+        self.paints.look(self._begin_search)
 
     def _drop_search(self) -> None:
-        self._paints.forget_wishes()
+        self.paints.forget_wishes()
         self.view.progress.end_job(BASIS)
         self.view.search.setEnabled(True)
 
@@ -178,10 +178,10 @@ class Basis(QObject):
     # What is shown.
 
     def _is_shown(self) -> bool:
-        return BASIS in self._window.plots.shown()
+        return BASIS in self.window.plots.shown()
 
     def _show(self) -> None:
-        self._window.plots.set_shown(BASIS, True)
+        self.window.plots.set_shown(BASIS, True)
 
     def _refresh(self) -> None:
         if not self._is_shown():
@@ -193,7 +193,7 @@ class Basis(QObject):
         self._ask_own()
 
     def _follow_folder(self) -> None:
-        self._paints.follow(self.folder)
+        self.paints.follow(self.folder)
         if self.folder == _shipped():
             self.show_file(Path(str(resource("basis", STORED_NAME))))
             return
@@ -217,10 +217,10 @@ class Basis(QObject):
                 self._session.show_message(message_of(error, BASIS))
         if self._built:
             self.view.plots.show_search(self.search)
-            self._show_note()
+            self.show_note()
             self._ask_own()
 
-    def _show_note(self) -> None:
+    def show_note(self) -> None:
         search, words = self.search, [self._name()]
         if search is None or not search.results:
             words.append(tr("no search yet: choose Search"))
@@ -247,7 +247,7 @@ class Basis(QObject):
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
             return False  # a file of its own: its paints are unknown
-        paints = self._paints.known
+        paints = self.paints.known
         # Until the folder has been looked at nothing is said; without a sum the paints have gone.
         return paints is not None and paints.sha256 != search.sha256
 
@@ -295,7 +295,7 @@ class Basis(QObject):
         if front is not None and front.key == subject.key:
             self.view.plots.show_own(front, errors)
             self._session.dismiss_message(_TASK)
-        self._show_note()
+        self.show_note()
         self._ask_own()
 
     def _own_failed(self, wanted: tuple[Any, Any], error: Exception) -> None:
@@ -331,19 +331,19 @@ class Basis(QObject):
         if self.run is not None:
             self.run.deleteLater()
             self.run = None
-        self._show_note()
-        self._paints.look()  # changes in subfolders are not reported
+        self.show_note()
+        self.paints.look()  # changes in subfolders are not reported
 
     # What the user chooses.
 
     def _choose_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self._window, tr("Folder of Paints"), str(self.folder))
+        name = QFileDialog.getExistingDirectory(self.window, tr("Folder of Paints"), str(self.folder))
         if name:
             self.show_folder(Path(name))
 
     def _choose_file(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self._window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
+            self.window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
         )
         if name:
             self._follows_run = False

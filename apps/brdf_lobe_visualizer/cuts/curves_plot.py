@@ -88,8 +88,8 @@ class CurvesPlot(QWidget):
         self.plot = SlicePlot(with_axes=True)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.plot.setAccessibleName(self.accessibleName())
-        self._bands = HoleBands()
-        self.plot.addItem(self._bands, ignoreBounds=True)
+        self.bands = HoleBands()
+        self.plot.addItem(self.bands, ignoreBounds=True)
         self._mirror, self._normal, self._cross = (
             upright(grey_pen(self.palette(), alpha)) for alpha in (0.5, 0.3, 0.8)
         )
@@ -168,7 +168,7 @@ class CurvesPlot(QWidget):
         self._draw_points(lines, log_x, log_y)
         front = next((line for line in lines.lines if line.is_front and line.filled is not None), None)
         bands = [] if front is None else _bands(lines.cut.angle_deg, front.filled, log_x)
-        self._bands.show_bands(bands, self.palette())
+        self.bands.show_bands(bands, self.palette())
         self._name_axes(lines, log_x, log_y)
         self._place_marks(lines.cut.axis, log_x)
         if not self._free:

@@ -53,7 +53,7 @@ class Slices(QObject):
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
         self._session = session
-        self._window = window
+        self.window = window
         self.state = SliceState(self)
         self.values = SliceLines(session)
         self.polar, self.curves = PolarPlot(), CurvesPlot(self.state)
@@ -131,7 +131,7 @@ class Slices(QObject):
 
     def _save_curves(self) -> None:
         name, _ = QFileDialog.getSaveFileName(
-            self._window, tr("Save Curves as CSV"), "curves.csv", tr("Comma-separated values (*.csv)")
+            self.window, tr("Save Curves as CSV"), "curves.csv", tr("Comma-separated values (*.csv)")
         )
         if name:
             self.save_curves(Path(name))
@@ -254,7 +254,7 @@ class Slices(QObject):
         self._all_stale()
 
     def _shown(self) -> list[str]:
-        shown = self._window.plots.shown()
+        shown = self.window.plots.shown()
         return [key for key in _TITLES if key in shown]
 
     def _all_stale(self, *_: object) -> None:

@@ -225,7 +225,7 @@ class LegendControl(QObject):
             action.triggered.connect(
                 lambda _=False, colour=colour: self._for_front(lambda key: self.set_colour(key, colour))
             )
-        self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self._ask_colour))
+        self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self.choose_colour))
         self._line.addSeparator()
         for dash, title in _DASH_NAMES.items():
             action = self._line.addAction(line_icon((0.5, 0.5, 0.5), dash), tr(title))
@@ -249,7 +249,7 @@ class LegendControl(QObject):
             ]
         )
 
-    def _ask_colour(self, key: str) -> None:
+    def choose_colour(self, key: str) -> None:
         subject = self._session.subject(key)
         if subject is None:
             return

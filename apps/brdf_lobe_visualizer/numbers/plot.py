@@ -44,7 +44,7 @@ class AlbedoPlot(QWidget):
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._box.addWidget(self.empty, 1)
         self.plot: Any = None
-        self._curves: list[Any] = []
+        self.curves: list[Any] = []
         self._lines: Sequence[AlbedoLine] = ()
 
     @property
@@ -110,15 +110,15 @@ class AlbedoPlot(QWidget):
             self._build()
         self.plot.setVisible(bool(self._lines))
         base = self.palette().color(QPalette.ColorRole.Base)
-        while len(self._curves) < len(self._lines):
-            self._curves.append(self.plot.plot(antialias=True))
-        for curve, line in zip(self._curves, self._lines, strict=False):
+        while len(self.curves) < len(self._lines):
+            self.curves.append(self.plot.plot(antialias=True))
+        for curve, line in zip(self.curves, self._lines, strict=False):
             colour = colour_of(line.subject.colour, base)
             colour.setAlphaF(0.5 if line.stale else 1.0)
             curve.setPen(dashed_pen(colour, 2.4 if line.front else 1.6, line.subject.dash))
             curve.setData(line.incidence_deg, line.albedo)
             curve.setVisible(True)
-        for curve in self._curves[len(self._lines) :]:
+        for curve in self.curves[len(self._lines) :]:
             curve.setVisible(False)
         top = max((float(line.albedo.max()) for line in self._lines), default=1.0)
         self.plot.setXRange(0.0, 90.0, padding=0.0)

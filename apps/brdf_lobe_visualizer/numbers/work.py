@@ -123,14 +123,14 @@ class FiguresWork(QObject):
         for key in set(self._found) - {s.key for s in self._session.subjects}:
             del self._found[key]
         for subject in visible:
-            wanted = self._inputs_of(subject)
+            wanted = self.inputs_of(subject)
             if not wanted.is_same(self._of.get(subject.key)):
                 self._of[subject.key] = wanted
                 if not self._is_fresh(subject.key):
                     self._submit(subject, wanted)
         self.changed.emit()
 
-    def _inputs_of(self, subject: PlottedMaterial) -> _Inputs:
+    def inputs_of(self, subject: PlottedMaterial) -> _Inputs:
         reference = self._session.reference
         other = None if reference is None or reference.key == subject.key else reference
         # Switching a lobe makes new weights; those of a whole fit are always the same object.

@@ -68,11 +68,12 @@ class FollowedPaint(QObject):
                 self._fit(self._newest)
 
     def close(self) -> None:
-        """End what is being fitted."""
+        """End what is being fitted, and forget the paints that were received."""
         self._tasks.stop()
         self._exact.forget()
         if self._fitter is not None:
             self._fitter.close()
+        self._fitter = self._newest = self._next = None
 
     def _fit(self, paint: Paint) -> None:
         # One that is in work is brought to its end: were each dropped for the next, a drag would show none of them.

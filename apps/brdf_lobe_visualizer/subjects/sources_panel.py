@@ -52,9 +52,9 @@ class SourcesPanel(QWidget):
         self._add = QPushButton(tr("Show"))
         self._add.setToolTip(tr("Add the selected reflectances to the legend (Enter or double click)"))
         self._add.clicked.connect(self._take)
-        self._none = PlainLabel(tr("No reflectance matches."))
-        self._none.setMargin(8)
-        self._none.hide()
+        self.no_match = PlainLabel(tr("No reflectance matches."))
+        self.no_match.setMargin(8)
+        self.no_match.hide()
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self._add)
@@ -62,7 +62,7 @@ class SourcesPanel(QWidget):
         box.setContentsMargins(8, 8, 8, 8)
         box.setSpacing(8)
         box.addWidget(self.query)
-        box.addWidget(self._none)
+        box.addWidget(self.no_match)
         box.addWidget(self.tree, 1)
         box.addLayout(row)
         self.setMinimumWidth(180)
@@ -118,7 +118,7 @@ class SourcesPanel(QWidget):
                 shown += not item.isHidden()
             group.setHidden(shown == 0)
             found += shown
-        self._none.setVisible(self._filled and found == 0)
+        self.no_match.setVisible(self._filled and found == 0)
 
     def _take(self) -> None:
         chosen = [item for item in self.tree.selectedItems() if not item.isHidden()]

@@ -48,11 +48,11 @@ class Space(QObject):
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._session, self._window = session, window
+        self.session, self._window = session, window
         self.state = SpaceState(self)
         self.camera = parse_camera(str(settings().value(_CAMERA_KEY, "")))
         self.view: SpaceView | None = None
-        self._values: SpaceValues | None = None
+        self.values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
         self._holder = _Holder()
         self.sweep = SweepControl(session, self.state, self)
@@ -91,9 +91,7 @@ class Space(QObject):
         """Whether all that is asked for is drawn, or cannot be."""
         if self._holder.notice.text():
             return True
-        return (
-            self.view is not None and not self._timer.isActive() and not (self._values and self._values.busy)
-        )
+        return self.view is not None and not self._timer.isActive() and not (self.values and self.values.busy)
 
     def set_from_script(self, key: str, value: str) -> bool:
         """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
@@ -114,7 +112,7 @@ class Space(QObject):
 
     def go_to(self, key: str) -> None:
         """See from a preset's place."""
-        self.set_camera(preset(key, *self._session.incidence))
+        self.set_camera(preset(key, *self.session.incidence))
 
     def frame(self) -> None:
         """Show all of the hemisphere."""
@@ -164,8 +162,8 @@ class Space(QObject):
         from brdf_lobe_visualizer.view3d.values import SpaceValues
         from brdf_lobe_visualizer.view3d.view import SpaceView
 
-        self._values = SpaceValues(self._session, self._stale)
-        self._maker = SceneMaker(self._session, self._values)
+        self.values = SpaceValues(self.session, self._stale)
+        self._maker = SceneMaker(self.session, self.values)
         self.view = view = SpaceView()
         view.set_camera(self.camera)
         view.failed.connect(self._holder.show_notice)
@@ -175,16 +173,16 @@ class Space(QObject):
         gestures.zoomed.connect(lambda f, r, u: self.set_camera(self.camera.zoom(f, r, u)))
         gestures.framed.connect(self.frame)
         drag = IncidenceDrag(view)
-        drag.dragged.connect(self._session.set_incidence)
+        drag.dragged.connect(self.session.set_incidence)
         drag.turned.connect(self._turn)
-        drag.reset.connect(self._session.reset_incidence)
+        drag.reset.connect(self.session.reset_incidence)
         SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
 
     def _turn(self, theta: float, phi: float) -> None:
-        now = self._session.incidence
-        self._session.set_incidence(now[0] + theta, now[1] + phi)
+        now = self.session.incidence
+        self.session.set_incidence(now[0] + theta, now[1] + phi)
 
     def _add_commands(self) -> None:
         add = self._window.add_command

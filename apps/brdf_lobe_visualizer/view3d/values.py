@@ -61,7 +61,7 @@ class SpaceValues:
     def __init__(self, session: LobeSession, arrived: Callable[[], None]) -> None:
         self._session, self._arrived = session, arrived
         self._grid: LobeGrid | None = None
-        self._kept: dict[str, _Kept] = {}
+        self.kept: dict[str, _Kept] = {}
         self._fits: dict[str, _KeptFit] = {}
         self._waiting: set[str] = set()
 
@@ -80,10 +80,10 @@ class SpaceValues:
     def target(self, subject: PlottedMaterial) -> Found | None:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
         grid = self.grid()
-        kept = self._kept.get(subject.key)
+        kept = self.kept.get(subject.key)
         if kept is None or not _same(kept.source, subject.reflectance, subject.measured):
             source = LobeSource(subject.reflectance, subject.measured)
-            kept = self._kept[subject.key] = (
+            kept = self.kept[subject.key] = (
                 _Kept(source, seconds=kept.seconds, before=_stale(kept)) if kept else _Kept(source)
             )
         if kept.grid is not grid:
@@ -116,7 +116,7 @@ class SpaceValues:
 
     def forget_others(self, keys: set[str]) -> None:
         """Keep nothing of subjects that have gone."""
-        for table in (self._kept, self._fits):
+        for table in (self.kept, self._fits):
             for key in [key for key in table if key not in keys]:
                 del table[key]
 
@@ -134,7 +134,7 @@ class SpaceValues:
             self._waiting.discard(key)
             kept.values, kept.grid = answer[0], grid
             kept.seconds = 0.5 * (kept.seconds + answer[1])
-            now = self._kept.get(key)
+            now = self.kept.get(key)
             if now is not None and now is not kept and now.values is None:
                 now.before = _stale(kept)
             self._arrived()
