@@ -82,7 +82,7 @@ class LobeVisualizer:
             and self.fits.is_complete
             and self.legend.is_complete
             and self.followed.is_complete
-            and all(getattr(part, "is_complete", True) for part in self.parts)
+            and all(part.is_complete for part in self.parts)
         )
 
     def start(self, asked: Sequence[str] = ()) -> None:
@@ -111,9 +111,7 @@ class LobeVisualizer:
         self._closed = True
         self.link.close()
         for part in self.parts:
-            close = getattr(part, "close", None)
-            if close is not None:
-                close()
+            part.close()
         for owner in (self.sources, self.fits, self.legend, self.followed):
             owner.close()
         self.session.tasks.stop()
@@ -179,9 +177,7 @@ class LobeVisualizer:
         self.session.reset_options()
         self.session.reset_incidence()
         for part in self.parts:
-            reset = getattr(part, "reset_view", None)
-            if reset is not None:
-                reset()
+            part.reset_view()
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:

@@ -15,12 +15,13 @@ from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import BasisPlots
 from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
@@ -80,7 +81,7 @@ class BasisView(QWidget):
         box.addWidget(self.progress)
 
 
-class Basis(QObject):
+class Basis(LobeFeature):
     """Shows a search and the selected reflectance's errors; starts searches."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
@@ -30,6 +30,7 @@ from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
 from brdf_lobe_visualizer.cuts.section import SlicesSection
 from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
 from brdf_lobe_visualizer.cuts.words import AXIS_TITLES, quantity
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
@@ -47,7 +48,7 @@ _TITLES = {
 }
 
 
-class Slices(QObject):
+class Slices(LobeFeature):
     """Polar plot, curves, unrolled hemispheres, half-angle slice, and their section."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:

@@ -7,12 +7,13 @@ from typing import cast
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.inspection.slices.tone import Tone
@@ -58,7 +59,7 @@ class FactorsPanel(QWidget):
         self.seen.emit()
 
 
-class Factors(QObject):
+class Factors(LobeFeature):
     """A part of the window: the panel Factors at the bottom, hidden at a first start."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:

@@ -14,10 +14,11 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.legend.line import line_icon
 from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
@@ -114,7 +115,7 @@ class NumbersPanel(QWidget):
         self.seen.emit(False)
 
 
-class Numbers(QObject):
+class Numbers(LobeFeature):
     """A part of the window: the panel Numbers at the bottom, and the plot Albedo in the row of plots."""
 
     def __init__(self, session: LobeSession, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:

@@ -12,11 +12,12 @@ from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.gl.gestures import CameraGestures
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.incidence.section import IncidenceSection
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.session import LobeSession
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
 _CAMERA_KEY = "lobes/camera"
 
 
-class Space(QObject):
+class Space(LobeFeature):
     """Lobes in three dimensions."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
