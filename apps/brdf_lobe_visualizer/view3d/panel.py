@@ -83,7 +83,7 @@ class Space(LobeFeature):
         window.add_section("incidence", tr("Incidence"), self.incidence)
         window.add_section("radius", tr("Radius"), self.surface)
         window.add_section("parts", tr("Parts"), self.parts)
-        self.save = SaveSurface(self, session, window)
+        self.save = SaveSurface(self.draw_now, lambda: self.view, session, window)
         self._add_commands()
         window.first_painted.connect(self._build)
 

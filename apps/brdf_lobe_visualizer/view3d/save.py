@@ -21,7 +21,6 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.panel import Space
     from brdf_lobe_visualizer.view3d.view import SpaceView
 
 AskPath = Callable[[QWidget, str, Path, str], Path | None]
@@ -97,13 +96,22 @@ class SaveSection(QWidget):
 
 
 class SaveSurface(QObject):
-    """Writes what the view shows."""
+    """Writes what the view shows.
+
+    ``draw_now`` draws what is pending; ``current_view`` returns the view, None until it is built.
+    """
 
     def __init__(
-        self, space: Space, session: LobeSession, window: LobeWindow, ask_path: AskPath | None = None
+        self,
+        draw_now: Callable[[], object],
+        current_view: Callable[[], SpaceView | None],
+        session: LobeSession,
+        window: LobeWindow,
+        ask_path: AskPath | None = None,
     ) -> None:
-        super().__init__(space)
-        self._space, self._session, self._window = space, session, window
+        super().__init__(window)
+        self._draw_now, self._current_view = draw_now, current_view
+        self._session, self._window = session, window
         self.ask_path = ask_path or _ask_path
         self.section = SaveSection(self)
         window.add_section("export", tr("Export"), self.section, is_open=False)
@@ -136,7 +144,7 @@ class SaveSurface(QObject):
         Raises :class:`GraphicsError` where there is no view, and what writing the file raises.
         """
         kind = path.suffix.lower().removeprefix(".")
-        self._space.draw_now()
+        self._draw_now()
         if kind == "png":
             self._write_png(path)
         elif kind == "svg":
@@ -148,7 +156,7 @@ class SaveSurface(QObject):
         return round(self.section.width_.value()), round(self.section.height_.value())
 
     def _view(self) -> SpaceView:
-        view = self._space.view
+        view = self._current_view()
         if view is None or not view.isValid():
             raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))
         return view
