@@ -65,7 +65,7 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
     if is_file(asked) and asked not in paint_names() and file_kind(asked) == "palette":
         return _of_palette(asked, progress)
     material = load_material(asked)
-    report(progress, 0.7, "looking at the values")
+    report(progress, 0.7, "checking the values")
     return Opened((_describe(material),), material.name)
 
 
@@ -116,16 +116,12 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     numbers = np.isfinite(values).all(axis=-1)
     notes = list(subject.notes)
     if not numbers.all():
-        notes.append(
-            f"{100.0 * np.mean(~numbers):.0f} % of the directions have no number; they are drawn as holes."
-        )
+        notes.append(f"{100.0 * np.mean(~numbers):.0f} % of the directions have no value (drawn as holes).")
     known = values[numbers]
     if known.size and not known.any():
-        notes.append("It reflects nothing in any direction that was looked at.")
+        notes.append("The reflectance is zero in every sampled direction.")
     elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
-        notes.append(
-            "It reflects into one narrow lobe and nowhere else; a view that misses the lobe is dark."
-        )
+        notes.append("All light is reflected into one narrow lobe; other views are dark.")
     return replace(subject, notes=tuple(notes))
 
 
