@@ -1,4 +1,4 @@
-"""Lobe Visualizer: any reflectance in three dimensions. ``brdf-lobes --help`` tells its options."""
+"""Lobe Visualizer: any reflectance in three dimensions. ``brdf-lobes --help`` lists its options."""
 
 from __future__ import annotations
 
@@ -50,13 +50,16 @@ def parser() -> argparse.ArgumentParser:
         help="a .brdfpaint, .brdfpalette or measured file, the name of a shipped paint or of one of Table 1, or of a "
         "model; any number",
     )
-    parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
+    parser.add_argument("--theme", choices=THEMES, help="theme of this run (default: the last one chosen)")
     parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
     parser.add_argument(
-        "--screenshot", type=Path, metavar="FILE", help="save a picture of the window once complete, and end"
+        "--screenshot",
+        type=Path,
+        metavar="FILE",
+        help="save a picture of the window once complete, then exit",
     )
     parser.add_argument(
-        "--quit-after", type=float, metavar="S", help="end S seconds after the window is complete"
+        "--quit-after", type=float, metavar="S", help="exit S seconds after the window is complete"
     )
     parser.add_argument(
         "--report-startup",

@@ -1,4 +1,4 @@
-"""Puts Lobe Visualizer together: window, desk, sources, fits, legend, parts, link."""
+"""Puts Lobe Visualizer together: window, session, sources, fits, legend, parts, link."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer import remembered
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.legend.control import LegendControl
 from brdf_lobe_visualizer.numbers.panel import AskPath, Numbers
 from brdf_lobe_visualizer.parts import PARTS, MakePart, build_parts
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.status import Status
 from brdf_lobe_visualizer.subjects.fits import Fits
 from brdf_lobe_visualizer.subjects.link_follow import KEY as DESIGNER
@@ -48,13 +48,13 @@ class LobeVisualizer:
         ask_path: AskPath | None = None,
     ) -> None:
         self.window = LobeWindow()
-        self.desk = Desk(self.window, self.window)
-        self.sources = Sources(self.desk, self.window)
-        self.fits = Fits(self.desk, self.window)
-        self.legend = LegendControl(self.desk, self.window)
+        self.session = LobeSession(self.window, self.window)
+        self.sources = Sources(self.session, self.window)
+        self.fits = Fits(self.session, self.window)
+        self.legend = LegendControl(self.session, self.window)
         self.link = LiveLink("lobes", parent=self.window)
-        self.followed = FollowedPaint(self.desk, self.window, self.sources, self.fits)
-        self.status = Status(self.desk, self.window)
+        self.followed = FollowedPaint(self.session, self.window, self.sources, self.fits)
+        self.status = Status(self.session, self.window)
         self.panel = SourcesPanel()
         self.panel_dock = self.window.add_dock(
             "reflectances", mark("Reflectances"), self.panel, Qt.DockWidgetArea.LeftDockWidgetArea
@@ -63,13 +63,13 @@ class LobeVisualizer:
         self._started = self._closed = False
         self._default = ""
         self._build_commands()
-        self.parts = build_parts(self.desk, self.window, parts)
-        self.numbers = Numbers(self.desk, self.window, ask_path=ask_path)
+        self.parts = build_parts(self.session, self.window, parts)
+        self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.parts.append(self.numbers)
         self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
         self.window.complete()
-        remembered.recall(self.desk, self.window)
+        remembered.recall(self.session, self.window)
         self._join()
 
     @property
@@ -77,12 +77,12 @@ class LobeVisualizer:
         """Whether all that follows by itself is there: files, fits, errors, figures, pictures."""
         return (
             self._started
-            and not self.desk.tasks.busy
+            and not self.session.tasks.busy
             and not self.sources.busy
             and self.fits.is_complete
             and self.legend.is_complete
             and self.followed.is_complete
-            and all(getattr(part, "is_complete", True) for part in self.parts)
+            and all(part.is_complete for part in self.parts)
         )
 
     def start(self, asked: Sequence[str] = ()) -> None:
@@ -94,11 +94,15 @@ class LobeVisualizer:
         from brdf_suite.pipeline.material import default_paint_name
 
         self.sources.open_many(asked)
-        if not asked and not self.desk.subjects:
+        if not asked and not self.session.subjects:
             self._default = default_paint_name()
             self.sources.open(self._default, remember=False)
         self.window.show_recent(self.sources.recent())
         self.link.start()
+
+    def skip_start(self) -> None:
+        """Count as started without opening anything or joining the link."""
+        self._started = True
 
     def close(self) -> None:
         """Leave the link and end what runs; called once or more."""
@@ -107,12 +111,10 @@ class LobeVisualizer:
         self._closed = True
         self.link.close()
         for part in self.parts:
-            close = getattr(part, "close", None)
-            if close is not None:
-                close()
+            part.close()
         for owner in (self.sources, self.fits, self.legend, self.followed):
             owner.close()
-        self.desk.tasks.stop()
+        self.session.tasks.stop()
 
     def ask_files(self) -> None:
         """Ask which files to open, and open them."""
@@ -132,18 +134,18 @@ class LobeVisualizer:
 
     def _join(self) -> None:
         window, sources = self.window, self.sources
-        window.open_asked.connect(lambda path: self.ask_files() if path is None else sources.open(path))
+        window.open_requested.connect(lambda path: self.ask_files() if path is None else sources.open(path))
         window.dropped.connect(sources.open_many)
         window.recent_cleared.connect(sources.clear_recent)
-        window.closing.connect(lambda: remembered.remember(self.desk, window))
+        window.closing.connect(lambda: remembered.remember(self.session, window))
         sources.recent_changed.connect(lambda: window.show_recent(sources.recent()))
         sources.palette_opened.connect(self.panel.add_palette)
-        self.panel.asked.connect(sources.open_many)
-        self.legend.open_asked.connect(self.ask_files)
-        self.legend.list_asked.connect(self.show_list)
-        self.link.received.connect(self.followed.received)
+        self.panel.open_requested.connect(sources.open_many)
+        self.legend.open_requested.connect(self.ask_files)
+        self.legend.list_requested.connect(self.show_list)
+        self.link.received.connect(self.followed.receive)
         self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
-        self.followed.arrived.connect(self._drop_default)
+        self.followed.arrived.connect(self.drop_default)
         sources.opened.connect(self._opened)
         app = QCoreApplication.instance()
         if app is not None:
@@ -153,11 +155,11 @@ class LobeVisualizer:
         add = self.window.add_command
         listed = add(
             "file",
-            mark("Reflectances from the &List…"),
+            mark("Add from &Library…"),
             "Ctrl+L",
             self.show_list,
             icon="list-plus",
-            tip=mark("Shipped paints, measured paints of Table 1, models, opened palettes"),
+            tip=mark("Sample paints, measured paints of Table 1, models, opened palettes"),
         )
         reset = add(
             "view",
@@ -165,30 +167,28 @@ class LobeVisualizer:
             "Ctrl+0",
             self._reset_views,
             icon="arrow-counter-clockwise",
-            tip=mark("Put incidence, channel, radius, cosine and lobes back"),
+            tip=mark("Restore the default incidence, channel, radius, cosine and lobes"),
         )
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)
 
     def _reset_views(self) -> None:
-        self.desk.reset_options()
-        self.desk.reset_incidence()
+        self.session.reset_options()
+        self.session.reset_incidence()
         for part in self.parts:
-            reset = getattr(part, "reset_view", None)
-            if reset is not None:
-                reset()
+            part.reset_view()
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:
             self._default = keys[0]
-            if self.desk.subject(DESIGNER) is not None:
-                self._drop_default()
+            if self.session.subject(DESIGNER) is not None:
+                self.drop_default()
 
-    def _drop_default(self) -> None:
+    def drop_default(self) -> None:
         """Take the paint of an empty start away: Designer's has come in its place."""
-        if self._default and self.desk.subject(self._default) is not None:
-            self.desk.remove(self._default)
+        if self._default and self.session.subject(self._default) is not None:
+            self.session.remove(self._default)
             self._default = ""
 
 

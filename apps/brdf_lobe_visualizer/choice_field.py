@@ -1,4 +1,4 @@
-"""A drop-down list of named choices: shows what is set, tells what the user chose, goes back on a double click."""
+"""A drop-down list of named choices with a default that Backspace or Delete restores."""
 
 from __future__ import annotations
 
@@ -7,7 +7,10 @@ from collections.abc import Mapping
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QWidget
+
+_RESETS = (Qt.Key.Key_Backspace, Qt.Key.Key_Delete)
 
 
 class ChoiceField(QuietComboBox):
@@ -43,7 +46,7 @@ class ChoiceField(QuietComboBox):
             self.chosen.emit(self.default)
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.KeyPress and event.key() in (Qt.Key.Key_Backspace, Qt.Key.Key_Delete):
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress and event.key() in _RESETS:
             self.reset()
             return True
         return super().event(event)

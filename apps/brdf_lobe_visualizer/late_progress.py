@@ -26,7 +26,9 @@ class LateProgress(QObject):
         """Begin a job, in the place of one with its key; return what takes how far it is."""
         self.end(key)
         self._at[key] = 0.0
-        timer = QTimer(self, singleShot=True, interval=SHOW_AFTER_MS)
+        timer = QTimer(self)
+        timer.setSingleShot(True)
+        timer.setInterval(SHOW_AFTER_MS)
         timer.timeout.connect(lambda: self._strip.set_job(key, self._at[key], text, cancel))
         self._timers[key] = timer
         timer.start()

@@ -6,21 +6,23 @@ from collections.abc import Callable, Sequence
 
 from brdf_lobe_visualizer.basis.part import Basis
 from brdf_lobe_visualizer.cuts.panel import Slices
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.factors.part import Factors
+from brdf_lobe_visualizer.feature import LobeFeature
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
 
-MakePart = Callable[[Desk, LobeWindow], object]
+MakePart = Callable[[LobeSession, LobeWindow], LobeFeature]
 
 PARTS: tuple[MakePart, ...] = (Space, Slices, Basis, Factors)
-"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
+"""What makes each part: called with session and window, it adds itself to the window and listens to the session.
 
-Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``. A part
-may have ``is_complete`` (whether all that it shows is there), ``close()``, and ``reset_view()``.
+Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``.
 """
 
 
-def build_parts(desk: Desk, window: LobeWindow, parts: Sequence[MakePart] = PARTS) -> list[object]:
+def build_parts(
+    session: LobeSession, window: LobeWindow, parts: Sequence[MakePart] = PARTS
+) -> list[LobeFeature]:
     """Make every part and return them; their owner keeps them."""
-    return [part(desk, window) for part in parts]
+    return [part(session, window) for part in parts]

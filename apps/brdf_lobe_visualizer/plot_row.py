@@ -27,7 +27,7 @@ class PlotRow(QWidget):
         super().__init__(parent)
         self.setObjectName("plots")
         self._plots: dict[str, QWidget] = {}
-        self._buttons: dict[str, ChoiceButton] = {}
+        self.buttons: dict[str, ChoiceButton] = {}
         remembered = settings().value(_SHOWN_KEY)
         self._chosen = None if remembered is None else str(remembered).split()
         self._head = QHBoxLayout()
@@ -61,20 +61,20 @@ class PlotRow(QWidget):
         first = len(self._plots) < _FIRST if self._chosen is None else key in self._chosen
         button = ChoiceButton(title)
         button.setObjectName(f"plot_button_{key}")
-        button.setAccessibleName(tr("Show the plot {name}").format(name=title))
+        button.setAccessibleName(tr("Show plot {name}").format(name=title))
         button.setChecked(first)
         button.clicked.connect(lambda: self.set_shown(key, button.isChecked()))
         self._head.insertWidget(self._head.count() - 1, button)
         self._split.addWidget(plot)
         self._split.setStretchFactor(self._split.count() - 1, 1)
         plot.setVisible(first)
-        self._plots[key], self._buttons[key] = plot, button
+        self._plots[key], self.buttons[key] = plot, button
         self._show_any()
         self.show()
 
     def shown(self) -> tuple[str, ...]:
         """Return the keys of those that are shown."""
-        return tuple(key for key, button in self._buttons.items() if button.isChecked())
+        return tuple(key for key, button in self.buttons.items() if button.isChecked())
 
     def even(self) -> None:
         """Give all plots the same width: one that has just come would otherwise have what its least is."""
@@ -93,7 +93,7 @@ class PlotRow(QWidget):
 
     def set_shown(self, key: str, shown: bool, *, remember: bool = True) -> None:
         """Show or hide a plot, and remember it, unless it is for this run alone."""
-        self._buttons[key].setChecked(shown)
+        self.buttons[key].setChecked(shown)
         self._plots[key].setVisible(shown)
         self._show_any()
         self.even()

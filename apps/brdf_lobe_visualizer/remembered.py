@@ -9,8 +9,8 @@ from typing import Any
 from brdf_qt.program.settings import settings
 from PySide6.QtWidgets import QSplitter
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import CHANNELS, COSINES, INCIDENCE_DEG, RADII, SHOWN, Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 
 _VIEW_KEY = "lobes/view"
@@ -23,7 +23,7 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 }
 
 
-def recall(desk: Desk, window: LobeWindow) -> None:
+def recall(session: LobeSession, window: LobeWindow) -> None:
     """Take up incidence, options and sizes of the last time; what is no value any more is left out."""
     try:
         stored: Any = json.loads(str(settings().value(_VIEW_KEY, "{}")))
@@ -32,24 +32,24 @@ def recall(desk: Desk, window: LobeWindow) -> None:
     if not isinstance(stored, dict):
         return
     options = {name: stored[name] for name, choices in _CHOICES.items() if stored.get(name) in choices}
-    desk.set_options(**options)
+    session.set_options(**options)
     incidence = stored.get("incidence")
     if (
         isinstance(incidence, list)
         and len(incidence) == len(INCIDENCE_DEG)
         and all(isinstance(value, (int, float)) and abs(value) <= 360.0 for value in incidence)
     ):
-        desk.set_incidence(*incidence)
+        session.set_incidence(*incidence)
     for split in window.findChildren(QSplitter):
         state = settings().value(f"{_SPLIT_KEY}/{split.objectName()}")
         if split.objectName() and state is not None:
             split.restoreState(state)
 
 
-def remember(desk: Desk, window: LobeWindow) -> None:
+def remember(session: LobeSession, window: LobeWindow) -> None:
     """Keep incidence, options and sizes for the next start; lobes that are switched off are not kept."""
-    kept = {f.name: getattr(desk.options, f.name) for f in fields(Options) if f.name in _CHOICES}
-    settings().setValue(_VIEW_KEY, json.dumps({**kept, "incidence": list(desk.incidence)}))
+    kept = {f.name: getattr(session.options, f.name) for f in fields(Options) if f.name in _CHOICES}
+    settings().setValue(_VIEW_KEY, json.dumps({**kept, "incidence": list(session.incidence)}))
     for split in window.findChildren(QSplitter):
         if split.objectName():
             settings().setValue(f"{_SPLIT_KEY}/{split.objectName()}", split.saveState())

@@ -15,33 +15,34 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     view = parser.add_argument_group("the view of this run")
     view.add_argument(
-        "--incidence", type=incidence, metavar="THETA,PHI", help="the light, degrees: as in 45,0 or 60,90"
+        "--incidence",
+        type=incidence,
+        metavar="THETA,PHI",
+        help="direction of the light in degrees, such as 45,0 or 60,90",
     )
-    view.add_argument("--radius", choices=RADII, help="how values become lengths")
-    view.add_argument("--channel", choices=CHANNELS, help="what the surface is coloured by, and plots draw")
+    view.add_argument("--radius", choices=RADII, help="mapping from values to radii")
+    view.add_argument("--channel", choices=CHANNELS, help="channel of surface colours and plots")
     view.add_argument(
-        "--cosine", choices=COSINES, help="what f_r is multiplied with: N·L, N·L and N·V, or nothing"
+        "--cosine", choices=COSINES, help="cosines that multiply f_r: light (N·L), both (N·L and N·V) or none"
     )
     view.add_argument(
         "--show",
         type=shown,
         metavar="WHAT",
-        help="target, fit, both of them as target,fit, side-by-side, or difference",
+        help="target, fit, both (target,fit), side-by-side or difference",
     )
-    view.add_argument(
-        "--reference", type=int, metavar="N", help="the N-th reflectance is the reference, from 1"
-    )
-    view.add_argument("--front", type=int, metavar="N", help="the N-th reflectance is selected, from 1")
-    view.add_argument("--plots", metavar="KEY,KEY", help="the plots that are shown below, and no others")
-    view.add_argument("--panels", metavar="KEY,KEY", help="panels that are shown: numbers, reflectances")
-    view.add_argument("--no-inspector", action="store_true", help="leave the inspector out")
+    view.add_argument("--reference", type=int, metavar="N", help="index of the reference, from 1")
+    view.add_argument("--front", type=int, metavar="N", help="index of the selected reflectance, from 1")
+    view.add_argument("--plots", metavar="KEY,KEY", help="visible plots; all others are hidden")
+    view.add_argument("--panels", metavar="KEY,KEY", help="visible panels: numbers, reflectances, factors")
+    view.add_argument("--no-inspector", action="store_true", help="hide the inspector")
     view.add_argument(
         "--set",
         action="append",
         default=[],
         type=_pair,
         metavar="KEY=VALUE",
-        help="an option of a view of its own; may be given more than once",
+        help="option of a view or panel; repeatable",
     )
 
 
@@ -74,13 +75,13 @@ def shown(text: str) -> Shown:
 
 def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
     """Set what the options ask for and no subject is needed for; call before the window is shown."""
-    desk, window = program.desk, program.window
+    session, window = program.session, program.window
     wanted = {name: getattr(options, name) for name in ("radius", "channel", "cosine")}
     if options.show is not None:
         wanted["shown"] = options.show
-    desk.set_options(**{name: value for name, value in wanted.items() if value is not None})
+    session.set_options(**{name: value for name, value in wanted.items() if value is not None})
     if options.incidence is not None:
-        desk.set_incidence(*options.incidence)
+        session.set_incidence(*options.incidence)
     if options.plots is not None:
         keys = options.plots.split(",") if options.plots else []
         for key in window.plots.plots:
@@ -93,8 +94,7 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
         window.inspector_dock.hide()
     for key, value in options.set:
         for part in program.parts:
-            take = getattr(part, "set_from_script", None)
-            if take is not None and take(key, value):
+            if part.set_from_script(key, value):
                 break
         else:
             raise SystemExit(f"brdf-lobes: --set {key}={value}: no view has this option.")
@@ -102,11 +102,11 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
 
 def apply_subjects(program: LobeVisualizer, options: argparse.Namespace) -> None:
     """Choose front and reference by their places, once the subjects are there."""
-    subjects = program.desk.subjects
+    subjects = program.session.subjects
     if options.front is not None and 1 <= options.front <= len(subjects):
-        program.desk.set_front(subjects[options.front - 1].key)
+        program.session.set_front(subjects[options.front - 1].key)
     if options.reference is not None and 1 <= options.reference <= len(subjects):
-        program.desk.set_compared(subjects[options.reference - 1].key)
+        program.session.set_reference(subjects[options.reference - 1].key)
 
 
 def _pair(text: str) -> tuple[str, str]:

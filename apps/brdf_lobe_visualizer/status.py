@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.status_line import StatusLine
+from brdf_qt.window.status_line import State, StatusLine
 from PySide6.QtCore import QObject
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 
 _ROLES = {
@@ -20,30 +20,30 @@ _ROLES = {
 
 
 class Status(QObject):
-    """Keeps the cells in step with the desk; parts may add cells of their own to ``window.status``."""
+    """Keeps the cells in step with the session; parts may add cells of their own to ``window.status``."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         line: StatusLine = window.status
-        self._subject = line.cell("subject", tr("The reflectance that is selected"), elastic=True)
-        self._fit = line.cell("fit", tr("The lobes fitted to it, and how long that took"))
-        self._notes = line.cell("notes", tr("What is to be known of it"), elastic=True)
-        self._light = line.cell("incidence", tr("Where the light stands"), right=True)
-        self._link = line.cell("link", tr("Other programs of the suite that are open"), right=True)
-        desk.subjects_changed.connect(self._show_front)
-        desk.front_changed.connect(self._show_front)
-        desk.incidence_changed.connect(lambda _theta, _phi: self._show_light())
+        self._subject = line.cell("subject", tr("Selected reflectance"), elastic=True)
+        self._fit = line.cell("fit", tr("Fitted lobes and fitting time"))
+        self._notes = line.cell("notes", tr("Notes on the reflectance"), elastic=True)
+        self._light = line.cell("incidence", tr("Direction of the light"), right=True)
+        self._link = line.cell("link", tr("Connected programs of the suite"), right=True)
+        session.subjects_changed.connect(self._show_front)
+        session.front_changed.connect(self._show_front)
+        session.incidence_changed.connect(lambda _theta, _phi: self._show_light())
         self._show_front()
         self._show_light()
 
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show which programs are on the link."""
         named = [tr(_ROLES[role]) if role in _ROLES else role for role in roles]
-        self._link.set(tr("Linked: {names}").format(names=", ".join(named)) if named else "")
+        self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
 
     def _show_front(self) -> None:
-        front = self._desk.front
+        front = self._session.front
         if front is None:
             for cell in (self._subject, self._fit, self._notes):
                 cell.set("")
@@ -58,11 +58,11 @@ class Status(QObject):
         if fit.worst_delta_e is not None:
             parts.append(tr("worst ΔE00 {value}").format(value=f"{fit.worst_delta_e:.2f}"))
         if fit.time_limited:
-            follows = tr("the exact one follows") if fit.exact_follows else tr("the best that was found")
+            follows = tr("exact fit follows") if fit.exact_follows else tr("best result so far")
             parts.append(tr("time limit: {what}").format(what=follows))
-        state = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
+        state: State = "warning" if fit.time_limited and not fit.exact_follows else "fresh"
         self._fit.set(" · ".join(parts), "\n".join(fit.notices), state)
 
     def _show_light(self) -> None:
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         self._light.set(tr("light {theta}°, {phi}°").format(theta=f"{theta:.1f}", phi=f"{phi:.0f}"))

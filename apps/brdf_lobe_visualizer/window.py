@@ -23,11 +23,11 @@ _VIEW_WIDTH = 400
 class LobeWindow(SuiteWindow):
     """The window of Lobe Visualizer; parts add to it by the ``add_`` methods and :meth:`set_centre`.
 
-    Intents: ``open_asked(Path | None)``, a file or that one be asked for; ``dropped(list[Path])``;
+    Intents: ``open_requested(Path | None)``, a file or that one be asked for; ``dropped(list[Path])``;
     ``recent_cleared``; ``closing``, just before it closes.
     """
 
-    open_asked = Signal(object)
+    open_requested = Signal(object)
     dropped = Signal(object)
     recent_cleared = Signal()
     closing = Signal()
@@ -154,7 +154,7 @@ class LobeWindow(SuiteWindow):
 
     def _lay_out(self) -> None:
         beside = [self.top_split.widget(place) for place in range(1, self.top_split.count())]
-        widths = [widget.sizeHint().width() for widget in beside]
+        widths = [widget.sizeHint().width() for widget in beside if widget is not None]
         self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
         self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
         self.plots.even()
@@ -165,7 +165,7 @@ class LobeWindow(SuiteWindow):
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
             action.setToolTip(plain_tip(str(path)))
-            action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
+            action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
         self.recent_menu.addSeparator()
         self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
         self.recent_menu.setEnabled(bool(paths))
@@ -186,7 +186,7 @@ class LobeWindow(SuiteWindow):
     def _build_file_menu(self) -> None:
         keys = QKeySequence.StandardKey
         opened = self.add_action(
-            self.file_menu, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+            self.file_menu, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
         )
         self.toolbar.addAction(opened)
         self.recent_menu = QMenu(tr("Open &Recent"), self.file_menu)
@@ -198,7 +198,7 @@ class LobeWindow(SuiteWindow):
         self.top_split.setObjectName("top_split")
         self.top_split.setHandleWidth(8)
         self.top_split.setChildrenCollapsible(False)
-        absent = PlainLabel(tr("No view in three dimensions"))
+        absent = PlainLabel(tr("No 3-D view"))
         absent.setAlignment(Qt.AlignmentFlag.AlignCenter)
         absent.setObjectName("no_view")
         self.top_split.addWidget(absent)

@@ -1,4 +1,4 @@
-"""A real Lobe Visualizer with settings and a live link of its own, on Qt's offscreen platform unless told otherwise.
+"""A real Lobe Visualizer with settings and a live link of its own, on Qt's offscreen platform by default.
 
 Views in three dimensions need OpenGL and are tested elsewhere; here the window is made without them.
 """
@@ -31,7 +31,7 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 class Asked:
-    """Answers the questions for files as told."""
+    """Answers the questions for files as set."""
 
     def __init__(self) -> None:
         self.files: list[str] = []
@@ -65,13 +65,13 @@ def asked(lasting) -> Asked:
 
 @pytest.fixture
 def program(lasting, asked) -> LobeVisualizer:
-    """The program with nothing on its desk, all options at their defaults and no message."""
+    """The program with nothing in its session, all options at their defaults and no message."""
     program, _ = lasting
-    program._started = True
-    program.desk.set_subjects(())
-    program.desk.show_all()
-    program.desk.reset_options()
-    program.desk.reset_incidence()
+    program.skip_start()
+    program.session.set_subjects(())
+    program.session.show_all()
+    program.session.reset_options()
+    program.session.reset_incidence()
     program.numbers.dock.hide()
     program.window.plots.set_shown("albedo", False, remember=False)
     for key in list(program.window.messages.shown()):
@@ -137,11 +137,11 @@ def slices(window_with_slices, qtbot) -> Slices:
     program = window_with_slices
     part = next(part for part in program.parts if isinstance(part, Slices))
     qtbot.waitUntil(lambda: part.polar.plot is not None)
-    program._started = True
-    program.desk.set_subjects(())
-    program.desk.show_all()
-    program.desk.reset_options()
-    program.desk.reset_incidence()
+    program.skip_start()
+    program.session.set_subjects(())
+    program.session.show_all()
+    program.session.reset_options()
+    program.session.reset_incidence()
     part.state.reset()
     for key in program.window.plots.plots:
         program.window.plots.set_shown(key, key in (POLAR, CURVES))

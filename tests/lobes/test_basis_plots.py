@@ -26,8 +26,8 @@ STORED = Path(str(resource("basis", STORED_NAME)))
 def basis(window_with_basis, qtbot) -> Basis:
     program = window_with_basis
     part = next(part for part in program.parts if isinstance(part, Basis))
-    program._started = True
-    program.desk.set_subjects(())
+    program.skip_start()
+    program.session.set_subjects(())
     program.window.plots.set_shown(BASIS, True)
     part.show_shipped()
     qtbot.waitUntil(lambda: part.is_complete)
@@ -35,42 +35,42 @@ def basis(window_with_basis, qtbot) -> Basis:
 
 
 @pytest.fixture
-def desk(window_with_basis):
-    return window_with_basis.desk
+def session(window_with_basis):
+    return window_with_basis.session
 
 
 def test_the_stored_search_is_drawn(basis) -> None:
     search = load_search(STORED)
-    points = basis.view.plots._dots.getData()
+    points = basis.view.plots.dots.getData()
     assert len(points[0]) == sum(result.count for result in search.results)
     last = search.results[-1]
     assert np.sort(points[1][points[0] == last.count]) == pytest.approx(np.log10(last.exponents))
     words = basis.view.note.text()
-    assert "Shipped paints" in words
+    assert "Sample paints" in words
     assert f"default: {search.default_count} lobes" in words
     assert "changed" not in words
-    basis.view.plots._read_exponents(float(search.default_count))
+    basis.view.plots.read_exponents(float(search.default_count))
     assert f"{search.default_count} lobes" in basis.view.plots.readouts[0].text()
-    basis.view.plots._read_errors(1.2)
+    basis.view.plots.read_errors(1.2)
     assert "worst" in basis.view.plots.readouts[1].text()
 
 
-def test_the_selected_paint_has_its_errors_live(basis, desk, qtbot) -> None:
+def test_the_selected_paint_has_its_errors_live(basis, session, qtbot) -> None:
     search = load_search(STORED)
     for name in ("blue_metallic", "satin_blue"):
-        desk.add(PlottedMaterial(name, name, Material(name, build_reflectance(load_document(name)))))
+        session.add(PlottedMaterial(name, name, Material(name, build_reflectance(load_document(name)))))
     for name in ("blue_metallic", "satin_blue"):
-        desk.set_front(name)
+        session.set_front(name)
         qtbot.waitUntil(
             lambda name=name: basis.view.plots.own is not None and basis.view.plots.own[0].key == name
         )
         errors = basis.view.plots.own[1]
         place = search.paints.index(name)
         assert errors.errors == pytest.approx([result.errors[place] for result in search.results], rel=1e-6)
-    desk.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
+    session.add(PlottedMaterial("satin_blue", "matt", Material("matt", Lambertian(0.5))))
     qtbot.waitUntil(lambda: not basis.view.plots.own[1].whole)
-    assert "matt: colour alone" in basis.view.note.text()
-    desk.set_subjects(())
+    assert "matt: colour error only" in basis.view.note.text()
+    session.set_subjects(())
     qtbot.waitUntil(lambda: basis.view.plots.own is None)
 
 
@@ -81,13 +81,13 @@ def test_a_running_search_is_followed(basis, qtbot, tmp_path: Path) -> None:
     save_state(state, settings, search.results[:2])
     basis.show_file(state)
     assert len(basis.search.results) == 2
-    assert "2 counts so far" in basis.view.note.text()
+    assert "2 lobe counts so far" in basis.view.note.text()
     save_state(state, settings, search.results[:5])
     qtbot.waitUntil(lambda: len(basis.search.results) >= 5)
     assert len(basis.search.results) == 5
-    assert len(basis.view.plots._dots.getData()[0]) == 1 + 2 + 3 + 4 + 5
+    assert len(basis.view.plots.dots.getData()[0]) == 1 + 2 + 3 + 4 + 5
     state.write_text("{")
-    qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
+    qtbot.waitUntil(lambda: BASIS in basis.window.messages.shown())
     assert len(basis.search.results) == 5  # what was read stays
 
 
@@ -96,7 +96,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     paints.mkdir()
     shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", paints)
     basis.show_folder(paints)
-    assert "not searched yet" in basis.view.note.text()
+    assert "no search yet" in basis.view.note.text()
     basis.view.search.click()
     assert not basis.view.search.isEnabled()
     assert basis.view.progress.jobs == (BASIS,)
@@ -108,26 +108,26 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     assert "changed" not in basis.view.note.text()
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", paints)
     qtbot.waitUntil(lambda: "changed since" in basis.view.note.text())
-    # Now one that is stopped: it keeps its place and tells nothing.
+    # Now one that is stopped: it keeps its place and reports nothing.
     basis.view.search.click()
     qtbot.waitUntil(lambda: basis.run is not None)
     basis.run.cancel()
     qtbot.waitUntil(lambda: basis.run is None)
-    assert BASIS not in basis._window.messages.shown()
+    assert BASIS not in basis.window.messages.shown()
     basis.view.reset.trigger()
-    assert "Shipped paints" in basis.view.note.text()
+    assert "Sample paints" in basis.view.note.text()
 
 
-def test_what_cannot_be_searched_is_told(basis, qtbot, tmp_path: Path) -> None:
+def test_what_cannot_be_searched_is_reported(basis, qtbot, tmp_path: Path) -> None:
     basis.show_folder(tmp_path)
     basis.start_search()
-    qtbot.waitUntil(lambda: BASIS in basis._window.messages.shown())
+    qtbot.waitUntil(lambda: BASIS in basis.window.messages.shown())
     assert basis.run is None
     assert basis.view.search.isEnabled()
     run = BasisRun(tmp_path, tmp_path / "basis.json", 3, basis)
-    with qtbot.waitSignal(run.failed) as told:
+    with qtbot.waitSignal(run.failed) as failed:
         run.start()
-    assert "no paint" in told.args[0]
+    assert "no paint" in failed.args[0]
 
 
 def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
@@ -149,20 +149,20 @@ def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
     shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", below)
     basis.show_folder(tmp_path)
     qtbot.waitUntil(lambda: basis.is_complete)
-    known = basis._paints.known
+    known = basis.paints.known
     assert (known.count, known.sha256) == (1, read(tmp_path))
     basis.show_shipped()
     qtbot.waitUntil(lambda: basis.is_complete)
     threads.clear()
     basis.show_folder(tmp_path)
-    basis._tell()
+    basis.show_note()
     qtbot.waitUntil(lambda: basis.is_complete)
     assert not threads  # nothing has changed
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", below)
-    basis._paints.look()
-    qtbot.waitUntil(lambda: basis._paints.known.count == 2)
+    basis.paints.look()
+    qtbot.waitUntil(lambda: basis.paints.known.count == 2)
     assert len(threads) == 1
     assert main_thread() not in threads
     basis.show_folder(tmp_path / "gone")
     qtbot.waitUntil(lambda: basis.is_complete)
-    assert basis._paints.known.count == 0
+    assert basis.paints.known.count == 0

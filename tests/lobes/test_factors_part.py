@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.factors.part import Factors
@@ -78,14 +80,22 @@ def test_the_scale_is_that_of_the_pictures(channel: str, tone: str) -> None:
     assert not grid.pictures[0, 0].notes
 
 
+@pytest.mark.parametrize(("channel", "index"), [("red", 0), ("green", 1), ("blue", 2)])
+def test_a_channel_shows_its_own_values(channel: str, index: int) -> None:
+    first = factor_pictures(product())[0]
+    coloured = replace(first, values=first.values * (1.0, 0.5, 0.2))
+    value = grid_of((coloured,), channel, "gamma").pictures[0, 0].value
+    np.testing.assert_array_equal(value, coloured.values[..., index])
+
+
 def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_with_factors, qtbot) -> None:
     program = window_with_factors
     part = next(one for one in program.parts if isinstance(one, Factors))
     part.dock.show()
     program.sources.add(PlottedMaterial("", "Satin", Material("Satin", product())))
     program.sources.add(PlottedMaterial("", "Matt", Material("Matt", MODELS["lambertian"].default)))
-    satin, matt = program.desk.subjects
-    program.desk.set_front(satin.key)
+    satin, matt = program.session.subjects
+    program.session.set_front(satin.key)
     view = part.panel.view
     qtbot.waitUntil(lambda: view.grid.columns == ("p(ωi) p(ωo)", "q(|h|)", "d(ω·h)", "s(√|h|)"))
     assert "Satin" in part.panel.note.text()
@@ -98,6 +108,6 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     assert part.set_from_script("factor-channel", "red")
     assert part.panel.channel.choice == "red"
     assert not part.set_from_script("factor-channel", "mauve")
-    program.desk.set_front(matt.key)
+    program.session.set_front(matt.key)
     qtbot.waitUntil(lambda: not view.grid.columns)
     assert "Matt" in view.empty.text()

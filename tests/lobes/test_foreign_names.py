@@ -21,7 +21,7 @@ def whole(qapp, own_session):
     program = LobeVisualizer()
     program.window.resize(1400, 900)
     program.window.show()
-    program._started = True
+    program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()
@@ -59,8 +59,8 @@ def test_a_wheel_changes_nothing_in_the_window(whole, walks, qtbot) -> None:
     whole.panel_dock.show()
     whole.numbers.dock.show()
     qtbot.waitUntil(lambda: whole.is_complete)
-    options = whole.desk.options
+    options = whole.session.options
     changed, count = walks.changed_by_wheel(whole.window)
     assert changed == []
     assert count > 10
-    assert whole.desk.options == options
+    assert whole.session.options == options

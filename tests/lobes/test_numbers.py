@@ -32,7 +32,7 @@ def wait(program, qtbot) -> None:
 
 
 def _fresh(program) -> bool:
-    return not any(program.numbers.work.is_stale(s.key) for s in program.desk.visible)
+    return not any(program.numbers.work.is_stale(s.key) for s in program.session.visible)
 
 
 def shown(program) -> dict[str, list[str]]:
@@ -52,7 +52,7 @@ def test_the_table_has_a_column_for_each_that_is_visible(two, qtbot) -> None:
     assert header(two) == ["Figure", "Grey", "Red"]
     grey, red = (float(text) for text in shown(two)["hemispherical albedo, red"])
     assert (grey, red) == (pytest.approx(0.5, abs=1e-3), pytest.approx(0.6, abs=1e-3))
-    two.desk.set_hidden(two.desk.subjects[0].key, True)
+    two.session.set_hidden(two.session.subjects[0].key, True)
     wait(two, qtbot)
     assert header(two) == ["Figure", "Red"]
 
@@ -74,15 +74,15 @@ def test_errors_come_with_a_reference(two, qtbot) -> None:
     two.numbers.choose_group("errors")
     assert shown(two) == {}
     assert "reference" in two.numbers.panel.note.text()
-    two.desk.set_compared(two.desk.subjects[0].key)
+    two.session.set_reference(two.session.subjects[0].key)
     wait(two, qtbot)
     reference, other = shown(two)["difference, relative root mean square"]
     assert (reference, float(other) > 0.3) == ("–", True)
 
 
 def test_figures_follow_a_subject_that_changes_and_are_stale_until_then(two, qtbot) -> None:
-    key = two.desk.subjects[0].key
-    two.desk.change(key, material=Material("Grey", Lambertian((0.9, 0.9, 0.9))))
+    key = two.session.subjects[0].key
+    two.session.change(key, material=Material("Grey", Lambertian((0.9, 0.9, 0.9))))
     assert two.numbers.work.is_stale(key)
     wait(two, qtbot)
     assert float(shown(two)["hemispherical albedo, red"][0]) == pytest.approx(0.9, abs=2e-3)
@@ -90,20 +90,20 @@ def test_figures_follow_a_subject_that_changes_and_are_stale_until_then(two, qtb
 
 def test_nothing_is_worked_out_while_nobody_looks(two) -> None:
     two.numbers.dock.hide()
-    before = two.numbers.work.figures(two.desk.subjects[0].key)
-    two.desk.change(two.desk.subjects[0].key, material=Material("Grey", Lambertian((0.1, 0.1, 0.1))))
+    before = two.numbers.work.figures(two.session.subjects[0].key)
+    two.session.change(two.session.subjects[0].key, material=Material("Grey", Lambertian((0.1, 0.1, 0.1))))
     assert two.numbers.is_complete
-    assert two.numbers.work.figures(two.desk.subjects[0].key) is before
+    assert two.numbers.work.figures(two.session.subjects[0].key) is before
 
 
 def test_only_an_anisotropic_one_is_worked_out_anew_where_the_azimuth_turns(two, qtbot) -> None:
-    grey = two.numbers.work.figures(two.desk.subjects[0].key)
-    two.desk.set_incidence(45.0, 90.0)
+    grey = two.numbers.work.figures(two.session.subjects[0].key)
+    two.session.set_incidence(45.0, 90.0)
     wait(two, qtbot)
-    assert two.numbers.work.figures(two.desk.subjects[0].key) is grey
+    assert two.numbers.work.figures(two.session.subjects[0].key) is grey
     metal = MODELS["poulin_fournier"].default
     wanted = [
-        two.numbers.work._wanted_of(
+        two.numbers.work.inputs_of(
             PlottedMaterial("m", "Metal", Material("Metal", metal), isotropic=isotropic)
         )
         for isotropic in (False, True)
@@ -148,9 +148,9 @@ def test_the_plot_draws_the_albedo_of_each_that_is_visible(two, qtbot) -> None:
     qtbot.waitUntil(lambda: len(plot.lines) == 2 and plot.plot is not None)
     np.testing.assert_allclose(plot.lines[0].albedo, 0.5, atol=2e-3)
     assert [line.front for line in plot.lines] == [True, False]
-    drawn = plot._curves[0].getData()
+    drawn = plot.curves[0].getData()
     np.testing.assert_allclose(drawn[1], plot.lines[0].albedo)
-    two.desk.set_subjects(())
+    two.session.set_subjects(())
     qtbot.waitUntil(lambda: plot.lines == ())
     assert plot.empty.isVisible()
     plots.set_shown("albedo", False)

@@ -69,9 +69,9 @@ def test_the_command_line_sets_the_view_of_the_run(program) -> None:
     options = parser().parse_args(line.split(" "))
     assert options.reflectances == ["a", "b"]
     apply_view(program, options)
-    desk = program.desk
-    assert (desk.incidence, desk.options.radius, desk.options.channel) == ((60.0, 90.0), "log", "g")
-    assert (desk.options.cosine, desk.options.shown) == ("none", "both")
+    session = program.session
+    assert (session.incidence, session.options.radius, session.options.channel) == ((60.0, 90.0), "log", "g")
+    assert (session.options.cosine, session.options.shown) == ("none", "both")
     assert program.window.plots.shown() == ("albedo",)
     assert program.numbers.panel.isVisible()
     assert program.window.inspector_dock.isHidden()
@@ -80,7 +80,7 @@ def test_the_command_line_sets_the_view_of_the_run(program) -> None:
     for name in ("A", "B"):
         program.sources.add(PlottedMaterial("", name, Material(name, Lambertian((0.5, 0.5, 0.5)))))
     apply_subjects(program, options)
-    assert (desk.front.title, desk.compared.title) == ("B", "A")
+    assert (session.front.title, session.reference.title) == ("B", "A")
 
 
 def test_an_option_that_no_view_has_is_refused(program) -> None:
@@ -115,25 +115,29 @@ def test_what_is_shown_is_read() -> None:
 def test_the_view_is_remembered_and_nonsense_is_not(program) -> None:
     from brdf_qt.program.settings import settings
 
-    desk = program.desk
-    desk.set_incidence(30.0, 60.0)
-    desk.set_options(radius="log", channel="r", cosine="both", shown="both")
+    session = program.session
+    session.set_incidence(30.0, 60.0)
+    session.set_options(radius="log", channel="r", cosine="both", shown="both")
     program.window.close()
     program.window.show()
-    desk.reset_options()
-    desk.reset_incidence()
-    remembered.recall(desk, program.window)
-    assert (desk.incidence, desk.options.radius, desk.options.cosine) == ((30.0, 60.0), "log", "both")
-    before = desk.options
+    session.reset_options()
+    session.reset_incidence()
+    remembered.recall(session, program.window)
+    assert (session.incidence, session.options.radius, session.options.cosine) == (
+        (30.0, 60.0),
+        "log",
+        "both",
+    )
+    before = session.options
     for stored in ("no json", "[1]", '{"radius": "huge", "incidence": [1e9, "x"], "channel": ["r"]}'):
         settings().setValue("lobes/view", stored)
-        remembered.recall(desk, program.window)
-        assert desk.options == before
+        remembered.recall(session, program.window)
+        assert session.options == before
 
 
 def test_one_command_resets_the_view(program) -> None:
-    program.desk.set_incidence(10.0, 20.0)
-    program.desk.set_options(radius="linear")
+    program.session.set_incidence(10.0, 20.0)
+    program.session.set_options(radius="linear")
     program.window.findChild(object, "action_Reset View Options").trigger()
-    assert program.desk.incidence == (45.0, 0.0)
-    assert program.desk.options.radius == "cbrt"
+    assert program.session.incidence == (45.0, 0.0)
+    assert program.session.options.radius == "cbrt"

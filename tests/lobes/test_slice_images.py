@@ -44,8 +44,8 @@ def subject(key: str, reflectance: object, **more: object) -> PlottedMaterial:
 
 
 @pytest.fixture
-def desk(slices, window_with_slices):
-    return window_with_slices.desk
+def session(slices, window_with_slices):
+    return window_with_slices.session
 
 
 def move(widget, place: QPointF) -> None:
@@ -56,9 +56,9 @@ def move(widget, place: QPointF) -> None:
     QApplication.sendEvent(widget, event)
 
 
-def test_the_unrolled_images_have_target_above_and_fit_below(slices, desk, qtbot) -> None:
-    desk.add(subject("spike", Spike(), fit=matt_fit()))
-    slices._window.plots.set_shown(UNROLLED, True)
+def test_the_unrolled_images_have_target_above_and_fit_below(slices, session, qtbot) -> None:
+    session.add(subject("spike", Spike(), fit=matt_fit()))
+    slices.window.plots.set_shown(UNROLLED, True)
     qtbot.waitUntil(lambda: slices.is_complete)
     grid = slices.unrolled.grid
     assert grid.columns == ("10°", "40°", "70°")
@@ -86,16 +86,16 @@ def test_the_unrolled_images_have_target_above_and_fit_below(slices, desk, qtbot
     assert "θo 0" in slices.unrolled.readout.text() or "θo 1" in slices.unrolled.readout.text()
     assert "target" in slices.unrolled.readout.text()
     assert "fit" in slices.unrolled.readout.text()
-    desk.set_options(shown="difference", channel="r")
+    session.set_options(shown="difference", channel="r")
     qtbot.waitUntil(lambda: slices.is_complete)
     assert len(slices.unrolled.grid.rows) == 3
     assert slices.unrolled.grid.rows[2].startswith("fit − target")
 
 
-def test_the_half_angle_slice_follows_its_slider(slices, desk, qtbot) -> None:
+def test_the_half_angle_slice_follows_its_slider(slices, session, qtbot) -> None:
     metal = PoulinFournier()
-    desk.add(subject("metal", metal))
-    slices._window.plots.set_shown(HALF_ANGLE, True)
+    session.add(subject("metal", metal))
+    slices.window.plots.set_shown(HALF_ANGLE, True)
     qtbot.waitUntil(lambda: slices.is_complete)
     before = slices.half_angle.grid.pictures[0, 0].value
     slices.section.phi_d_slider.setValue(20)

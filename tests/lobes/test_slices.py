@@ -63,8 +63,8 @@ def subject(key: str, reflectance: object, number: int = 0, **more: object) -> P
 
 
 @pytest.fixture
-def desk(slices, window_with_slices):
-    return window_with_slices.desk
+def session(slices, window_with_slices):
+    return window_with_slices.session
 
 
 def hover(plot, x: float, y: float) -> None:
@@ -86,11 +86,11 @@ def line(lines, key: str, kind: str = "target"):
     return next(one for one in lines.lines if (one.key, one.kind) == (key, kind))
 
 
-def test_the_lines_are_eval_at_those_directions(slices, desk, qtbot) -> None:
+def test_the_lines_are_eval_at_those_directions(slices, session, qtbot) -> None:
     paint = PoulinFournier(kd=0.3)
-    desk.add(subject("metal", paint))
-    desk.set_options(cosine="light", channel="g")
-    desk.set_incidence(35.0, 70.0)
+    session.add(subject("metal", paint))
+    session.set_options(cosine="light", channel="g")
+    session.set_incidence(35.0, 70.0)
     qtbot.waitUntil(lambda: slices.is_complete)
     wanted = paint.eval(light_at(35.0, 70.0), view_at(20.0, 70.0))[1] * np.cos(np.radians(35.0))
     polar, curves = slices.polar.lines, slices.curves.lines
@@ -98,7 +98,7 @@ def test_the_lines_are_eval_at_those_directions(slices, desk, qtbot) -> None:
     assert np.interp(15.0, curves.cut.angle_deg, line(curves, "metal").value) == pytest.approx(
         wanted, rel=1e-2
     )
-    desk.set_incidence(35.0, 0.0)  # the azimuth matters
+    session.set_incidence(35.0, 0.0)  # the azimuth matters
     qtbot.waitUntil(lambda: slices.is_complete)
     other = np.interp(20.0, slices.polar.lines.cut.angle_deg, line(slices.polar.lines, "metal").value)
     assert abs(other - wanted) > 0.01 * wanted
@@ -108,10 +108,10 @@ def redness(colour: QColor) -> int:
     return colour.red() - colour.green()
 
 
-def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, desk, qtbot) -> None:
-    desk.add(subject("spike", Spike(), 3))
+def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, session, qtbot) -> None:
+    session.add(subject("spike", Spike(), 3))
     for theta, to_right in ((50.0, True), (0.0, None)):
-        desk.set_incidence(theta, 0.0)
+        session.set_incidence(theta, 0.0)
         qtbot.waitUntil(lambda: slices.is_complete)
         plot = slices.polar.plot
         for item in plot.getPlotItem().items:
@@ -137,8 +137,8 @@ def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, desk, qtbot) ->
         assert (at.x() > 0.3) is (to_right is True)
 
 
-def test_curves_know_their_axes_logs_and_marks(slices, desk, qtbot) -> None:
-    desk.add(subject("spike", Spike()))
+def test_curves_know_their_axes_logs_and_marks(slices, session, qtbot) -> None:
+    session.add(subject("spike", Spike()))
     for axis in ("gamma", "theta_o", "theta_h", "theta_d"):
         slices.curves.axis_buttons[axis].click()
         qtbot.waitUntil(lambda: slices.is_complete)
@@ -161,8 +161,8 @@ def test_curves_know_their_axes_logs_and_marks(slices, desk, qtbot) -> None:
     assert slices.curves.plot.viewRange()[1][0] == 0.0
 
 
-def test_numbers_of_a_logarithmic_axis_keep_apart(slices, desk, qtbot) -> None:
-    desk.add(subject("one", Lambertian(0.5)))
+def test_numbers_of_a_logarithmic_axis_keep_apart(slices, session, qtbot) -> None:
+    session.add(subject("one", Lambertian(0.5)))
     qtbot.waitUntil(lambda: slices.is_complete)
     axis = slices.curves.plot.getAxis("left")
     axis.setLogMode(y=True)
@@ -173,20 +173,20 @@ def test_numbers_of_a_logarithmic_axis_keep_apart(slices, desk, qtbot) -> None:
     assert all(axis.logTickStrings(ticks, 1.0, None))
 
 
-def test_the_crosshair_tells_every_visible_value_with_its_unit(slices, desk, qtbot) -> None:
-    desk.add(subject("bright", Lambertian(0.8), 0))
-    desk.add(subject("dark <b>", Lambertian(0.2), 1))
-    desk.set_options(cosine="none")
+def test_the_crosshair_shows_every_visible_value_with_its_unit(slices, session, qtbot) -> None:
+    session.add(subject("bright", Lambertian(0.8), 0))
+    session.add(subject("dark <b>", Lambertian(0.2), 1))
+    session.set_options(cosine="none")
     slices.state.set(log_value=False)
     qtbot.waitUntil(lambda: slices.is_complete)
     hover(slices.curves.plot, 30.0, 0.1)
-    told = slices.curves.readout.text()
+    shown_text = slices.curves.readout.text()
     assert slices.curves.readout.isVisible()
     # The line has an angle every 1.5°, the mouse a whole pixel.
-    assert any(f"γ {angle}." in told for angle in (28, 29, 30, 31))
+    assert any(f"γ {angle}." in shown_text for angle in (28, 29, 30, 31))
     for words in ("bright", "0.2546", "dark &lt;b&gt;", "0.06366", "(1/sr)"):
-        assert words in told, told
-    desk.set_hidden("bright", True)
+        assert words in shown_text, shown_text
+    session.set_hidden("bright", True)
     qtbot.waitUntil(lambda: slices.is_complete)
     hover(slices.polar.plot, 0.3, 0.5)
     assert "bright" not in slices.polar.readout.text()
@@ -195,10 +195,10 @@ def test_the_crosshair_tells_every_visible_value_with_its_unit(slices, desk, qtb
     assert not slices.polar.readout.isVisible()
 
 
-def test_target_fit_and_difference(slices, desk, qtbot) -> None:
-    desk.add(subject("one", Lambertian(0.5), fit=fit_of(0.1)))
-    desk.add(subject("two", Lambertian(0.2), 1))
-    desk.set_options(cosine="none", shown="both")
+def test_target_fit_and_difference(slices, session, qtbot) -> None:
+    session.add(subject("one", Lambertian(0.5), fit=fit_of(0.1)))
+    session.add(subject("two", Lambertian(0.2), 1))
+    session.set_options(cosine="none", shown="both")
     qtbot.waitUntil(lambda: slices.is_complete)
     lines = slices.curves.lines
     assert {(one.key, one.kind) for one in lines.lines} == {
@@ -209,82 +209,82 @@ def test_target_fit_and_difference(slices, desk, qtbot) -> None:
     assert lines.errors["one"].rms == pytest.approx(0.5 / np.pi - 0.1)
     assert "Fit: RMS " in slices.curves.note.text()
     assert "one: RMS " in slices.curves.note.toolTip()
-    desk.set_options(shown="difference")
+    session.set_options(shown="difference")
     qtbot.waitUntil(lambda: slices.is_complete)
     assert [(one.key, one.kind) for one in slices.curves.lines.lines] == [("one", "difference")]
     assert np.nanmax(line(slices.curves.lines, "one", "difference").value) == pytest.approx(0.1 - 0.5 / np.pi)
-    desk.set_compared("two")
+    session.set_reference("two")
     qtbot.waitUntil(lambda: slices.is_complete)
     against = line(slices.curves.lines, "one", "difference").value
     assert np.nanmax(np.abs(against - 0.3 / np.pi)) < 1e-12
     low, high = slices.curves.plot.viewRange()[1]
     assert low == -high
     # A lobe that is switched off is missing in the fit.
-    desk.set_options(shown="fit", lobes_off=frozenset({("diffuse", 0)}))
+    session.set_options(shown="fit", lobes_off=frozenset({("diffuse", 0)}))
     qtbot.waitUntil(lambda: slices.is_complete)
     assert np.nanmax(line(slices.curves.lines, "one", "fit").value) == 0.0
 
 
-def test_zero_nothing_and_holes_are_told_and_no_exception(slices, desk, qtbot) -> None:
+def test_zero_nothing_and_holes_are_reported_and_no_exception(slices, session, qtbot) -> None:
     def measured(wi, wo):
         return np.asarray(np.broadcast_arrays(wi, wo)[1][..., 0] < 0.5)
 
-    desk.add(subject("holes", Lambertian(0.5), measured=measured))
-    desk.add(subject("zero", Zero(), 1))
-    desk.add(subject("nothing", Nothing(), 2))
+    session.add(subject("holes", Lambertian(0.5), measured=measured))
+    session.add(subject("zero", Zero(), 1))
+    session.add(subject("nothing", Nothing(), 2))
     for key in (UNROLLED, HALF_ANGLE):
-        slices._window.plots.set_shown(key, True)
-    desk.set_options(shown="both")
+        slices.window.plots.set_shown(key, True)
+    session.set_options(shown="both")
     qtbot.waitUntil(lambda: slices.is_complete)
     note = slices.curves.note.text()
-    for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: nothing to draw here"):
+    for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: no values here"):
         assert words in note
-    assert slices.curves._bands.isVisible()
+    assert slices.curves.bands.isVisible()
     holes = slices.unrolled.grid.pictures[0, 0].holes
     assert holes[:, -1].all()
     assert not holes[:, 0].any()
     for key in ("zero", "nothing"):
-        desk.set_front(key)
+        session.set_front(key)
         qtbot.waitUntil(lambda: slices.is_complete)
         slices.unrolled.grab()
-    desk.set_subjects(())
+    session.set_subjects(())
     qtbot.waitUntil(lambda: slices.is_complete)
     assert not slices.polar.plot.isVisible()
     assert slices.polar.empty.isVisible()
     assert slices.unrolled.empty.isVisible()
 
 
-def test_a_model_that_fails_is_told_and_the_others_are_drawn(slices, desk, qtbot) -> None:
+def test_a_model_that_fails_is_reported_and_the_others_are_drawn(slices, session, qtbot) -> None:
     class Broken:
         def eval(self, wi, wo):
             raise ZeroDivisionError("nothing to divide by")
 
-    desk.add(subject("broken", Broken()))
-    desk.add(subject("matt", Lambertian(0.5), 1))
+    session.add(subject("broken", Broken()))
+    session.add(subject("matt", Lambertian(0.5), 1))
     qtbot.waitUntil(lambda: slices.is_complete)
-    assert "slices broken target" in slices._window.messages.shown()
+    assert "slices broken target" in slices.window.messages.shown()
     for plot in (slices.polar, slices.curves):
         assert np.isnan(line(plot.lines, "broken").value).all()
         assert np.isfinite(line(plot.lines, "matt").value).any()
-    assert "broken: nothing to draw" in slices.curves.note.text()
-    for key in list(slices._window.messages.shown()):
-        slices._window.dismiss_message(key)
+    assert "broken: no values" in slices.curves.note.text()
+    for key in list(slices.window.messages.shown()):
+        slices.window.dismiss_message(key)
 
 
-def test_samples_lie_on_the_line(slices, desk, qtbot) -> None:
+def test_samples_lie_on_the_line(slices, session, qtbot) -> None:
     matt = Lambertian(0.5)
     wi = illumination(np.array([45.0, 45.5, 10.0, 45.0]))
     wo = spherical(np.radians([30.0, 50.0, 20.0, 30.0]), np.radians([0.0, 180.0, 0.0, 60.0]))
     points = SamplePoints(wi, wo, matt.eval(wi, wo))
-    desk.add(subject("points", matt, samples=points))
-    desk.set_options(cosine="none")
+    session.add(subject("points", matt, samples=points))
+    session.set_options(cosine="none")
     qtbot.waitUntil(lambda: slices.is_complete)
     found = slices.curves.lines.points["points"]
     assert np.sort(found.angle_deg) == pytest.approx(
         [15.0, 95.5]
     )  # the others are out of the plane or the light
     assert found.value == pytest.approx(0.5 / np.pi)
-    slices._window.plots.set_shown(UNROLLED, True)
+    slices.window.plots.set_shown(UNROLLED, True)
     slices.state.set(incidences_deg=(10.0, 45.0, 70.0))
     qtbot.waitUntil(lambda: slices.is_complete)
     shown = [slices.unrolled.grid.pictures[0, column].points for column in range(3)]
@@ -292,9 +292,9 @@ def test_samples_lie_on_the_line(slices, desk, qtbot) -> None:
     assert [len(points) for points in shown] == [1, 3, 0]
 
 
-def test_curves_are_copied_as_numbers(slices, desk, qtbot, tmp_path: Path) -> None:
-    desk.add(subject("matt, grey", Lambertian(0.5)))
-    desk.set_options(cosine="none")
+def test_curves_are_copied_as_numbers(slices, session, qtbot, tmp_path: Path) -> None:
+    session.add(subject("matt, grey", Lambertian(0.5)))
+    session.set_options(cosine="none")
     slices.copy_curves()
     text = QGuiApplication.clipboard().text()
     rows = list(csv.reader(io.StringIO(text)))
@@ -307,13 +307,13 @@ def test_curves_are_copied_as_numbers(slices, desk, qtbot, tmp_path: Path) -> No
     slices.save_curves(path)
     assert path.read_text() == text
     slices.save_curves(tmp_path / "no folder" / "curves.csv")
-    assert "curves" in slices._window.messages.shown()
+    assert "curves" in slices.window.messages.shown()
 
 
-def test_hidden_plots_are_drawn_when_they_are_shown(slices, desk, qtbot) -> None:
-    plots = slices._window.plots
+def test_hidden_plots_are_drawn_when_they_are_shown(slices, session, qtbot) -> None:
+    plots = slices.window.plots
     plots.set_shown(POLAR, False)
-    desk.add(subject("one", Lambertian(0.5)))
+    session.add(subject("one", Lambertian(0.5)))
     qtbot.waitUntil(lambda: slices.is_complete)
     seen = slices.polar.lines
     assert seen is None or not seen.lines or seen.lines[0].key != "one"
@@ -322,7 +322,7 @@ def test_hidden_plots_are_drawn_when_they_are_shown(slices, desk, qtbot) -> None
     assert slices.polar.lines.lines[0].key == "one"
 
 
-def test_a_drag_evaluates_each_subject_once_a_step(slices, desk, qtbot) -> None:
+def test_a_drag_evaluates_each_subject_once_a_step(slices, session, qtbot) -> None:
     class Counted(Lambertian):
         calls = 0
 
@@ -330,13 +330,13 @@ def test_a_drag_evaluates_each_subject_once_a_step(slices, desk, qtbot) -> None:
             Counted.calls += 1
             return super().eval(wi, wo)
 
-    desk.add(subject("one", Counted(0.5)))
+    session.add(subject("one", Counted(0.5)))
     qtbot.waitUntil(lambda: slices.is_complete)
     Counted.calls = 0
-    desk.set_incidence(30.0, 0.0)
+    session.set_incidence(30.0, 0.0)
     slices.draw_now()
     assert Counted.calls == 1  # polar plot and curves share what the plane has
-    desk.set_options(channel="r")
+    session.set_options(channel="r")
     slices.draw_now()
     assert Counted.calls == 1  # another channel is of the same values
 

@@ -1,4 +1,4 @@
-"""What can be opened: by name and by the content of files, and what is told of what cannot."""
+"""What can be opened: by name and by the content of files, and the messages for what cannot."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def test_a_brushed_metal_is_anisotropic_and_a_table_is_not(holed_table) -> None:
     assert only(holed_table).isotropic
 
 
-def test_the_holes_of_a_table_are_told_from_what_was_measured(holed_table) -> None:
+def test_the_holes_of_a_table_are_distinguished_from_what_was_measured(holed_table) -> None:
     subject = only(holed_table)
     light = illumination(40.0)
     # θd is 45° between light and mirror direction of 45°, in bin 6 of 12 (each 7.5° wide); bin 5 is 37.5° to 45°.
@@ -134,7 +134,7 @@ def test_palettes_of_other_programs_are_solid_paints(shared_data, tmp_path, file
     assert only(origin).title == name
 
 
-def test_what_was_assumed_of_a_palette_is_told_apart_from_what_cannot_be_shown(
+def test_what_was_assumed_of_a_palette_is_reported_apart_from_what_cannot_be_shown(
     program, opened, tmp_path
 ) -> None:
     path = tmp_path / "few.gpl"
@@ -145,15 +145,15 @@ def test_what_was_assumed_of_a_palette_is_told_apart_from_what_cannot_be_shown(
     opened(path)
     shown = program.window.messages.shown()
     assert [key for key in shown if "few.gpl" in key]
-    message = program.window.messages._rows[f"open {path}"].message
+    message = program.window.messages.shown()[f"open {path}"]
     assert "count of columns" in message.where
     assert "cannot be shown" not in message.what
 
 
-def test_nothing_and_a_narrow_lobe_are_told(tmp_path) -> None:
+def test_nothing_and_a_narrow_lobe_are_reported(tmp_path) -> None:
     path = tmp_path / "black.brdftable"
     write_measured(IsotropicTable.from_reflectance(Lambertian((0.0, 0.0, 0.0)), HalfAngleGrid(4, 4, 8)), path)
-    assert any("reflects nothing" in note for note in only(path).notes)
+    assert any("zero in every" in note for note in only(path).notes)
     assert not any("narrow lobe" in note for note in only("blue").notes)
 
 
@@ -161,16 +161,16 @@ def test_nothing_and_a_narrow_lobe_are_told(tmp_path) -> None:
     ("content", "place"),
     [(b"", "byte 0"), (b"this is no measurement\n", "byte 0"), (b'{"format": "brdfpaint"}', "")],
 )
-def test_what_cannot_be_read_is_told_with_its_file(tmp_path, content, place) -> None:
+def test_what_cannot_be_read_is_reported_with_its_file(tmp_path, content, place) -> None:
     path = tmp_path / "odd.txt"
     path.write_bytes(content)
-    with pytest.raises(FileError) as told:
+    with pytest.raises(FileError) as raised:
         open_source(str(path))
-    assert str(path) in str(told.value)
-    assert not place or told.value.place == place
+    assert str(path) in str(raised.value)
+    assert not place or raised.value.place == place
 
 
-def test_an_unknown_name_is_told_with_those_that_there_are() -> None:
+def test_an_unknown_name_is_reported_with_those_that_there_are() -> None:
     with pytest.raises(SuiteError, match="copper"):
         open_source("no such paint")
 
@@ -181,9 +181,9 @@ def test_an_unknown_name_is_told_with_those_that_there_are() -> None:
 def test_files_keep_the_order_in_which_they_were_asked_for(program, qtbot, shared_data) -> None:
     with qtbot.waitSignal(program.sources.idle, timeout=60_000):
         program.sources.open_many([shared_data / "brdf" / "bird_example.json", "blue", "table1_white"])
-    assert [s.title for s in program.desk.subjects] == ["bird_example.json", "Blue", "White"]
-    assert program.desk.front.title == "bird_example.json"
-    lines = {(s.colour, s.dash) for s in program.desk.subjects}
+    assert [s.title for s in program.session.subjects] == ["bird_example.json", "Blue", "White"]
+    assert program.session.front.title == "bird_example.json"
+    lines = {(s.colour, s.dash) for s in program.session.subjects}
     assert len(lines) == 3
 
 
@@ -198,7 +198,7 @@ def test_a_file_that_cannot_be_read_leaves_what_was_shown_and_a_message(
         program.sources.open(bad)
     (message,) = program.window.messages.shown().values()
     assert (message.severity, message.where) == ("error", f"{bad}, at byte 0")
-    assert [s.title for s in program.desk.subjects] == ["Matt"]
+    assert [s.title for s in program.session.subjects] == ["Matt"]
     assert program.window.progress.jobs == ()
 
 
@@ -234,11 +234,11 @@ def test_files_that_are_dropped_or_asked_for_are_opened(program, asked, qtbot, t
     )
     with qtbot.waitSignal(program.sources.idle):
         program.window.dropEvent(drop)
-    assert [s.title for s in program.desk.subjects] == ["Copper", "Red"]
+    assert [s.title for s in program.session.subjects] == ["Copper", "Red"]
     asked.files = [str(paths[0])]
     with qtbot.waitSignal(program.sources.idle):
-        program.window.open_asked.emit(None)
-    assert [s.title for s in program.desk.subjects] == ["Copper", "Red", "Copper"]
+        program.window.open_requested.emit(None)
+    assert [s.title for s in program.session.subjects] == ["Copper", "Red", "Copper"]
 
 
 def test_the_list_finds_by_words_and_opens_on_enter(program, qtbot) -> None:
@@ -247,9 +247,9 @@ def test_the_list_finds_by_words_and_opens_on_enter(program, qtbot) -> None:
     panel.query.setText("polaris")
     with qtbot.waitSignal(program.sources.idle):
         qtbot.keyClick(panel.query, Qt.Key.Key_Return)
-    assert [s.title for s in program.desk.subjects] == ["Polaris Silver"]
+    assert [s.title for s in program.session.subjects] == ["Polaris Silver"]
     panel.query.setText("no such thing")
-    assert panel._none.isVisible()
+    assert panel.no_match.isVisible()
     program.panel_dock.hide()
 
 
@@ -257,9 +257,9 @@ def test_a_palette_stands_in_the_list_and_says_how_much_of_it_is_shown(program, 
     path = palette_of(MOST_AT_ONCE + 2, tmp_path / "greys.brdfpalette")
     with qtbot.waitSignal(program.sources.idle):
         program.sources.open(path)
-    assert len(program.desk.subjects) == MOST_AT_ONCE
-    told = program.window.messages.shown()[f"open {path}"]
-    assert f"has {MOST_AT_ONCE + 2} paints" in told.what
+    assert len(program.session.subjects) == MOST_AT_ONCE
+    message = program.window.messages.shown()[f"open {path}"]
+    assert f"has {MOST_AT_ONCE + 2} paints" in message.what
     groups = [program.panel.tree.topLevelItem(k) for k in range(program.panel.tree.topLevelItemCount())]
     greys = next(group for group in groups if group.text(0) == "Greys")
     assert greys.childCount() == MOST_AT_ONCE + 2
@@ -285,7 +285,7 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
     assert not program.sources.busy
     qtbot.waitUntil(ended.is_set)
     assert program.window.messages.shown() == {}
-    assert program.desk.subjects == ()
+    assert program.session.subjects == ()
 
 
 @pytest.fixture(scope="module")

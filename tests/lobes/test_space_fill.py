@@ -41,7 +41,7 @@ def test_the_other_ways_and_what_is_odd() -> None:
             assert np.isfinite(scale.radius([0.0, peak])).all()
 
 
-def test_peak_and_body_are_told_apart_and_holes_are_none() -> None:
+def test_peak_and_body_are_distinguished_and_holes_are_none() -> None:
     grid = lobe_grid(illumination(45.0))
     near = grid.directions @ mirror(illumination(45.0))
     values = np.where(near > np.cos(np.radians(1.0)), 50.0, 0.2).astype(np.float32)

@@ -1,4 +1,4 @@
-"""The window: plots side by side with their buttons, an empty desk, odd reflectances, no view in three dimensions."""
+"""The window: plots side by side with their buttons, an empty session, odd reflectances, no 3-D view."""
 
 from __future__ import annotations
 
@@ -72,10 +72,10 @@ def test_plots_that_are_shown_are_as_wide_as_each_other(qtbot) -> None:
 
 def test_without_a_plot_the_row_is_its_buttons(qtbot) -> None:
     row = plot_row(qtbot, "a")
-    row._buttons["a"].click()
+    row.buttons["a"].click()
     assert row.shown() == ()
     assert row.maximumHeight() < 60
-    row._buttons["a"].click()
+    row.buttons["a"].click()
     assert row.plots["a"].isVisible()
 
 
@@ -122,7 +122,7 @@ def whole(qapp, tmp_path_factory):
         program = LobeVisualizer(PARTS)
         program.window.resize(1100, 760)
         program.window.show()
-        program._started = True
+        program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()
@@ -132,7 +132,7 @@ def whole(qapp, tmp_path_factory):
 @pytest.mark.parametrize("name", ODD)
 def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtbot, name) -> None:
     """An exception in a slot or on a thread fails the test by itself."""
-    whole.desk.set_subjects(())
+    whole.session.set_subjects(())
     for key in whole.window.plots.plots:
         whole.window.plots.set_shown(key, key != "basis", remember=False)
     whole.numbers.dock.show()
@@ -140,13 +140,13 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
         PlottedMaterial("", name, Material(name, ODD[name]()), isotropic=name != "anisotropic")
     )
     whole.sources.add(PlottedMaterial("", "Matt", Material("Matt", Lambertian((0.5, 0.5, 0.5)))))
-    whole.desk.set_compared(key)
+    whole.session.set_reference(key)
     for incidence in ((0.0, 0.0), (60.0, 90.0), (89.9, 0.0)):
-        whole.desk.set_incidence(*incidence)
+        whole.session.set_incidence(*incidence)
     for shown in ("both", "side by side", "difference", "target"):
-        whole.desk.set_options(shown=shown)
+        whole.session.set_options(shown=shown)
     for radius in ("linear", "log", "cbrt"):
-        whole.desk.set_options(radius=radius)
+        whole.session.set_options(radius=radius)
     qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
     assert whole.numbers.work.figures(key) is not None
     picture = whole.window.grab()
@@ -166,16 +166,16 @@ def test_the_whole_program_has_its_parts_and_no_shortcut_twice(whole) -> None:
 
 def test_keys_of_the_legend_are_the_legends_own(whole, qtbot) -> None:
     """Space is the sweep of the light elsewhere."""
-    whole.desk.set_subjects(())
+    whole.session.set_subjects(())
     key = whole.sources.add(PlottedMaterial("", "Matt", Material("Matt", Lambertian((0.5, 0.5, 0.5)))))
-    before = whole.desk.incidence
+    before = whole.session.incidence
     rows = whole.legend.legend.rows
     rows.setFocus()
     qtbot.keyClick(rows, Qt.Key.Key_Space)
-    assert whole.desk.is_hidden(key)
+    assert whole.session.is_hidden(key)
     qtbot.keyClick(rows, Qt.Key.Key_Space)
-    assert not whole.desk.is_hidden(key)
-    assert whole.desk.incidence == before
+    assert not whole.session.is_hidden(key)
+    assert whole.session.incidence == before
     qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
 
 

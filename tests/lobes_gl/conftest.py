@@ -48,23 +48,23 @@ def lasting(screen, qapp, tmp_path_factory):
 
 @pytest.fixture
 def program(lasting, qtbot):
-    """The program with nothing on its desk and all options at their defaults, its view there."""
+    """The program with nothing in its session and all options at their defaults, its view there."""
     program, space = lasting, lasting.parts[0]
     qtbot.waitUntil(lambda: space.view is not None and space.view.isValid())
-    program.desk.set_subjects(())
-    program.desk.show_all()
-    program.desk.reset_options()
-    program.desk.reset_incidence()
+    program.session.set_subjects(())
+    program.session.show_all()
+    program.session.reset_options()
+    program.session.reset_incidence()
     space.state.reset()
     space.sweep.set_running(False)
     space.frame()
     space.go_to("plane")
     qtbot.waitUntil(
-        lambda: not program.desk.tasks.busy
-    )  # figures of a subject that has gone may still be told
+        lambda: not program.session.tasks.busy
+    )  # figures of a subject that has gone may still be reported
     for key in list(program.window.messages.shown()):
         program.window.dismiss_message(key)
-    QCoreApplication.processEvents()  # what was told took room from the view
+    QCoreApplication.processEvents()  # messages took room from the view
     return program
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import trimesh
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
-from brdf_lobe_visualizer.view3d.camera import Camera, remembered, told
+from brdf_lobe_visualizer.view3d.camera import Camera, format_camera, parse_camera
 from brdf_qt.program import theme
 from PIL import Image
 from PySide6.QtCore import QCoreApplication, QPoint, QPointF, Qt
@@ -28,9 +28,9 @@ RED = (0.9, 0.15, 0.1)
 
 
 def shown(space, *subjects: PlottedMaterial) -> QImage:
-    """Put subjects on the desk and return the picture of the view, without the frame about the lobes."""
+    """Put subjects in the session and return the picture of the view, without the frame about the lobes."""
     space.state.set(hemisphere=False, labels=False, arrows=False, rings=False, colouring="line")
-    space._desk.set_subjects(subjects)
+    space.session.set_subjects(subjects)
     return picture(space)
 
 
@@ -79,19 +79,19 @@ def fit(reflectance: CosineLobes) -> LobeFit:
 
 @pytest.mark.parametrize(("theta", "phi"), [(50.0, 0.0), (30.0, 180.0), (65.0, 20.0)])
 def test_the_lobe_is_where_the_mirror_direction_is(space, program, theta: float, phi: float) -> None:
-    program.desk.set_incidence(theta, phi)
+    program.session.set_incidence(theta, phi)
     seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe()), RED)))
-    top = mirror(program.desk.light)
+    top = mirror(program.session.light)
     # Along the mirror direction up to just below radius 1; not past it, and not towards the light.
     for reach in (0.3, 0.6, 0.93):
         assert seen[spot(space, reach * top)], reach
     assert not seen[spot(space, 1.08 * top)]
-    assert not seen[spot(space, 0.7 * program.desk.light)]
+    assert not seen[spot(space, 0.7 * program.session.light)]
 
 
 def test_a_spike_of_exponent_1e5_is_seen_up_to_its_tip(space, program) -> None:
     seen = red_of(shown(space, PlottedMaterial("a", "A", Material("A", lobe(1e5, kd=0.0)), RED)))
-    top = mirror(program.desk.light)
+    top = mirror(program.session.light)
     for reach in (0.2, 0.5, 0.85):
         row, column = spot(space, reach * top)
         assert seen[row - 1 : row + 2, column - 1 : column + 2].any(), reach
@@ -113,19 +113,19 @@ def test_holes_and_zero_are_a_picture_and_a_note(space, program) -> None:
     assert not seen.any()
     assert "zero" in space.view.scene.panels[0].note
     assert program.window.messages.shown() == {} or not list(program.window.messages.shown())
-    program.desk.set_subjects(())
+    program.session.set_subjects(())
     assert not red_of(picture(space)).any()
     assert space.view.scene.panels == ()
 
 
-def test_a_model_that_fails_is_told_and_ends_nothing(space, program) -> None:
+def test_a_model_that_fails_is_reported_and_ends_nothing(space, program) -> None:
     class Broken:
         def eval(self, wi, wo):
             raise ZeroDivisionError("nothing to divide by")
 
     shown(space, PlottedMaterial("a", "A", Material("A", Broken()), RED))
     assert "space a" in list(program.window.messages.shown())
-    assert "no value in any direction" in space.view.scene.panels[0].note
+    assert "No values in any direction" in space.view.scene.panels[0].note
 
 
 def test_brushed_metal_turns_with_the_azimuth(space, program) -> None:
@@ -136,7 +136,7 @@ def test_brushed_metal_turns_with_the_azimuth(space, program) -> None:
     shown(space, subject)
     pictures = []
     for phi in (0.0, 90.0):
-        program.desk.set_incidence(45.0, phi)
+        program.session.set_incidence(45.0, phi)
         space.go_to("top")
         settle(space)
         # Of a size of its own: messages take room from the view.
@@ -163,16 +163,16 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
 
     model = Slow()
     shown(space, PlottedMaterial("slow", "A", Material("A", model), RED))
-    kept = space._values._kept["slow"]
+    kept = space.values.kept["slow"]
     kept.seconds = 1.0  # as after a long evaluation
     model.may.clear()
     model.threads.clear()
     for theta in (50.0, 55.0, 60.0):
-        program.desk.set_incidence(theta, 0.0)
+        program.session.set_incidence(theta, 0.0)
         space.draw_now()
     assert (panel := space.view.scene.panels[0]).layers, "the lobes of before stay"
-    assert "was before" in panel.note
-    space._desk.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
+    assert "Outdated" in panel.note
+    space.session.set_subjects((PlottedMaterial("slow", "A", Material("A", Slow()), RED),))
     space.draw_now()
     assert space.view.scene.panels[0].layers, "of what is edited, too"
     assert not any(model.threads)
@@ -188,7 +188,7 @@ def test_target_and_fit_over_one_another_beside_and_their_difference(space, prog
     subject = PlottedMaterial("a", "A", Material("A", target), RED, fit=fit(other))
     shown(space, subject)
     for what, panels, layers in (("fit", 1, 1), ("both", 1, 2), ("side by side", 2, 1), ("difference", 1, 1)):
-        program.desk.set_options(shown=what)
+        program.session.set_options(shown=what)
         image = picture(space)
         scene = space.view.scene
         assert len(scene.panels) == panels
@@ -202,8 +202,8 @@ def test_target_and_fit_over_one_another_beside_and_their_difference(space, prog
     np.testing.assert_allclose(surface.values, wanted, atol=1e-5 * np.abs(wanted).max())
     assert space.view.scene.bar is not None
     # Against a reference instead of the fit.
-    program.desk.add(PlottedMaterial("b", "B", Material("B", lobe(kd=0.2, kg=0.0)), RED))
-    program.desk.set_compared("b")
+    program.session.add(PlottedMaterial("b", "B", Material("B", lobe(kd=0.2, kg=0.0)), RED))
+    program.session.set_reference("b")
     settle(space)
     assert [panel.title for panel in space.view.scene.panels] == ["A"]
     assert "minus B" in space.view.scene.panels[0].caption
@@ -228,7 +228,7 @@ def test_lobes_alone_stacked_and_switched_off(space, program) -> None:
             fit=LobeFit(Material("fit", weights), "measured", weights, {}, (), 0.001),
         ),
     )
-    program.desk.set_options(shown="fit")
+    program.session.set_options(shown="fit")
     for view, panels, layers in (("apart", 4, 1), ("stacked", 1, 4), ("parts", 1, 3), ("sum", 1, 1)):
         space.state.set(lobes=view)
         picture(space)
@@ -237,12 +237,12 @@ def test_lobes_alone_stacked_and_switched_off(space, program) -> None:
     before = scene.panels[0].layers[0].surface.values
     switch = space.parts.switches["gloss", 1]
     switch.click()
-    assert ("gloss", 1) in program.desk.options.lobes_off
+    assert ("gloss", 1) in program.session.options.lobes_off
     settle(space)
     after = space.view.scene.panels[0].layers[0].surface.values
     assert after[0, 0] == pytest.approx(before[0, 0] - 3.0, rel=1e-5)
     space.parts.reset.click()
-    assert program.desk.options.lobes_off == frozenset()
+    assert program.session.options.lobes_off == frozenset()
     assert switch.isChecked()
 
 
@@ -256,21 +256,21 @@ def test_samples_lie_on_the_surface_at_their_incidence(space, program) -> None:
     # Two lie near this incidence; of an isotropic reflectance what is not in its plane stands on both sides.
     assert len(points.places) == 3
     np.testing.assert_allclose(points.places[1] * [1.0, -1.0, 1.0], points.places[2], atol=1e-6)
-    light = program.desk.light
+    light = program.session.light
     scale = space.view.scene.scale
     for place in points.places[:1]:
         view = place / np.linalg.norm(place)
         value = model.eval(light, view)[0] * light[2]
         assert np.linalg.norm(place) == pytest.approx(float(scale.radius(value)), rel=1e-5)
-    program.desk.set_incidence(10.0, 0.0)
+    program.session.set_incidence(10.0, 0.0)
     settle(space)
     assert space.view.scene.panels[0].points is None
-    assert "nearest lies at 45" in space.view.scene.panels[0].note
+    assert "nearest is at 45" in space.view.scene.panels[0].note
 
 
 def test_a_sample_behind_a_lobe_is_seen_faintly(space, program) -> None:
     behind = spherical(np.radians(60.0), np.radians(70.0))
-    samples = SamplePoints(program.desk.light[None], behind[None], np.array([[0.0, 0.0, 0.01]]), False)
+    samples = SamplePoints(program.session.light[None], behind[None], np.array([[0.0, 0.0, 0.01]]), False)
     with_it = pixels(
         shown(space, PlottedMaterial("a", "A", Material("A", lobe(kd=0.3, kg=0.0)), RED, samples=samples))
     )
@@ -291,29 +291,29 @@ def test_the_body_of_a_coated_paint_is_seen_at_once(space, program) -> None:
 
 
 def test_the_light_is_dragged_by_its_handle_and_turned_by_alt(space, program) -> None:
-    view, desk = space.view, program.desk
+    view, session = space.view, program.session
     shown(space, PlottedMaterial("a", "A", Material("A", lobe()), RED))
     space.state.set(arrows=True)
     space.go_to("top")
     settle(space)
-    at = view.project(tuple(1.18 * desk.light), view.rooms()[0]).toPoint()
+    at = view.project(tuple(1.18 * session.light), view.rooms()[0]).toPoint()
     to = view.project(tuple(1.18 * spherical(np.radians(20.0), np.pi)), view.rooms()[0]).toPoint()
     left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
     camera = space.camera
     QTest.mousePress(view, left, none, at)
     QTest.mouseMove(view, to)
     QTest.mouseRelease(view, left, none, to)
-    assert desk.incidence[0] == pytest.approx(20.0, abs=1.0)
-    assert abs(desk.incidence[1]) < 1.0
+    assert session.incidence[0] == pytest.approx(20.0, abs=1.0)
+    assert abs(session.incidence[1]) < 1.0
     assert space.camera == camera, "the camera stays"
     settle(space)
-    QTest.mouseDClick(view, left, none, view.project(tuple(1.18 * desk.light), view.rooms()[0]).toPoint())
+    QTest.mouseDClick(view, left, none, view.project(tuple(1.18 * session.light), view.rooms()[0]).toPoint())
     QTest.mouseRelease(view, left, none, to)
-    assert desk.incidence == (45.0, 0.0)
+    assert session.incidence == (45.0, 0.0)
     QTest.mousePress(view, left, Qt.KeyboardModifier.AltModifier, QPoint(40, 200))
     QTest.mouseMove(view, QPoint(80, 200))
     QTest.mouseRelease(view, left, Qt.KeyboardModifier.AltModifier, QPoint(80, 200))
-    assert desk.incidence == pytest.approx((45.0, 14.0), abs=0.5)
+    assert session.incidence == pytest.approx((45.0, 14.0), abs=0.5)
     QTest.mousePress(view, left, none, QPoint(40, 200))
     QTest.mouseMove(view, QPoint(60, 200))
     QTest.mouseRelease(view, left, none, QPoint(60, 200))
@@ -322,18 +322,18 @@ def test_the_light_is_dragged_by_its_handle_and_turned_by_alt(space, program) ->
 
 def test_numbers_presets_frame_and_reset(space, program) -> None:
     space.incidence.theta.setValue(60.0)
-    assert program.desk.incidence == (60.0, 0.0)
+    assert program.session.incidence == (60.0, 0.0)
     assert space.incidence.theta_slider.value() == 600
     space.go_to("mirror")
     eye = np.array(space.camera.eye()) - np.array(space.camera.centre)
-    np.testing.assert_allclose(eye / np.linalg.norm(eye), mirror(program.desk.light), atol=1e-6)
-    space.set_camera(space.camera.zoomed(0.1, 0.2, 0.1).panned(0.3, 0.2))
+    np.testing.assert_allclose(eye / np.linalg.norm(eye), mirror(program.session.light), atol=1e-6)
+    space.set_camera(space.camera.zoom(0.1, 0.2, 0.1).pan(0.3, 0.2))
     QTest.keyClick(space.view, Qt.Key.Key_F)
     assert space.camera.centre == (0.0, 0.0, 0.42)
     space.incidence.reset.click()
-    assert program.desk.incidence == (45.0, 0.0)
-    assert remembered(told(space.camera)) == space.camera
-    assert remembered("1 2 nonsense") == remembered("0 0 -1 0 0 0") == Camera()
+    assert program.session.incidence == (45.0, 0.0)
+    assert parse_camera(format_camera(space.camera)) == space.camera
+    assert parse_camera("1 2 nonsense") == parse_camera("0 0 -1 0 0 0") == Camera()
     space.reset_view()
     assert space.camera == Camera()
     space.state.set(fill="value", full=2.5, colouring="values", decades=3.0)
@@ -344,10 +344,10 @@ def test_numbers_presets_frame_and_reset(space, program) -> None:
 def test_the_sweep_moves_the_light(space, program) -> None:
     space.state.set(speed=10.0)
     space.sweep.advance(1.5)
-    assert program.desk.incidence[0] == pytest.approx(60.0)
+    assert program.session.incidence[0] == pytest.approx(60.0)
     space.state.set(sweep="azimuth")
     space.sweep.advance(1.0)
-    assert program.desk.incidence == pytest.approx((60.0, 10.0))
+    assert program.session.incidence == pytest.approx((60.0, 10.0))
     space.incidence.run.click()
     assert space.sweep.running
     space.incidence.run.click()
@@ -374,10 +374,10 @@ def test_what_is_under_the_cursor_is_read(space, program) -> None:
 
 def test_pictures_and_surfaces_are_written_and_read_back(space, program, tmp_path: Path) -> None:
     space.go_to("three_quarters")
-    program.desk.set_subjects(
+    program.session.set_subjects(
         [PlottedMaterial("a", "A <b>", Material("A <b>", lobe()), RED, fit=fit(lobe(30.0)))]
     )
-    program.desk.set_options(shown="both")
+    program.session.set_options(shown="both")
     space.state.set(colouring="values")
     section = space.save.section
     section.width_.setValue(700)

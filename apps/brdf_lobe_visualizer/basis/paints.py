@@ -1,4 +1,4 @@
-"""What stands in a folder of paints: how many there are, and the sum that tells whether they are those of a search.
+"""Contents of a folder of paints: their number, and the checksum that identifies the paints of a search.
 
 A folder may be large, or on a network: it is walked on a thread, and its paints are read only where names, sizes or
 times are others than before.
@@ -13,7 +13,7 @@ from pathlib import Path
 from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QFileSystemWatcher, QObject, Signal
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
@@ -63,13 +63,13 @@ def paints_in(request: tuple[Path, PaintsIn | None], progress: Progress | None =
 
 
 class FolderPaints(QObject):
-    """Keeps in mind what is in a folder; ``changed()`` tells when that is known, or has become another."""
+    """Tracks the contents of a folder. Signals: ``changed()`` when they are known or have changed."""
 
     changed = Signal()
 
-    def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
+    def __init__(self, session: LobeSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._desk = desk
+        self._session = session
         self._folder: Path | None = None
         self._known: dict[Path, PaintsIn] = {}
         self._then: list[Callable[[PaintsIn], None]] = []
@@ -100,7 +100,7 @@ class FolderPaints(QObject):
         if then is not None:
             self._then.append(then)
         self.busy = True
-        self._desk.tasks.submit(_TASK, paints_in, (self._folder, self.known), self._arrived, self._failed)
+        self._session.tasks.submit(_TASK, paints_in, (self._folder, self.known), self._arrived, self._failed)
 
     def forget_wishes(self) -> None:
         """Do nothing after the look that is under way."""
@@ -118,5 +118,5 @@ class FolderPaints(QObject):
         self.busy = False
         folder = self._folder
         if folder is not None:  # a folder that cannot be walked has no paints to offer
-            self._desk.show_message(message_of(error, _TASK))
+            self._session.show_message(message_of(error, _TASK))
             self._arrived(PaintsIn(folder, (), ""))

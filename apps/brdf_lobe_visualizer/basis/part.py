@@ -15,13 +15,14 @@ from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import BasisPlots
 from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.feature import LobeFeature
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
@@ -51,21 +52,21 @@ class BasisView(QWidget):
         self.progress = ProgressStrip()
         self.search = QPushButton(tr("Search"))
         self.search.setObjectName("basis_search")
-        self.search.setToolTip(tr("Search the exponents that fit these paints best; it takes minutes."))
+        self.search.setToolTip(tr("Search for the exponents that best fit these paints. Takes minutes."))
         self.database = QToolButton()
         self.database.setObjectName("basis_database")
         self.database.setText(tr("Database"))
-        self.database.setToolTip(tr("Which paints the lobes are searched for."))
+        self.database.setToolTip(tr("Paints that the search optimises the lobes for"))
         self.database.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.database)
         menu.setToolTipsVisible(True)
         self.choose = menu.addAction(tr("Folder of Paints…"))
-        self.choose.setToolTip(tr("Take another folder of paints as the database."))
+        self.choose.setToolTip(tr("Use another folder of paints as the database"))
         self.open = menu.addAction(tr("Open a Search…"))
-        self.open.setToolTip(tr("Show a search from a file, also while it is still running."))
+        self.open.setToolTip(tr("Show a finished or running search from a file"))
         menu.addSeparator()
-        self.reset = menu.addAction(tr("Shipped Paints"))
-        self.reset.setToolTip(tr("Back to the shipped paints and their search."))
+        self.reset = menu.addAction(tr("Sample Paints"))
+        self.reset.setToolTip(tr("Return to the sample paints and their search"))
         self.database.setMenu(menu)
         head = QHBoxLayout()
         head.setSpacing(4)
@@ -80,12 +81,12 @@ class BasisView(QWidget):
         box.addWidget(self.progress)
 
 
-class Basis(QObject):
+class Basis(LobeFeature):
     """Shows a search and the selected reflectance's errors; starts searches."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self.window = session, window
         self.view = BasisView()
         self.folder = _remembered_folder()
         self.search: StoredSearch | None = None
@@ -95,8 +96,8 @@ class Basis(QObject):
         self._working = self._built = self._follows_run = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
-        self._paints = FolderPaints(desk, self)
-        self._paints.changed.connect(self._tell)
+        self.paints = FolderPaints(session, self)
+        self.paints.changed.connect(self.show_note)
         self._output_of: tuple[Path, Path] | None = None
         window.add_plot(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
@@ -104,8 +105,11 @@ class Basis(QObject):
         self.view.open.triggered.connect(self._choose_file)
         self.view.reset.triggered.connect(self.show_shipped)
         window.add_command("view", mark("Show the Basis"), None, self._show)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self._refresh)
-        for signal in (desk.subjects_changed, desk.front_changed):
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self._refresh)
+        for signal in (session.subjects_changed, session.front_changed):
             signal.connect(self._timer.start)
         window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())
         window.first_painted.connect(self._timer.start)
@@ -113,7 +117,7 @@ class Basis(QObject):
     @property
     def is_complete(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
-        waits = self._working or self._paints.busy or self._timer.isActive()
+        waits = self._working or self.paints.busy or self._timer.isActive()
         return not self._is_shown() or (self._built and not waits)
 
     def close(self) -> None:
@@ -147,11 +151,11 @@ class Basis(QObject):
         if self.run is not None or not self.view.search.isEnabled():
             return
         self.view.search.setEnabled(False)
-        self.view.progress.set_job(BASIS, 0.0, tr("Looking for paints"), self._drop_search)
-        self._paints.look(self._begin_search)
+        self.view.progress.set_job(BASIS, 0.0, tr("Scanning the folder for paints"), self._drop_search)
+        self.paints.look(self._begin_search)
 
     def _drop_search(self) -> None:
-        self._paints.forget_wishes()
+        self.paints.forget_wishes()
         self.view.progress.end_job(BASIS)
         self.view.search.setEnabled(True)
 
@@ -159,12 +163,12 @@ class Basis(QObject):
         if not paints.count:
             self._drop_search()
             error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
-            self._desk.show_message(message_of(error, BASIS))
+            self._session.show_message(message_of(error, BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
         self._follows_run = True
-        words = tr("Searching the basis of {count} paints").format(count=paints.count)
+        words = tr("Searching a basis for {count} paints").format(count=paints.count)
         run.moved.connect(lambda fraction, what: self._moved(fraction, f"{words}: {what}"))
         run.done.connect(self._done)
         run.failed.connect(self._failed)
@@ -175,10 +179,10 @@ class Basis(QObject):
     # What is shown.
 
     def _is_shown(self) -> bool:
-        return BASIS in self._window.plots.shown()
+        return BASIS in self.window.plots.shown()
 
     def _show(self) -> None:
-        self._window.plots.set_shown(BASIS, True)
+        self.window.plots.set_shown(BASIS, True)
 
     def _refresh(self) -> None:
         if not self._is_shown():
@@ -190,7 +194,7 @@ class Basis(QObject):
         self._ask_own()
 
     def _follow_folder(self) -> None:
-        self._paints.follow(self.folder)
+        self.paints.follow(self.folder)
         if self.folder == _shipped():
             self.show_file(Path(str(resource("basis", STORED_NAME))))
             return
@@ -201,7 +205,7 @@ class Basis(QObject):
         self._read()
 
     def _read(self) -> None:
-        """Read the search that is shown; where that cannot be, a message tells and the old one stays."""
+        """Read the search that is shown; on an error a message is shown and the old one stays."""
         from brdf_suite.fitting.basis_search.stored import load_search
 
         if self._source is None:
@@ -209,42 +213,42 @@ class Basis(QObject):
         else:
             try:
                 self.search = load_search(self._source)
-                self._desk.dismiss_message(BASIS)
+                self._session.dismiss_message(BASIS)
             except SuiteError as error:
-                self._desk.show_message(message_of(error, BASIS))
+                self._session.show_message(message_of(error, BASIS))
         if self._built:
             self.view.plots.show_search(self.search)
-            self._tell()
+            self.show_note()
             self._ask_own()
 
-    def _tell(self) -> None:
+    def show_note(self) -> None:
         search, words = self.search, [self._name()]
         if search is None or not search.results:
-            words.append(tr("not searched yet: press Search"))
+            words.append(tr("no search yet: choose Search"))
         else:
             words.append(tr("{count} targets").format(count=len(search.paints)))
             if search.default_count is None:
-                words.append(tr("{count} counts so far").format(count=len(search.results)))
+                words.append(tr("{count} lobe counts so far").format(count=len(search.results)))
             else:
                 words.append(tr("default: {count} lobes").format(count=search.default_count))
             if search.date:
                 words.append(search.date)
             if self._is_stale(search):
-                words.append(tr("the paints have changed since: search again"))
+                words.append(tr("paints changed since the search: search again"))
         own = self.view.plots.own
         if own is not None and not own[1].whole:
-            words.append(tr("{name}: colour alone, nothing divides it").format(name=own[0].title))
+            words.append(tr("{name}: colour error only, no separate coat").format(name=own[0].title))
         self.view.note.setText(" · ".join(words))
 
     def _name(self) -> str:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
             return self._source.name
-        return tr("Shipped paints") if self.folder == _shipped() else self.folder.name
+        return tr("Sample paints") if self.folder == _shipped() else self.folder.name
 
     def _is_stale(self, search: StoredSearch) -> bool:
         if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
-            return False  # a file of its own: of which paints nobody knows
-        paints = self._paints.known
+            return False  # a file of its own: its paints are unknown
+        paints = self.paints.known
         # Until the folder has been looked at nothing is said; without a sum the paints have gone.
         return paints is not None and paints.sha256 != search.sha256
 
@@ -261,7 +265,7 @@ class Basis(QObject):
 
     def _ask_own(self) -> None:
         """Ask a thread for the errors of the front subject; one at a time, the newest next."""
-        front, search = self._desk.front, self.search
+        front, search = self._session.front, self.search
         if not self._built or not self._is_shown():
             return
         if front is None or search is None or not search.results:
@@ -275,7 +279,7 @@ class Basis(QObject):
             return
         self._working = True
         bases = {result.count: result.exponents for result in search.results}
-        self._desk.tasks.submit(
+        self._session.tasks.submit(
             _TASK,
             _errors,
             (front.reflectance, bases),
@@ -288,18 +292,18 @@ class Basis(QObject):
     ) -> None:
         self._working = False
         self._own_of = wanted
-        front = self._desk.front
+        front = self._session.front
         if front is not None and front.key == subject.key:
             self.view.plots.show_own(front, errors)
-            self._desk.dismiss_message(_TASK)
-        self._tell()
+            self._session.dismiss_message(_TASK)
+        self.show_note()
         self._ask_own()
 
     def _own_failed(self, wanted: tuple[Any, Any], error: Exception) -> None:
         self._working = False
         self._own_of = wanted
         self.view.plots.show_own(None, None)
-        self._desk.show_message(message_of(error, _TASK))
+        self._session.show_message(message_of(error, _TASK))
         self._ask_own()
 
     # The search.
@@ -320,7 +324,7 @@ class Basis(QObject):
 
     def _failed(self, words: str) -> None:
         self._ended()
-        self._desk.show_message(message_of(SuiteError(words), BASIS))
+        self._session.show_message(message_of(SuiteError(words), BASIS))
 
     def _ended(self) -> None:
         self.view.progress.end_job(BASIS)
@@ -328,19 +332,19 @@ class Basis(QObject):
         if self.run is not None:
             self.run.deleteLater()
             self.run = None
-        self._tell()
-        self._paints.look()  # in folders below, no change was told
+        self.show_note()
+        self.paints.look()  # changes in subfolders are not reported
 
     # What the user chooses.
 
     def _choose_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self._window, tr("Folder of Paints"), str(self.folder))
+        name = QFileDialog.getExistingDirectory(self.window, tr("Folder of Paints"), str(self.folder))
         if name:
             self.show_folder(Path(name))
 
     def _choose_file(self) -> None:
         name, _ = QFileDialog.getOpenFileName(
-            self._window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
+            self.window, tr("Open a Search"), "", tr("Searches (*.json *.part);;All files (*)")
         )
         if name:
             self._follows_run = False

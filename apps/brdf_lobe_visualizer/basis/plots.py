@@ -61,21 +61,21 @@ class BasisPlots(QWidget):
             [[(float(np.log10(error)), f"{error:g}") for error in _ERROR_TICKS]]
         )
         self.exponents.setLabel("left", tr("Exponent"))
-        self.errors.setLabel("left", tr("Error (1: just seen)"))
-        self._dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
+        self.errors.setLabel("left", tr("Error (1: just noticeable)"))
+        self.dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
         self._own_dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
         self._chosen = [pg.LinearRegionItem((0.0, 0.0), movable=False) for _ in range(2)]
         for plot, band in zip((self.exponents, self.errors), self._chosen, strict=True):
             band.setZValue(-10)
             plot.addItem(band, ignoreBounds=True)
-        self.exponents.addItem(self._dots)
+        self.exponents.addItem(self.dots)
         self.errors.addItem(self._own_dots)
         self._names = [pg.TextItem("", anchor=(1.0, 1.0)) for _ in range(3)]
         for item in self._names:
             self.errors.addItem(item, ignoreBounds=True)
         self.readouts = (Readout(self.exponents), Readout(self.errors))
-        self.exponents.moved_over.connect(lambda x, _y: self._read_exponents(x))
-        self.errors.moved_over.connect(lambda x, _y: self._read_errors(x))
+        self.exponents.moved_over.connect(lambda x, _y: self.read_exponents(x))
+        self.errors.moved_over.connect(lambda x, _y: self.read_errors(x))
         self.exponents.left.connect(self.readouts[0].hide)
         self.errors.left.connect(self.readouts[1].hide)
         self._dress()
@@ -114,7 +114,7 @@ class BasisPlots(QWidget):
         counts = np.array([result.count for result in results], float)
         x = np.repeat(counts, [result.count for result in results]) if len(counts) else np.zeros(0)
         y = np.concatenate([np.log10(result.exponents) for result in results]) if results else np.zeros(0)
-        self._dots.setData(x=x, y=y)
+        self.dots.setData(x=x, y=y)
         chosen = None if search is None else search.default_count
         for band in self._chosen:
             band.setVisible(chosen is not None)
@@ -158,7 +158,7 @@ class BasisPlots(QWidget):
         high = float(np.ceil(5.0 * values.max()) / 5.0) + 0.1 if values.size else 2.0
         self.errors.setRange(xRange=(0.5, top + 0.5), yRange=(low, high), padding=0.0)
 
-    def _read_exponents(self, x: float) -> None:
+    def read_exponents(self, x: float) -> None:
         result = self._result_at(x)
         if result is None:
             self.readouts[0].hide()
@@ -170,7 +170,7 @@ class BasisPlots(QWidget):
         head = _lobes(result.count)
         self.readouts[0].show_rows(head, rows, tr("exponents"), at_right=False)
 
-    def _read_errors(self, x: float) -> None:
+    def read_errors(self, x: float) -> None:
         result = self._result_at(x)
         rows: list[Row] = []
         if result is not None:
@@ -210,7 +210,7 @@ class BasisPlots(QWidget):
             plot.showGrid(x=True, y=True, alpha=0.12)
         ring = QPen(text, 1.2)
         ring.setCosmetic(True)
-        for dots in (self._dots, self._own_dots):
+        for dots in (self.dots, self._own_dots):
             dots.setPen(ring)
             dots.setBrush(None)
         for band in self._chosen:

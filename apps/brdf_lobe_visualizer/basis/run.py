@@ -1,7 +1,7 @@
 """A search of the basis as a process of its own: the suite's command, which keeps what it finds in ``FILE.part``.
 
-It tells its steps as lines of JSON and stops when its input is closed, so it ends with the program, however that ends;
-the same search goes on from what is kept.
+It reports its steps as lines of JSON and stops when its input is closed, so it ends with the program, however that
+ends; the same search resumes from what is kept.
 """
 
 from __future__ import annotations
@@ -36,7 +36,10 @@ class BasisRun(QObject):
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._finished)
         self._process.errorOccurred.connect(self._not_started)
-        self._force = QTimer(self, singleShot=True, interval=PATIENCE_MS, timeout=self._process.kill)
+        self._force = QTimer(self)
+        self._force.setSingleShot(True)
+        self._force.setInterval(PATIENCE_MS)
+        self._force.timeout.connect(self._process.kill)
 
     @property
     def state(self) -> Path:
@@ -44,7 +47,7 @@ class BasisRun(QObject):
         return self.output.with_name(self.output.name + ".part")
 
     def start(self) -> None:
-        """Begin, or go on from what is kept."""
+        """Begin, or resume from what is kept."""
         from brdf_suite.fitting.basis_search.workers import usable_cores  # much to import for a start
 
         # A core is left to the windows.
@@ -55,7 +58,7 @@ class BasisRun(QObject):
         self._process.start(program, arguments)
 
     def cancel(self) -> None:
-        """Ask it to stop; ``cancelled`` tells when it has."""
+        """Ask it to stop; ``cancelled`` is emitted once it has."""
         self._wanted = False
         self._process.closeWriteChannel()
         self._force.start()
@@ -69,7 +72,7 @@ class BasisRun(QObject):
                 self._process.waitForFinished(PATIENCE_MS)
 
     def _read(self) -> None:
-        *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
+        *lines, self._rest = (self._rest + bytes(self._process.readAllStandardOutput().data())).split(b"\n")
         for line in lines:
             step = _step(line.decode("utf-8", errors="replace"))
             if step is not None and self._wanted:
@@ -86,18 +89,22 @@ class BasisRun(QObject):
         self._ended = True
         self._force.stop()
         self._read()
-        words = self._process.readAllStandardError().data().decode("utf-8", errors="replace").strip()
+        words = bytes(self._process.readAllStandardError().data()).decode("utf-8", errors="replace").strip()
         if not self._wanted or code == _CANCELLED:
             self.cancelled.emit()
         elif code or status == QProcess.ExitStatus.CrashExit:
-            last = words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a word"
+            last = (
+                words.splitlines()[-1].removeprefix("brdf-suite: ")
+                if words
+                else "the search ended without an error message"
+            )
             self.failed.emit(last)
         else:
             self.done.emit()
 
 
 def _step(line: str) -> tuple[float, str] | None:
-    """Return the fraction and the words of a line that tells a step; None for any other line."""
+    """Return the fraction and the words of a line that reports a step; None for any other line."""
     if not line.startswith('{"fraction"'):
         return None
     try:

@@ -117,7 +117,8 @@ class Readout(QLabel):
             f"<b>{html.escape(head)}</b>&nbsp;&nbsp;<span>{html.escape(unit)}</span><table>{''.join(cells)}</table>"
         )
         self.adjustSize()
-        area = self.parentWidget().rect()
+        parent = self.parentWidget()
+        area = self.rect() if parent is None else parent.rect()
         left = area.right() - self.width() - _MARGIN if at_right else area.left() + 56
         self.move(max(0, left), area.top() + _MARGIN)
         self.show()

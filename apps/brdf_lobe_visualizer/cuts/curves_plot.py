@@ -58,20 +58,18 @@ class CurvesPlot(QWidget):
             head.addWidget(button)
         head.addSpacing(8)
         self.log_value = ChoiceButton(tr("log y"))
-        self.log_value.setToolTip(
-            tr("A logarithmic axis of values; differences, which have a sign, stay linear.")
-        )
+        self.log_value.setToolTip(tr("Logarithmic value axis. Differences are signed and stay linear."))
         self.log_value.clicked.connect(lambda on: state.set(log_value=on))
         self.log_angle = ChoiceButton(tr("log x"))
         self.log_angle.setToolTip(
-            tr("A logarithmic axis of angles, for peaks; of γ the side towards the normal is shown.")
+            tr("Logarithmic angle axis, for peaks. For γ, only the side towards the normal is shown.")
         )
         self.log_angle.clicked.connect(lambda on: state.set(log_angle=on))
         head.addWidget(self.log_value)
         head.addWidget(self.log_angle)
         head.addStretch(1)
         self._box.addLayout(head)
-        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         self._box.addWidget(self.empty, 1)
@@ -90,8 +88,8 @@ class CurvesPlot(QWidget):
         self.plot = SlicePlot(with_axes=True)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.plot.setAccessibleName(self.accessibleName())
-        self._bands = HoleBands()
-        self.plot.addItem(self._bands, ignoreBounds=True)
+        self.bands = HoleBands()
+        self.plot.addItem(self.bands, ignoreBounds=True)
         self._mirror, self._normal, self._cross = (
             upright(grey_pen(self.palette(), alpha)) for alpha in (0.5, 0.3, 0.8)
         )
@@ -170,12 +168,12 @@ class CurvesPlot(QWidget):
         self._draw_points(lines, log_x, log_y)
         front = next((line for line in lines.lines if line.is_front and line.filled is not None), None)
         bands = [] if front is None else _bands(lines.cut.angle_deg, front.filled, log_x)
-        self._bands.show_bands(bands, self.palette())
+        self.bands.show_bands(bands, self.palette())
         self._name_axes(lines, log_x, log_y)
         self._place_marks(lines.cut.axis, log_x)
         if not self._free:
             self._frame(lines, log_x, log_y)
-        self._tell(lines, bool(bands))
+        self._show_residual(lines, bool(bands))
 
     def _placed(self, line: Line, lines: Lines, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
         x, y = lines.cut.angle_deg, line.value
@@ -230,14 +228,14 @@ class CurvesPlot(QWidget):
             self._view = view
             self.plot.setRange(xRange=x, yRange=y, padding=0.0, disableAutoRange=True)
 
-    def _tell(self, lines: Lines, holes: bool) -> None:
-        """Say how far the selected fit is from its target, and what is not to be seen; the tip tells of all fits."""
+    def _show_residual(self, lines: Lines, holes: bool) -> None:
+        """Write the residual of the selected fit and what is missing; the tooltip has all fits."""
         errors: dict[str, str] = {}
         for line in lines.lines:
             error = lines.errors.get(line.key)
             if error is not None and line.key not in errors:
                 errors[line.key] = tr(
-                    "{name}: RMS {rms} {unit} ({share} %), at most {worst} {unit} at {angle}"
+                    "{name}: RMS {rms} {unit} ({share} %), maximum {worst} {unit} at {angle}"
                 ).format(
                     name=line.title,
                     rms=number(error.rms),
@@ -248,7 +246,7 @@ class CurvesPlot(QWidget):
                 )
         rest = [tr("hatched: not measured")] if holes else []
         silent = {line.title for line in lines.lines if not np.isfinite(line.value).any()}
-        rest.extend(tr("{name}: nothing to draw here").format(name=name) for name in sorted(silent))
+        rest.extend(tr("{name}: no values here").format(name=name) for name in sorted(silent))
         black = {line.title for line in lines.lines if line.kind != "difference" and _is_zero(line.value)}
         rest.extend(tr("{name}: 0 everywhere").format(name=name) for name in sorted(black))
         front = next((line for line in lines.lines if line.is_front), lines.lines[-1])

@@ -28,13 +28,16 @@ class SliceImageView(QWidget):
         self.images.setAccessibleName(title)
         self.setAccessibleName(title)
         self.readout = Readout(self.images)
-        self.working = PlainLabel(tr("working…"), self.images)
+        self.working = PlainLabel(tr("updating…"), self.images)
         self.working.setObjectName("working")
         self.working.setAutoFillBackground(True)
         self.working.setMargin(2)
         self.working.hide()
-        self._late = QTimer(self, singleShot=True, interval=_LATE_MS, timeout=self._tell_late)
-        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance."))
+        self._late = QTimer(self)
+        self._late.setSingleShot(True)
+        self._late.setInterval(_LATE_MS)
+        self._late.timeout.connect(self._show_late)
+        self.empty = PlainLabel(tr("No reflectance shown. Add one."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         box = QVBoxLayout(self)
@@ -47,7 +50,7 @@ class SliceImageView(QWidget):
         self._colour: Srgb = (0.5, 0.5, 0.5)
 
     def set_stale(self, stale: bool) -> None:
-        """Say whether newer pictures are being made; what takes longer than a moment is told."""
+        """Set whether newer pictures are being made; shown once it takes longer than a moment."""
         if stale:
             if not self._late.isActive() and not self.working.isVisible():
                 self._late.start()
@@ -55,7 +58,7 @@ class SliceImageView(QWidget):
             self._late.stop()
             self.working.hide()
 
-    def _tell_late(self) -> None:
+    def _show_late(self) -> None:
         self.working.adjustSize()
         self.working.move(4, 4)
         self.working.show()

@@ -22,7 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.image_layout import BAR, GAP, Layout, Room, best_layout
-from brdf_lobe_visualizer.cuts.pens import hatching
+from brdf_lobe_visualizer.cuts.pens import hatching_brush
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Bools
 from brdf_suite.inspection.slices.tone import Bytes
@@ -35,7 +35,7 @@ _CENTRE = Qt.AlignmentFlag.AlignCenter
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """One image: ``codes`` (rows, columns, 3) sRGB, ``value`` (rows, columns) what the readout tells.
+    """One image: ``codes`` (rows, columns, 3) sRGB, ``value`` (rows, columns) what the readout shows.
 
     ``nothing`` (rows, columns): where there is nothing to be seen, below the horizon; ``holes``: where nothing was
     measured. ``points`` (k, 2) are shares of width and height at which samples lie. ``notes`` are one note in forms
@@ -189,7 +189,7 @@ class ImageGrid(QWidget):
     def _draw_holes(self, painter: QPainter, picture: Picture, place: QRectF) -> None:
         if picture.holes is None or not picture.holes.any():
             return
-        brush, shape = hatching(self.palette()), picture.holes.shape
+        brush, shape = hatching_brush(self.palette()), picture.holes.shape
         for row, first, last in _runs(picture.holes):
             painter.fillRect(
                 QRectF(

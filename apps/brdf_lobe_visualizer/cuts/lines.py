@@ -14,8 +14,8 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Cosine, Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, PlottedMaterial, Srgb
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Bools, Slice
@@ -81,21 +81,21 @@ class Lines:
 class SliceLines:
     """Evaluates subjects along cuts and keeps the values."""
 
-    def __init__(self, desk: Desk) -> None:
-        self._desk = desk
+    def __init__(self, session: LobeSession) -> None:
+        self._session = session
         self._kept: dict[tuple[str, str], tuple[Any, tuple[Slice, ...], Cosine, list[Floats]]] = {}
 
     def of(self, cuts: Sequence[Slice]) -> list[Lines]:
         """Return the lines along each of the cuts; pass the same cuts to have nothing evaluated anew."""
         cuts = tuple(cuts)
-        options = self._desk.options
-        subjects = self._desk.visible
+        options = self._session.options
+        subjects = self._session.visible
         values = {subject.key: self._values(subject, cuts, options) for subject in subjects}
-        compared = self._desk.compared
+        compared = self._session.reference
         against = None
         if options.shown == "difference" and compared is not None:
             against = self._evaluated(compared, "target", compared.reflectance, cuts, options.cosine)
-        keys = {subject.key for subject in self._desk.subjects}
+        keys = {subject.key for subject in self._session.subjects}
         self._kept = {at: kept for at, kept in self._kept.items() if at[0] in keys}
         return [
             self._lines(number, cut, subjects, values, None if against is None else against[number], options)
@@ -106,10 +106,10 @@ class SliceLines:
         self, subject: PlottedMaterial, cuts: tuple[Slice, ...], options: Options
     ) -> tuple[list[Floats], list[Floats] | None]:
         target = self._evaluated(subject, "target", subject.reflectance, cuts, options.cosine)
-        weights = self._desk.weights_of(subject) if options.shown != "target" else None
+        weights = self._session.weights_of(subject) if options.shown != "target" else None
         if weights is None:
             return target, None
-        # With lobes switched off the weights are made anew each time; what they are made of tells whether they differ.
+        # With lobes switched off the weights are made anew each time; compare what they are made of.
         mark = (subject.fit and subject.fit.weights, options.lobes_off)
         return target, self._evaluated(subject, "fit", weights, cuts, options.cosine, mark)
 
@@ -128,8 +128,8 @@ class SliceLines:
             return kept[3]
         try:
             values = evaluate(reflectance, cuts, cosine=cosine)
-        except Exception as error:  # noqa: BLE001 - a model's fault is told, and the others are drawn
-            self._desk.show_message(message_of(error, f"slices {subject.key} {which}"))
+        except Exception as error:  # noqa: BLE001 - an error of a model is reported, and the others are drawn
+            self._session.show_message(message_of(error, f"slices {subject.key} {which}"))
             values = [np.full((len(cut.angle_deg), 3), np.nan) for cut in cuts]
         self._kept[at] = (source, cuts, cosine, values)
         return values
@@ -146,7 +146,7 @@ class SliceLines:
         lines: list[Line] = []
         points: dict[str, SlicePoints] = {}
         errors: dict[str, SliceError] = {}
-        front = self._desk.front
+        front = self._session.front
         reference = None if against is None else channel_of(against, options.channel)
         for subject in subjects:
             targets, fits = values[subject.key]
@@ -212,10 +212,10 @@ def csv_of(lines: Lines, angle: str, quantity: str, incidence_deg: tuple[float, 
             measured = np.where(line.filled, 0.0, 1.0)
             columns.append((tr("{name}: measured (1) or filled in (0)").format(name=line.title), measured))
     theta, phi = incidence_deg
-    told = tr("Lobe Visualizer, incidence {theta}°, azimuth {phi}°").format(
+    title = tr("Lobe Visualizer, incidence {theta}°, azimuth {phi}°").format(
         theta=f"{theta:g}", phi=f"{phi:g}"
     )
-    return slices_csv(angle, lines.cut.angle_deg, columns, told)
+    return slices_csv(angle, lines.cut.angle_deg, columns, title)
 
 
 def _name(line: Line) -> str:

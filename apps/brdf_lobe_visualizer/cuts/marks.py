@@ -10,7 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath, QPalette
 from PySide6.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
-from brdf_lobe_visualizer.cuts.pens import grey_pen, hatching
+from brdf_lobe_visualizer.cuts.pens import grey_pen, hatching_brush
 from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Bools
 
@@ -29,18 +29,18 @@ def bands_of(angle_deg: Floats, holes: Bools | None) -> list[tuple[float, float]
     ]
 
 
-class HoleBands(pg.GraphicsObject):
+class HoleBands(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
     """Hatched from top to bottom over spans of x."""
 
     def __init__(self) -> None:
         super().__init__()
         self._bands: list[tuple[float, float]] = []
-        self._brush = hatching(QPalette())
+        self._brush = hatching_brush(QPalette())
         self.setZValue(-20)
 
     def show_bands(self, bands: Sequence[tuple[float, float]], palette: QPalette) -> None:
         """Hatch these spans."""
-        self._brush = hatching(palette)
+        self._brush = hatching_brush(palette)
         if list(bands) != self._bands:
             self._bands = list(bands)
             self.prepareGeometryChange()
@@ -68,7 +68,7 @@ class HoleBands(pg.GraphicsObject):
         painter.restore()
 
 
-class PolarRings(pg.GraphicsObject):
+class PolarRings(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
     """Rings of radii up to 1 and spokes of a half disc, the normal upwards; drawn once and kept."""
 
     def __init__(self) -> None:

@@ -72,7 +72,7 @@ _RANGES = {
 
 
 class SliceState(QObject):
-    """Holds the options; ``changed()`` tells of others."""
+    """Holds the options; ``changed()`` is emitted when they change."""
 
     changed = Signal()
 
@@ -120,8 +120,10 @@ class SliceState(QObject):
 
 
 def _sound(options: SliceOptions) -> SliceOptions:
-    held = {name: min(max(float(getattr(options, name)), low), high) for name, (low, high) in _RANGES.items()}
-    lights = tuple(min(max(float(angle), 0.0), 89.0) for angle in options.incidences_deg)
+    held: dict[str, Any] = {
+        name: min(max(float(getattr(options, name)), low), high) for name, (low, high) in _RANGES.items()
+    }
+    lights: Any = tuple(min(max(float(angle), 0.0), 89.0) for angle in options.incidences_deg)
     return replace(options, **held, incidences_deg=lights)
 
 

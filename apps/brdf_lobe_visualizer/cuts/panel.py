@@ -7,13 +7,14 @@ at once, images on a thread: while one is made, no other is begun, and when it i
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QObject, QTimer
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
@@ -29,11 +30,13 @@ from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
 from brdf_lobe_visualizer.cuts.section import SlicesSection
 from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
 from brdf_lobe_visualizer.cuts.words import AXIS_TITLES, quantity
-from brdf_lobe_visualizer.desk import Desk
-from brdf_lobe_visualizer.subjects.subjects import Srgb
+from brdf_lobe_visualizer.feature import LobeFeature
+from brdf_lobe_visualizer.session import LobeSession
+from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
+from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Slice, difference_slice, half_slice, plane_slice
 
 POLAR, CURVES, UNROLLED, HALF_ANGLE = "polar", "curves", "unrolled", "half_angle"
@@ -45,15 +48,15 @@ _TITLES = {
 }
 
 
-class Slices(QObject):
+class Slices(LobeFeature):
     """Polar plot, curves, unrolled hemispheres, half-angle slice, and their section."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk = desk
-        self._window = window
+        self._session = session
+        self.window = window
         self.state = SliceState(self)
-        self.values = SliceLines(desk)
+        self.values = SliceLines(session)
         self.polar, self.curves = PolarPlot(), CurvesPlot(self.state)
         self.unrolled, self.half_angle = UnrolledView(), HalfAngleView()
         self._lines = {POLAR: self.polar, CURVES: self.curves}
@@ -69,13 +72,16 @@ class Slices(QObject):
         window.add_section("slices", tr("Slices"), self.section, is_open=False)
         window.add_command("edit", mark("Copy Curves"), "Ctrl+Shift+C", self.copy_curves)
         window.add_command("file", mark("Save Curves as CSV…"), None, self._save_curves)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.draw_now)
         for signal in (
-            desk.subjects_changed,
-            desk.front_changed,
-            desk.visibility_changed,
-            desk.incidence_changed,
-            desk.options_changed,
+            session.subjects_changed,
+            session.front_changed,
+            session.visibility_changed,
+            session.incidence_changed,
+            session.options_changed,
         ):
             signal.connect(self._all_stale)
         self.state.changed.connect(self._options_changed)
@@ -110,23 +116,23 @@ class Slices(QObject):
         QGuiApplication.clipboard().setText(self.curves_csv())
 
     def save_curves(self, path: Path) -> None:
-        """Write the curves as CSV; where that cannot be, a message tells."""
+        """Write the curves as CSV; an error is shown as a message."""
         try:
             write_atomically(path, self.curves_csv().encode())
-            self._desk.dismiss_message("curves")
+            self._session.dismiss_message("curves")
         except SuiteError as error:
-            self._desk.show_message(message_of(error, "curves"))
+            self._session.show_message(message_of(error, "curves"))
 
     def curves_csv(self) -> str:
         """Return the curves of the chosen axis, whether they are shown or not."""
         (lines,) = self.values.of([self._curves_cut()])
         return csv_of(
-            lines, tr(AXIS_TITLES[lines.cut.axis]), quantity(self._desk.options), self._desk.incidence
+            lines, tr(AXIS_TITLES[lines.cut.axis]), quantity(self._session.options), self._session.incidence
         )
 
     def _save_curves(self) -> None:
         name, _ = QFileDialog.getSaveFileName(
-            self._window, tr("Save Curves as CSV"), "curves.csv", tr("Comma-separated values (*.csv)")
+            self.window, tr("Save Curves as CSV"), "curves.csv", tr("Comma-separated values (*.csv)")
         )
         if name:
             self.save_curves(Path(name))
@@ -141,7 +147,7 @@ class Slices(QObject):
         lines = dict(zip(map(id, distinct), self.values.of(distinct), strict=True))
         if not self.state.options.samples:
             lines = {at: replace(found, points={}) for at, found in lines.items()}
-        incidence, options = self._desk.incidence, self._desk.options
+        incidence, options = self._session.incidence, self._session.options
         for key, cut in cuts.items():
             found = lines[id(cut)]
             if key == POLAR:
@@ -167,9 +173,9 @@ class Slices(QObject):
             return
         self._running.add(key)
         self._images[key].set_stale(True)
-        lights, front = self._lights(), self._desk.front
+        lights, front = self._lights(), self._session.front
         colour = (0.5, 0.5, 0.5) if front is None else front.colour
-        self._desk.tasks.submit(
+        self._session.tasks.submit(
             f"slices/{key}",
             make_grid,
             request,
@@ -183,14 +189,14 @@ class Slices(QObject):
         self._made[key] = request
         self.unrolled.set_lights(*lights[:2]) if key == UNROLLED else self.half_angle.set_slice(*lights[2:])
         self._images[key].show_grid(grid, colour)
-        self._desk.dismiss_message(f"slices/{key}")
+        self._session.dismiss_message(f"slices/{key}")
         if key in self._stale:
             self._timer.start()
 
     def _failed(self, key: str, error: Exception) -> None:
         self._running.discard(key)
         self._images[key].set_stale(False)
-        self._desk.show_message(message_of(error, f"slices/{key}"))
+        self._session.show_message(message_of(error, f"slices/{key}"))
         if key in self._stale:
             self._timer.start()
 
@@ -200,43 +206,42 @@ class Slices(QObject):
 
     def _azimuth(self) -> float:
         """Return the azimuth that images are made for: that of the incidence, also where it does not matter."""
-        return self._desk.incidence[1]
+        return self._session.incidence[1]
 
     def _request(self, key: str) -> Request | None:
-        subject, desk, options = self._desk.front, self._desk, self.state.options
+        subject, session, options = self._session.front, self._session, self.state.options
         if subject is None:
             return None
-        phi, shown = self._azimuth(), desk.options.shown
-        other = desk.compared if shown == "difference" else None
+        phi, shown = self._azimuth(), session.options.shown
+        other = session.reference if shown == "difference" else None
         if key == UNROLLED:
             angles = options.incidences_deg
             pairs = tuple(unrolled_view.pairs_of(angle, phi) for angle in angles)
             columns, axes = unrolled_view.columns_of(angles), unrolled_view.AXES
-
-            def places(samples: Any, column: int) -> Any:
-                return unrolled_view.sample_places(angles, phi, samples, column)
         else:
             pairs = (half_angle_view.pairs_of(options.phi_d_deg, phi, options.by_root),)
             columns, axes = ("",), half_angle_view.axes_of(options.by_root)
 
-            def places(samples: Any, _column: int) -> Any:
-                return half_angle_view.sample_places(options.phi_d_deg, phi, options.by_root, samples)
+        def places(samples: SamplePoints, column: int) -> Floats:
+            if key == UNROLLED:
+                return unrolled_view.sample_places(options.incidences_deg, phi, samples, column)
+            return half_angle_view.sample_places(options.phi_d_deg, phi, options.by_root, samples)
 
         return Request(
             title=subject.title,
             reflectance=subject.reflectance,
-            weights=desk.weights_of(subject),
+            weights=session.weights_of(subject),
             other=None if other is None or other.key == subject.key else (other.title, other.reflectance),
             difference=shown == "difference",
             measured=subject.measured,
             samples=subject.samples if options.samples else None,
             pairs=pairs,
             columns=columns,
-            channel=desk.options.channel,
-            cosine=desk.options.cosine,
+            channel=session.options.channel,
+            cosine=session.options.cosine,
             tone=options.tone,
             ev=options.ev,
-            quantity=quantity(desk.options).removeprefix("Δ "),
+            quantity=quantity(session.options).removeprefix("Δ "),
             axes=axes,
             places=places,
         )
@@ -250,7 +255,7 @@ class Slices(QObject):
         self._all_stale()
 
     def _shown(self) -> list[str]:
-        shown = self._window.plots.shown()
+        shown = self.window.plots.shown()
         return [key for key in _TITLES if key in shown]
 
     def _all_stale(self, *_: object) -> None:
@@ -267,7 +272,7 @@ class Slices(QObject):
     # The cuts.
 
     def _curves_cut(self) -> Slice:
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         options = self.state.options
         if options.axis == "gamma":
             return self._kept("gamma", theta, phi)
@@ -279,7 +284,7 @@ class Slices(QObject):
         return self._kept("theta_d", options.theta_h_deg, options.phi_d_deg, phi)
 
     def _plane(self) -> Slice:
-        return self._kept("plane", *self._desk.incidence)
+        return self._kept("plane", *self._session.incidence)
 
     def _kept(self, kind: str, *angles: float) -> Slice:
         """Return a cut, the same object as long as its angles are the same: values are kept with it."""
@@ -290,6 +295,10 @@ class Slices(QObject):
             if kind == "gamma":
                 self._cuts[key] = self._plane().over("gamma", angles[0])
             else:
-                make = {"plane": plane_slice, "theta_h": half_slice, "theta_d": difference_slice}[kind]
-                self._cuts[key] = make(*angles)
+                makers: dict[str, Callable[..., Slice]] = {
+                    "plane": plane_slice,
+                    "theta_h": half_slice,
+                    "theta_d": difference_slice,
+                }
+                self._cuts[key] = makers[kind](*angles)
         return self._cuts[key]

@@ -43,10 +43,10 @@ def contrast(one: QColor, other: QColor) -> float:
 def pen_of(line: Line, base: QColor) -> QPen:
     """Return the pen of a line on ``base``; its width is in pixels, whatever the plot's scale."""
     width = FIT_WIDTH if line.kind == "fit" else FRONT_WIDTH if line.is_front else OTHER_WIDTH
-    return dashed(colour_of(line.colour, base), width, line.dash)
+    return dashed_pen(colour_of(line.colour, base), width, line.dash)
 
 
-def dashed(colour: QColor, width: float, dash: Dash) -> QPen:
+def dashed_pen(colour: QColor, width: float, dash: Dash) -> QPen:
     """Return a cosmetic pen with a dash whose lengths are in pixels, whatever its width."""
     pen = QPen(colour, width)
     pen.setCosmetic(True)
@@ -67,7 +67,7 @@ def grey_pen(palette: QPalette, alpha: float, width: float = 1.0) -> QPen:
     return pen
 
 
-def hatching(palette: QPalette) -> QBrush:
+def hatching_brush(palette: QPalette) -> QBrush:
     """Return the hatching of what was not measured."""
     colour = QColor(palette.color(QPalette.ColorRole.Text))
     colour.setAlphaF(0.35)

@@ -18,7 +18,7 @@ _FEW_DECADES = 0.7
 """Below so many there are few numbers, and all have room."""
 
 
-class LineItem(pg.GraphicsObject):
+class LineItem(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
     """A line whose bounds are the plot's: a plot that frames itself need not ask its lines for theirs.
 
     That, and one path for one change, is a third of the time that pyqtgraph's own curve takes in a drag.
@@ -53,7 +53,7 @@ class LineItem(pg.GraphicsObject):
         painter.drawPath(self._path)
 
 
-class ThinnedAxis(pg.AxisItem):
+class ThinnedAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """An axis whose logarithmic numbers keep apart: 1, 2 and 5 of each decade where pyqtgraph would write all nine."""
 
     def logTickStrings(self, values: Sequence[float], scale: float, spacing: float | None) -> list[str]:
@@ -65,7 +65,7 @@ class ThinnedAxis(pg.AxisItem):
         return [word if lead in (1, 2, 5) else "" for word, lead in zip(words, leading, strict=True)]
 
 
-class SlicePlot(pg.PlotWidget):
+class SlicePlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """A plot of lines: drag moves it, the wheel zooms, a double click frames all again.
 
     Signals: ``moved_over(x, y)`` in the plot's own numbers while the mouse is over it, ``left()``; ``framed()`` after a

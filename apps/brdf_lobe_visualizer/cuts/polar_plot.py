@@ -53,7 +53,7 @@ class PolarPlot(QWidget):
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(4)
-        self.empty = PlainLabel(tr("Nothing to draw: add a reflectance, or show one in the legend."))
+        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)
         self._box.addWidget(self.empty, 1)
@@ -167,7 +167,7 @@ class PolarPlot(QWidget):
         self._place(self._mirror, self._mirror_name, self._theta_deg, tr("mirror"))
         words = [quantity(self._options), tr(_SCALES[scale])]
         if lines.signed:
-            words.append(tr("sizes of the differences"))
+            words.append(tr("absolute differences"))
         words.append(tr("θi {theta}°").format(theta=f"{self._theta_deg:.1f}"))
         if self._phi_deg:
             words.append(tr("φi {phi}°").format(phi=f"{self._phi_deg:.1f}".replace("-", "−")))

@@ -19,16 +19,16 @@ from brdf_lobe_visualizer.cuts.options import EV_RANGE, POLARS, Polar, SliceOpti
 from brdf_suite.inspection.slices.tone import TONES, Tone
 
 _TONES: dict[Tone, str] = {
-    "gamma": mark("As a screen shows it (gamma)"),
+    "gamma": mark("Gamma (sRGB)"),
     "log": mark("Logarithmic, 4 decades"),
 }
 _POLARS: dict[Polar, str] = {
-    "range": mark("As the range asks for"),
+    "range": mark("Automatic"),
     "linear": mark("Linear"),
     "cbrt": mark("Cube root"),
     "log": mark("Logarithmic"),
 }
-_SPACING = {True: mark("By the root, as tables have it"), False: mark("Evenly")}
+_SPACING = {True: mark("Square root"), False: mark("Linear")}
 
 
 class SlicesSection(QWidget):
@@ -44,14 +44,12 @@ class SlicesSection(QWidget):
         box.setSpacing(8)
         form = Form()
         box.addWidget(form)
-        self.follow = QCheckBox(tr("at the incidence"))
+        self.follow = QCheckBox(tr("At the incidence"))
         self.follow.clicked.connect(lambda on: state.set(follow=on))
         form.add_row(
             tr("θd of the θh cut"),
             self.follow,
-            tr(
-                "The cut over θh is at the θd of the mirror configuration, the incidence; or at one of its own."
-            ),
+            tr("θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value"),
         )
         self.theta_d = self._angle(form, "theta_d_deg", tr("θd"), 89.9, plain.theta_d_deg, "")
         self.theta_h = self._angle(
@@ -60,7 +58,7 @@ class SlicesSection(QWidget):
             tr("θh of the θd cut"),
             89.9,
             plain.theta_h_deg,
-            tr("Where the cut over θd is."),
+            tr("θh of the cut over θd"),
         )
         self.phi_d = self._angle(
             form,
@@ -69,7 +67,7 @@ class SlicesSection(QWidget):
             180.0,
             plain.phi_d_deg,
             tr(
-                "The light's azimuth about the half vector, of the cuts over θh and θd and of the half-angle image."
+                "Azimuth of the light about the half vector, for the cuts over θh and θd and the half-angle image"
             ),
         )
         self.phi_d_slider = QuietSlider(Qt.Orientation.Horizontal)
@@ -93,25 +91,25 @@ class SlicesSection(QWidget):
         form.add_row(
             tr("Unrolled at"),
             lights,
-            tr("The incidences of the unrolled hemispheres; 10°, 40° and 70° in the paper."),
+            tr("Incidences of the unrolled hemispheres (10°, 40° and 70° in the paper)"),
         )
         self.tone = QuietComboBox()
         for tone in TONES:
             self.tone.addItem(tr(_TONES[tone]), tone)
         self.tone.activated.connect(lambda index: state.set(tone=self.tone.itemData(index)))
-        form.add_row(tr("Images"), self.tone, tr("How values become light: the scale bar tells."))
+        form.add_row(tr("Images"), self.tone, tr("Mapping from values to brightness, shown by the scale bar"))
         self.ev = NumberField(tr("Exposure"), "EV", *EV_RANGE, 0.5, 1, 0.0)
         self.ev.edited.connect(lambda value: state.set(ev=value))
         form.add_row(
             tr("Exposure"),
             self.ev,
-            tr("Stops above the exposure that fits the selected reflectance."),
+            tr("Stops above the automatic exposure of the selected reflectance"),
         )
         self.spacing = QuietComboBox()
         for by_root, title in _SPACING.items():
             self.spacing.addItem(tr(title), by_root)
         self.spacing.activated.connect(lambda index: state.set(by_root=bool(self.spacing.itemData(index))))
-        form.add_row(tr("θh of images"), self.spacing, tr("How θh is spaced along the half-angle image."))
+        form.add_row(tr("θh of images"), self.spacing, tr("Spacing of θh along the half-angle image"))
         self.polar = QuietComboBox()
         for polar in POLARS:
             self.polar.addItem(tr(_POLARS[polar]), polar)
@@ -119,17 +117,15 @@ class SlicesSection(QWidget):
         form.add_row(
             tr("Polar radius"),
             self.polar,
-            tr(
-                "How values become radii of the polar plot; logarithmic where a peak would leave nothing else to see."
-            ),
+            tr("Mapping from values to radii of the polar plot. Automatic: logarithmic for high peaks."),
         )
         self.samples = QCheckBox(tr("Measured samples"))
         self.samples.setToolTip(
-            tr("Draw the samples near a cut as rings, and those of a picture's light as dots.")
+            tr("Draw samples near a cut as rings, and samples of an image's incidence as dots")
         )
         self.samples.clicked.connect(lambda on: state.set(samples=on))
         form.add_wide(self.samples)
-        self.reset = QPushButton(tr("Reset slices"))
+        self.reset = QPushButton(tr("Reset Slices"))
         self.reset.setObjectName("reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
         box.addWidget(self.reset)

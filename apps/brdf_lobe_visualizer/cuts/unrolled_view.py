@@ -58,7 +58,7 @@ class UnrolledView(SliceImageView):
     """Shows the pictures, and values and angles under the mouse."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("unrolled_view", tr("The hemisphere of views on the unit square"), parent)
+        super().__init__("unrolled_view", tr("Hemisphere of views on the unit square"), parent)
         self._incidences: tuple[float, ...] = ()
         self._phi_deg = 0.0
 

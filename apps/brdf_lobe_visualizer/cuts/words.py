@@ -9,20 +9,20 @@ from brdf_suite.inspection.slices.cuts import Axis
 
 AXIS_TITLES: dict[Axis, str] = {
     "gamma": mark("Aspecular angle γ (°)"),
-    "theta_o": mark("Angle of view θo (°)"),
+    "theta_o": mark("View angle θo (°)"),
     "theta_h": mark("Half angle θh (°)"),
     "theta_d": mark("Difference angle θd (°)"),
 }
 AXIS_LETTERS: dict[Axis, str] = {"gamma": "γ", "theta_o": "θo", "theta_h": "θh", "theta_d": "θd"}
 AXIS_TIPS: dict[Axis, str] = {
     "gamma": mark(
-        "In the plane of incidence, over the angle from the mirror direction; positive towards the normal."
+        "In the plane of incidence, over the angle from the mirror direction (positive towards the normal)"
     ),
     "theta_o": mark(
-        "In the plane of incidence, over the view's angle from the normal; positive on the mirror direction's side."
+        "In the plane of incidence, over the view angle from the normal (positive on the side of the mirror direction)"
     ),
-    "theta_h": mark("Over the angle between half vector and normal, at the θd and φd of the section Slices."),
-    "theta_d": mark("Over the angle between light and half vector, at the θh and φd of the section Slices."),
+    "theta_h": mark("Over the angle between half vector and normal, at the θd and φd set in Slices"),
+    "theta_d": mark("Over the angle between light and half vector, at the θh and φd set in Slices"),
 }
 _FACTORS: dict[Cosine, str] = {"none": "f_r", "light": "f_r·cosθi", "both": "f_r·cosθi·cosθo"}
 UNIT = "1/sr"

@@ -7,13 +7,14 @@ from typing import cast
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
+from brdf_lobe_visualizer.feature import LobeFeature
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.inspection.slices.tone import Tone
 
@@ -38,7 +39,7 @@ class FactorsPanel(QWidget):
         self.tone = ChoiceField(TONES, "gamma")
         self.tone.setAccessibleName(tr("Scale of the maps"))
         self.tone.setToolTip(
-            tr("Each map is shown over its largest value; the logarithmic scale has four decades")
+            tr("Each map is scaled to its maximum. The logarithmic scale covers four decades.")
         )
         self.channel.chosen.connect(self.channel_chosen)
         self.tone.chosen.connect(self.tone_chosen)
@@ -58,12 +59,12 @@ class FactorsPanel(QWidget):
         self.seen.emit()
 
 
-class Factors(QObject):
+class Factors(LobeFeature):
     """A part of the window: the panel Factors at the bottom, hidden at a first start."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._ready = self._closed = False
         self.panel = FactorsPanel()
         self.dock = window.add_dock(
@@ -76,9 +77,9 @@ class Factors(QObject):
         self.panel.channel_chosen.connect(self.choose_channel)
         self.panel.tone_chosen.connect(self.choose_tone)
         self.panel.seen.connect(self._show)
-        desk.subjects_changed.connect(self._show)
-        desk.front_changed.connect(self._show)
-        # What draws maps knows reflectances, which nobody needs before the window is painted.
+        session.subjects_changed.connect(self._show)
+        session.front_changed.connect(self._show)
+        # Drawing maps imports reflectances, which are not needed before the window is painted.
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         window.add_command(
             "view",
@@ -133,17 +134,13 @@ class Factors(QObject):
             return
         from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
 
-        front = self._desk.front
+        front = self._session.front
         value = None if front is None else factored_in(front.reflectance)
         tone = cast(Tone, self._tone)
         if front is None or value is None:
-            why = (
-                tr("Nothing to draw: add a reflectance.")
-                if front is None
-                else tr("{name} is no product of maps.")
-            )
+            why = tr("No reflectance shown. Add one.") if front is None else tr("{name} is not factored.")
             why = why.format(name="" if front is None else front.title)
-            hint = tr("brdf-suite factorize writes one.") if front is not None else ""
+            hint = tr("Create a factored reflectance with brdf-suite factorize.") if front is not None else ""
             self.panel.view.show_pictures((), self._channel, tone, "\n".join(filter(None, (why, hint))))
             self.panel.note.setText("")
             return

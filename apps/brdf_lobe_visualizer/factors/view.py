@@ -10,7 +10,7 @@ from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid, Picture, ScaleBar
 from brdf_suite.inspection.factor_pictures import FactorPicture, angles_at
 from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
-from brdf_suite.inspection.slices.values import channel_of
+from brdf_suite.inspection.slices.values import Channel, channel_of
 
 _BAR_STEPS = 128
 _GREYS = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
@@ -21,7 +21,8 @@ CHANNELS = {
     "green": mark("green"),
     "blue": mark("blue"),
 }
-TONES = {"gamma": mark("as it looks"), "log": mark("logarithmic")}
+_CODES: dict[str, Channel] = {"luminance": "luminance", "red": "r", "green": "g", "blue": "b"}
+TONES = {"gamma": mark("perceptual"), "log": mark("logarithmic")}
 _READS = {
     "wi": "ωi",
     "wo": "ωo",
@@ -51,9 +52,9 @@ def grid_of(pictures: tuple[FactorPicture, ...], channel: str, tone: Tone) -> Gr
         if channel == "colour":
             codes, value = colour_codes(picture.values, tone, 1.0), channel_of(picture.values, "luminance")
         else:
-            value = channel_of(picture.values, channel)
+            value = channel_of(picture.values, _CODES[channel])
             codes = mapped_codes(share_of(value, tone, 1.0), _GREYS)
-        notes = (tr("added: the peak"), tr("peak")) if picture.part == "peak" else ()
+        notes = (tr("added peak"), tr("peak")) if picture.part == "peak" else ()
         drawn[0, number] = Picture(codes, value, nothing=picture.outside, notes=notes)
         columns.append(title_of(picture))
     return Grid(("",), tuple(columns), drawn, _bar(tone))
@@ -64,7 +65,7 @@ def _bar(tone: Tone) -> ScaleBar:
         (1.0, 0.5, 0.2, 0.1, 0.02) if tone == "gamma" else tuple(10.0**-k for k in range(int(DECADES) + 1))
     )
     ticks = tuple((float(share_of(value, tone, 1.0)), plain(value)) for value in values)
-    return ScaleBar(mapped_codes(np.linspace(0.0, 1.0, _BAR_STEPS), _GREYS), ticks, tr("over the largest"))
+    return ScaleBar(mapped_codes(np.linspace(0.0, 1.0, _BAR_STEPS), _GREYS), ticks, tr("relative to maximum"))
 
 
 class FactorsView(SliceImageView):

@@ -36,17 +36,18 @@ class IncidenceDrag(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if kind == QEvent.Type.MouseButtonPress:
-            return self._press(event)
-        if kind == QEvent.Type.MouseMove:
-            return self._move(event)
-        if kind == QEvent.Type.MouseButtonRelease and self._mode:
-            self._end()
-            return True
-        if kind == QEvent.Type.MouseButtonDblClick and self._view.handle_at(event.position()):
-            self._end()
-            self.reset.emit()
-            return True
+        if isinstance(event, QMouseEvent):
+            if kind == QEvent.Type.MouseButtonPress:
+                return self._press(event)
+            if kind == QEvent.Type.MouseMove:
+                return self._move(event)
+            if kind == QEvent.Type.MouseButtonRelease and self._mode:
+                self._end()
+                return True
+            if kind == QEvent.Type.MouseButtonDblClick and self._view.handle_at(event.position()):
+                self._end()
+                self.reset.emit()
+                return True
         if kind in (QEvent.Type.Hide, QEvent.Type.WindowDeactivate, QEvent.Type.Leave) and not self._mode:
             self._view.set_hot(False)
         return super().eventFilter(watched, event)
@@ -77,7 +78,7 @@ class IncidenceDrag(QObject):
                 else:
                     self._view.unsetCursor()
             return False
-        if event.buttons() == Qt.MouseButton.NoButton:  # released where nobody told us
+        if event.buttons() == Qt.MouseButton.NoButton:  # released outside of the view
             self._end()
             return False
         if self._mode == "handle":

@@ -11,23 +11,23 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SPEED_RANGE, SpaceOptions, SpaceState
 
 _SWEEPS = {"polar": mark("Polar angle"), "azimuth": mark("Azimuth")}
 
 
 class IncidenceSection(QWidget):
-    """Sets the desk's incidence and the sweep, and shows them."""
+    """Sets the session's incidence and the sweep, and shows them."""
 
     def __init__(
-        self, desk: Desk, state: SpaceState, sweep: SweepControl, parent: QWidget | None = None
+        self, session: LobeSession, state: SpaceState, sweep: SweepControl, parent: QWidget | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("incidence_section")
-        self._desk, self._state, self._sweep = desk, state, sweep
+        self._session, self._state, self._sweep = session, state, sweep
         plain = SpaceOptions()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -37,11 +37,11 @@ class IncidenceSection(QWidget):
         self.theta = NumberField(
             tr("Polar angle of the light"), "°", 0.0, MOST_THETA_DEG, 1.0, 1, INCIDENCE_DEG[0]
         )
-        self.theta.edited.connect(lambda value: desk.set_incidence(value, desk.incidence[1]))
+        self.theta.edited.connect(lambda value: session.set_incidence(value, session.incidence[1]))
         form.add_row(
             tr("Polar angle θi"),
             self.theta,
-            tr("From the normal to the light. Drag the yellow handle in the view, too."),
+            tr("Angle between the normal and the light. The yellow handle in the view sets it, too."),
         )
         self.theta_slider = QuietSlider(Qt.Orientation.Horizontal)
         self.theta_slider.setRange(0, 890)
@@ -49,20 +49,22 @@ class IncidenceSection(QWidget):
         self.theta_slider.setSingleStep(10)
         self.theta_slider.setAccessibleName(tr("Polar angle of the light, tenths of a degree"))
         self.theta_slider.valueChanged.connect(
-            lambda value: desk.set_incidence(value / 10.0, desk.incidence[1])
+            lambda value: session.set_incidence(value / 10.0, session.incidence[1])
         )
         form.add_wide(self.theta_slider)
         self.phi = NumberField(tr("Azimuth of the light"), "°", -180.0, 180.0, 1.0, 1, INCIDENCE_DEG[1])
         self.phi.setWrapping(True)
-        self.phi.edited.connect(lambda value: desk.set_incidence(desk.incidence[0], value))
+        self.phi.edited.connect(lambda value: session.set_incidence(session.incidence[0], value))
         form.add_row(
             tr("Azimuth φi"),
             self.phi,
-            tr("Of the plane of incidence. It matters to anisotropic reflectances: brushed metal, cloth."),
+            tr(
+                "Azimuth of the plane of incidence. Affects only anisotropic reflectances, such as brushed metal."
+            ),
         )
         self.kind = ChoiceField(_SWEEPS, plain.sweep)
         self.kind.chosen.connect(lambda key: state.set(sweep=key))
-        form.add_row(tr("Sweep"), self.kind, tr("What moves while the sweep runs."))
+        form.add_row(tr("Sweep"), self.kind, tr("Angle that the sweep changes"))
         self.speed = NumberField(tr("Speed of the sweep"), "°/s", *SPEED_RANGE, 5.0, 0, plain.speed)
         self.speed.edited.connect(lambda value: state.set(speed=value))
         form.add_row(tr("Speed"), self.speed)
@@ -70,21 +72,21 @@ class IncidenceSection(QWidget):
         row.setSpacing(8)
         self.run = QPushButton(icon("play"), tr("Sweep"))
         self.run.setCheckable(True)
-        self.run.setToolTip(tr("Let the light move (space, in the view)."))
+        self.run.setToolTip(tr("Move the light continuously (Space in the view)"))
         self.run.clicked.connect(sweep.set_running)
         self.reset = QPushButton(tr("Reset"))
         self.reset.clicked.connect(self._reset)
         row.addWidget(self.run)
         row.addWidget(self.reset)
         box.addLayout(row)
-        desk.incidence_changed.connect(lambda _theta, _phi: self.show_now())
+        session.incidence_changed.connect(lambda _theta, _phi: self.show_now())
         state.changed.connect(self.show_now)
         sweep.running_changed.connect(lambda _on: self.show_now())
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         self.theta.set_value(theta)
         self.phi.set_value(phi)
         self.theta_slider.blockSignals(True)
@@ -96,5 +98,5 @@ class IncidenceSection(QWidget):
 
     def _reset(self) -> None:
         self._sweep.set_running(False)
-        self._desk.reset_incidence()
+        self._session.reset_incidence()
         self._state.reset("sweep", "speed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SpaceState
 
 LOW_DEG, HIGH_DEG = 0.0, 85.0
@@ -14,16 +14,18 @@ _MOST_STEP_S = 0.2
 
 
 class SweepControl(QObject):
-    """Moves the desk's incidence while it runs; ``running_changed(on)`` tells."""
+    """Moves the session's incidence while it runs; ``running_changed(on)`` is emitted on start and stop."""
 
     running_changed = Signal(bool)
 
-    def __init__(self, desk: Desk, state: SpaceState, parent: QObject | None = None) -> None:
+    def __init__(self, session: LobeSession, state: SpaceState, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._desk, self._state = desk, state
+        self._session, self._state = session, state
         self._rising = True
         self._clock = QElapsedTimer()
-        self._timer = QTimer(self, interval=_STEP_MS, timeout=self._tick)
+        self._timer = QTimer(self)
+        self._timer.setInterval(_STEP_MS)
+        self._timer.timeout.connect(self._tick)
 
     @property
     def running(self) -> bool:
@@ -47,14 +49,14 @@ class SweepControl(QObject):
 
     def advance(self, seconds: float) -> None:
         """Move the light as far as it goes in a time."""
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         options = self._state.options
         step = options.speed * seconds
         if options.sweep == "azimuth":
-            self._desk.set_incidence(theta, phi + step)
+            self._session.set_incidence(theta, phi + step)
             return
         theta, self._rising = to_and_fro(theta, step, self._rising)
-        self._desk.set_incidence(theta, phi)
+        self._session.set_incidence(theta, phi)
 
     def _tick(self) -> None:
         self.advance(min(self._clock.restart() / 1e3, _MOST_STEP_S))

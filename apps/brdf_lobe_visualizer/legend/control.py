@@ -1,7 +1,8 @@
-"""Joins the legend to the desk: its intents are edits of the desk, and it shows what the desk has."""
+"""Joins the legend to the session: its intents are edits of the session, and it shows what the session has."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
@@ -9,11 +10,11 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QColorDialog, QMenu
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.legend.errors import LegendErrors
 from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
 from brdf_lobe_visualizer.legend.line import colour_of, line_icon
-from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial, Srgb
+from brdf_lobe_visualizer.session import LobeSession
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 
 LONGEST_TITLE = 200
@@ -26,7 +27,7 @@ _COLOUR_NAMES = (
     mark("Blue"),
     mark("Yellow"),
 )
-_DASH_NAMES = {
+_DASH_NAMES: dict[Dash, str] = {
     "solid": mark("Solid"),
     "dash": mark("Dashes"),
     "dot": mark("Dots"),
@@ -38,37 +39,37 @@ _DASH_NAMES = {
 class LegendControl(QObject):
     """The legend, its commands in the menu Reflectance, and the errors beside the rows.
 
-    Signals: ``open_asked()``, ``list_asked()``.
+    Signals: ``open_requested()``, ``list_requested()``.
     """
 
-    open_asked = Signal()
-    list_asked = Signal()
+    open_requested = Signal()
+    list_requested = Signal()
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
-        self.errors = LegendErrors(desk, self)
+        self._session, self._window = session, window
+        self.errors = LegendErrors(session, self)
         self.legend = Legend()
         window.add_beside(self.legend)
         self._build_commands()
         legend = self.legend
-        legend.front_asked.connect(desk.set_front)
-        legend.shown_asked.connect(lambda key, shown: desk.set_hidden(key, not shown))
-        legend.solo_asked.connect(desk.set_solo)
-        legend.reference_asked.connect(lambda key, on: desk.set_compared(key if on else None))
+        legend.front_requested.connect(session.set_front)
+        legend.shown_requested.connect(lambda key, shown: session.set_hidden(key, not shown))
+        legend.solo_requested.connect(session.set_solo)
+        legend.reference_requested.connect(lambda key, on: session.set_reference(key if on else None))
         legend.renamed.connect(self.rename)
-        legend.removed.connect(desk.remove)
-        legend.moved.connect(desk.move)
-        legend.colour_asked.connect(self.next_colour)
-        legend.dash_asked.connect(self.next_dash)
-        legend.menu_asked.connect(lambda at: window.paint_menu.popup(at))
-        legend.open_asked.connect(self.open_asked)
-        legend.list_asked.connect(self.list_asked)
-        legend.all_asked.connect(desk.show_all)
+        legend.removed.connect(session.remove)
+        legend.moved.connect(session.move)
+        legend.colour_requested.connect(self.next_colour)
+        legend.dash_requested.connect(self.next_dash)
+        legend.menu_requested.connect(lambda at: window.paint_menu.popup(at))
+        legend.open_requested.connect(self.open_requested)
+        legend.list_requested.connect(self.list_requested)
+        legend.all_requested.connect(session.show_all)
         for signal in (
-            desk.subjects_changed,
-            desk.front_changed,
-            desk.visibility_changed,
+            session.subjects_changed,
+            session.front_changed,
+            session.visibility_changed,
             self.errors.changed,
         ):
             signal.connect(self._show)
@@ -87,75 +88,77 @@ class LegendControl(QObject):
         """Give a subject another title; an empty one is not taken."""
         title = " ".join(title.split())[:LONGEST_TITLE]
         if title:
-            self._desk.change(key, title=title)
+            self._session.change(key, title=title)
         self._show()
 
     def set_colour(self, key: str, colour: Srgb) -> None:
         """Give a subject's line a colour."""
-        self._desk.change(key, colour=colour)
+        self._session.change(key, colour=colour)
 
     def next_colour(self, key: str) -> None:
         """Give a subject's line the next of the colours."""
-        subject = self._desk.subject(key)
+        subject = self._session.subject(key)
         if subject is not None:
             place = LINE_COLOURS.index(subject.colour) if subject.colour in LINE_COLOURS else -1
             self.set_colour(key, LINE_COLOURS[(place + 1) % len(LINE_COLOURS)])
 
     def next_dash(self, key: str) -> None:
         """Give a subject's line the next dash."""
-        subject = self._desk.subject(key)
+        subject = self._session.subject(key)
         if subject is not None:
             place = DASHES.index(subject.dash)
-            self._desk.change(key, dash=DASHES[(place + 1) % len(DASHES)])
+            self._session.change(key, dash=DASHES[(place + 1) % len(DASHES)])
 
     def blink(self) -> None:
         """Show the front alone, then the reference alone, in turn."""
-        front, other = self._desk.front, self._desk.compared
+        front, other = self._session.front, self._session.reference
         if front is None or other is None or front is other:
             return
-        shown = other if self._desk.is_solo(front.key) else front
-        for subject in self._desk.subjects:
-            self._desk.set_solo(subject.key, subject is shown)
+        shown = other if self._session.is_solo(front.key) else front
+        for subject in self._session.subjects:
+            self._session.set_solo(subject.key, subject is shown)
 
     def _show(self) -> None:
-        front = self._desk.front
-        rows = [self._row(subject) for subject in self._desk.subjects]
+        front = self._session.front
+        rows = [self._row(subject) for subject in self._session.subjects]
         self.legend.show_rows(rows, "" if front is None else front.key)
         for action in self._of_front:
             action.setEnabled(front is not None)
-        self._solo.setChecked(front is not None and self._desk.is_solo(front.key))
-        self._shown.setChecked(front is not None and not self._desk.is_hidden(front.key))
-        self._reference.setChecked(front is not None and front is self._desk.compared)
-        self._blink.setEnabled(self._desk.compared not in (None, front))
+        self._solo.setChecked(front is not None and self._session.is_solo(front.key))
+        self._shown.setChecked(front is not None and not self._session.is_hidden(front.key))
+        self._reference.setChecked(front is not None and front is self._session.reference)
+        self._blink.setEnabled(self._session.reference not in (None, front))
 
     def _row(self, subject: PlottedMaterial) -> LegendRow:
-        desk = self._desk
+        session = self._session
         found = self.errors.error(subject.key)
-        error, told = "", []
+        error, details = "", []
         if found is not None:
             error = f"{100.0 * found.errors.away.relative_rms:.3g} %"
             error = f"({error})" if self.errors.is_stale(subject.key) else error
-            told.append(
+            details.append(
                 tr(
-                    "Against the reference: {rms} of its root mean square away from the mirror, {all} in all"
+                    "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
                 ).format(
                     rms=f"{100.0 * found.errors.away.relative_rms:.3g} %",
                     all=f"{100.0 * found.errors.whole.relative_rms:.3g} %",
                 )
             )
             if found.delta_e is not None:
-                told.append(tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}"))
+                details.append(
+                    tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}")
+                )
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
-            told.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
-        tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *told])
+            details.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
+        tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *details])
         return LegendRow(
             subject.key,
             subject.title,
             subject.colour,
             subject.dash,
-            shown=not desk.is_hidden(subject.key),
-            solo=desk.is_solo(subject.key),
-            reference=desk.compared is subject,
+            shown=not session.is_hidden(subject.key),
+            solo=session.is_solo(subject.key),
+            reference=session.reference is subject,
             error=error,
             tip=tip,
         )
@@ -165,31 +168,31 @@ class LegendControl(QObject):
     def _build_commands(self) -> None:
         add, menu = self._window.add_command, "reflectance"
         self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
-        self._solo = add(menu, mark("Show A&lone"), "Ctrl+Shift+H", None)
+        self._solo = add(menu, mark("So&lo"), "Ctrl+Shift+H", None)
         self._reference = add(
             menu,
-            mark("Take as &Reference"),
+            mark("Set as &Reference"),
             "Ctrl+R",
             None,
-            tip=mark("Differences and errors are taken against it"),
+            tip=mark("Compute differences and errors against this reflectance"),
         )
         for action, slot in (
-            (self._shown, lambda on: self._for_front(lambda key: self._desk.set_hidden(key, not on))),
-            (self._solo, lambda on: self._for_front(lambda key: self._desk.set_solo(key, on))),
+            (self._shown, lambda on: self._for_front(lambda key: self._session.set_hidden(key, not on))),
+            (self._solo, lambda on: self._for_front(lambda key: self._session.set_solo(key, on))),
             (
                 self._reference,
-                lambda on: self._for_front(lambda key: self._desk.set_compared(key if on else None)),
+                lambda on: self._for_front(lambda key: self._session.set_reference(key if on else None)),
             ),
         ):
             action.setCheckable(True)
-            # Not toggled: the ticks follow the front, and that is nobody's wish.
+            # Not toggled: the ticks also follow the front, which is no command.
             action.triggered.connect(slot)
         rename = add(menu, mark("Re&name"), None, lambda: self._for_front(self.legend.edit_title))
         self._build_line_menu()
         up = add(menu, mark("Move &Up"), "Ctrl+Shift+Up", lambda: self._move(-1))
         down = add(menu, mark("Move &Down"), "Ctrl+Shift+Down", lambda: self._move(1))
         gone = add(
-            menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._desk.remove), icon="x"
+            menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._session.remove), icon="x"
         )
         self._of_front: list[QAction] = [
             self._shown,
@@ -202,16 +205,16 @@ class LegendControl(QObject):
             gone,
         ]
         self._window.paint_menu.addSeparator()
-        add(menu, mark("Show &All"), "Ctrl+Shift+A", self._desk.show_all, icon="eye")
+        add(menu, mark("Show &All"), "Ctrl+Shift+A", self._session.show_all, icon="eye")
         add(menu, mark("Remove All &Others"), None, self._remove_others)
         add(menu, mark("Ne&xt Reflectance"), "Ctrl+Tab", lambda: self._step(1))
         add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
         self._blink = add(
             menu,
-            mark("&Blink with the Reference"),
+            mark("Al&ternate with Reference"),
             "B",
             self.blink,
-            tip=mark("Show the selected reflectance and the reference in turn"),
+            tip=mark("Show the selected reflectance and the reference alternately"),
         )
 
     def _build_line_menu(self) -> None:
@@ -222,12 +225,12 @@ class LegendControl(QObject):
             action.triggered.connect(
                 lambda _=False, colour=colour: self._for_front(lambda key: self.set_colour(key, colour))
             )
-        self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self._ask_colour))
+        self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self.choose_colour))
         self._line.addSeparator()
         for dash, title in _DASH_NAMES.items():
             action = self._line.addAction(line_icon((0.5, 0.5, 0.5), dash), tr(title))
             action.triggered.connect(
-                lambda _=False, dash=dash: self._for_front(lambda key: self._desk.change(key, dash=dash))
+                lambda _=False, dash=dash: self._for_front(lambda key: self._session.change(key, dash=dash))
             )
         self._line.addSeparator()
         self._line.addAction(tr("Reset All Lines"), self.reset_lines)
@@ -235,19 +238,19 @@ class LegendControl(QObject):
     def reset_lines(self) -> None:
         """Give the lines the colours and dashes of a first start, in the legend's order."""
         count = len(LINE_COLOURS)
-        self._desk.set_subjects(
+        self._session.set_subjects(
             [
                 replace(
                     subject,
                     colour=LINE_COLOURS[place % count],
                     dash=DASHES[(place + place // count) % len(DASHES)],
                 )
-                for place, subject in enumerate(self._desk.subjects)
+                for place, subject in enumerate(self._session.subjects)
             ]
         )
 
-    def _ask_colour(self, key: str) -> None:
-        subject = self._desk.subject(key)
+    def choose_colour(self, key: str) -> None:
+        subject = self._session.subject(key)
         if subject is None:
             return
         dialog = QColorDialog(colour_of(subject.colour), self._window)
@@ -257,20 +260,20 @@ class LegendControl(QObject):
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def _for_front(self, act) -> None:
-        front = self._desk.front
+    def _for_front(self, act: Callable[[str], object]) -> None:
+        front = self._session.front
         if front is not None:
             act(front.key)
 
     def _move(self, by: int) -> None:
-        keys = [s.key for s in self._desk.subjects]
-        self._for_front(lambda key: self._desk.move(key, keys.index(key) + by))
+        keys = [s.key for s in self._session.subjects]
+        self._for_front(lambda key: self._session.move(key, keys.index(key) + by))
 
     def _step(self, by: int) -> None:
-        keys = [s.key for s in self._desk.subjects]
-        self._for_front(lambda key: self._desk.set_front(keys[(keys.index(key) + by) % len(keys)]))
+        keys = [s.key for s in self._session.subjects]
+        self._for_front(lambda key: self._session.set_front(keys[(keys.index(key) + by) % len(keys)]))
 
     def _remove_others(self) -> None:
-        front = self._desk.front
+        front = self._session.front
         if front is not None:
-            self._desk.set_subjects((front,))
+            self._session.set_subjects((front,))

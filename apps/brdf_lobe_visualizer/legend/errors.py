@@ -1,4 +1,4 @@
-"""How far every subject is from the one that was chosen as reference: worked out on a thread, told when it is there."""
+"""Errors of every subject against the reference, computed on a thread."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -35,16 +35,19 @@ class LegendErrors(QObject):
 
     changed = Signal()
 
-    def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
+    def __init__(self, session: LobeSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._desk = desk
+        self._session = session
         self._tasks = TaskRunner(self, threads=1)
         self._found: dict[str, ShownError] = {}
         self._working: set[str] = set()
         self._of: dict[str, tuple[Reflectance, Reflectance]] = {}
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
-        desk.subjects_changed.connect(self._touch)
-        desk.visibility_changed.connect(self._touch)
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self._look)
+        session.subjects_changed.connect(self._touch)
+        session.visibility_changed.connect(self._touch)
 
     @property
     def is_complete(self) -> bool:
@@ -57,7 +60,7 @@ class LegendErrors(QObject):
 
     def is_stale(self, key: str) -> bool:
         """Whether the error is of the subject or the reference as they were before."""
-        subject, reference = self._desk.subject(key), self._desk.compared
+        subject, reference = self._session.subject(key), self._session.reference
         if subject is None or reference is None or key not in self._found:
             return False
         return self._pause.isActive() or self._tasks.busy
@@ -73,13 +76,13 @@ class LegendErrors(QObject):
             self._pause.start()
 
     def _look(self) -> None:
-        reference = self._desk.compared
+        reference = self._session.reference
         wanted = (
             {}
             if reference is None
             else {
                 s.key: (reference.reflectance, s.reflectance)
-                for s in self._desk.subjects
+                for s in self._session.subjects
                 if s.key != reference.key
             }
         )
@@ -107,7 +110,7 @@ class LegendErrors(QObject):
             self.changed.emit()
 
         def failed(_error: Exception) -> None:
-            # The message of the subject itself tells what is wrong with it; a figure would add nothing.
+            # The subject's own message reports the error already.
             self._working.discard(key)
             self._found.pop(key, None)
             self.changed.emit()

@@ -29,12 +29,12 @@ from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
-_OF_COLUMN = {SOLO: "solo_asked", REFERENCE: "reference_asked"}
+_OF_COLUMN = {SOLO: "solo_requested", REFERENCE: "reference_requested"}
 
 
 @dataclass(frozen=True)
 class LegendRow:
-    """What a row shows. ``error`` is a short text; ``tip`` tells all that is known of the subject."""
+    """What a row shows. ``error`` is a short text; ``tip`` lists all that is known of the subject."""
 
     key: str
     title: str
@@ -51,7 +51,7 @@ class LegendRow:
         """What a screen reader says of it."""
         words = [self.title, tr("shown") if self.shown else tr("hidden")]
         if self.solo:
-            words.append(tr("alone"))
+            words.append(tr("solo"))
         if self.reference:
             words.append(tr("reference"))
         if self.error:
@@ -114,7 +114,7 @@ class _Rows(QTreeWidget):
             super().keyPressEvent(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Tell which row was dropped where; the rows themselves follow the desk."""
+        """Emit which row was dropped where; the rows themselves follow the session."""
         row = self.currentItem()
         under = self.itemAt(event.position().toPoint())
         place = self.topLevelItemCount() if under is None else self.indexOfTopLevelItem(under)
@@ -130,24 +130,25 @@ class _Rows(QTreeWidget):
 class Legend(QWidget):
     """All subjects. Signals carry the key of the subject that they are about.
 
-    ``front_asked``, ``shown_asked(key, bool)``, ``solo_asked(key, bool)``, ``reference_asked(key, bool)``,
-    ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``, ``dash_asked(key)``, ``menu_asked(QPoint)``,
-    ``colour_asked(key)``; without one ``open_asked``, ``list_asked``, ``all_asked``.
+    ``front_requested``, ``shown_requested(key, bool)``, ``solo_requested(key, bool)``,
+    ``reference_requested(key, bool)``, ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``,
+    ``dash_requested(key)``, ``colour_requested(key)``; without a key ``menu_requested(QPoint)``, ``open_requested``,
+    ``list_requested``, ``all_requested``.
     """
 
-    front_asked = Signal(str)
-    shown_asked = Signal(str, bool)
-    solo_asked = Signal(str, bool)
-    reference_asked = Signal(str, bool)
+    front_requested = Signal(str)
+    shown_requested = Signal(str, bool)
+    solo_requested = Signal(str, bool)
+    reference_requested = Signal(str, bool)
     renamed = Signal(str, str)
     removed = Signal(str)
     moved = Signal(str, int)
-    colour_asked = Signal(str)
-    dash_asked = Signal(str)
-    menu_asked = Signal(QPoint)
-    open_asked = Signal()
-    list_asked = Signal()
-    all_asked = Signal()
+    colour_requested = Signal(str)
+    dash_requested = Signal(str)
+    menu_requested = Signal(QPoint)
+    open_requested = Signal()
+    list_requested = Signal()
+    all_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -181,6 +182,8 @@ class Legend(QWidget):
             old = self._shown if len(self._shown) == len(rows) else (None,) * len(rows)
             for place, (row, before) in enumerate(zip(rows, old, strict=True)):
                 item = self.rows.topLevelItem(place)
+                if item is None:
+                    continue
                 if row != before:
                     _fill(item, row, before, self.devicePixelRatioF())
                 if row.key == front and self.rows.currentItem() is not item:
@@ -194,30 +197,29 @@ class Legend(QWidget):
     def edit_title(self, key: str) -> None:
         """Let the user type another title for a row."""
         for place, row in enumerate(self._shown):
-            if row.key == key:
+            item = self.rows.topLevelItem(place)
+            if row.key == key and item is not None:
                 self.rows.setFocus()
-                self.rows.editItem(self.rows.topLevelItem(place), TITLE)
+                self.rows.editItem(item, TITLE)
 
     def sizeHint(self) -> QSize:
         return QSize(252, 240)
 
     def _build_rows(self) -> None:
         rows = self.rows
-        rows.setAccessibleName(tr("Legend of the reflectances"))
+        rows.setAccessibleName(tr("Legend of reflectances"))
         rows.setToolTip(
             tr(
-                "Space shows or hides, S alone, R takes as reference, C colour, D dash, F2 renames, Delete removes, "
-                "Alt+Up and Alt+Down move"
+                "Space: show or hide. S: solo. R: set as reference. C: colour. D: dash. "
+                "F2: rename. Delete: remove. Alt+Up, Alt+Down: move."
             )
         )
         rows.setHeaderLabels([tr("Reflectance"), tr("Solo"), tr("Ref."), tr("Error")])
         tips = (
-            tr("Tick to show; the line is how plots draw it"),
-            tr("Tick to show it alone, with the others that are ticked so"),
-            tr("Tick to take differences and errors against it"),
-            tr(
-                "Root mean square of the differences over that of the reference, away from the mirror direction"
-            ),
+            tr("Visibility, and line style in the plots"),
+            tr("Solo: show only the reflectances ticked here"),
+            tr("Reference for differences and errors"),
+            tr("RMS difference relative to the reference, away from the mirror direction"),
         )
         for column, tip in enumerate(tips):
             rows.headerItem().setToolTip(column, plain_tip(tip))
@@ -234,7 +236,7 @@ class Legend(QWidget):
         rows.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         rows.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         rows.customContextMenuRequested.connect(
-            lambda at: self.menu_asked.emit(rows.viewport().mapToGlobal(at))
+            lambda at: self.menu_requested.emit(rows.viewport().mapToGlobal(at))
         )
         rows.currentItemChanged.connect(self._selected)
         rows.itemChanged.connect(self._changed)
@@ -252,9 +254,9 @@ class Legend(QWidget):
         head.addWidget(title)
         head.addStretch(1)
         for name, text, signal in (
-            ("folder-open", tr("Open a file"), self.open_asked),
-            ("list-plus", tr("Choose from the list of reflectances"), self.list_asked),
-            ("eye", tr("Show all"), self.all_asked),
+            ("folder-open", tr("Open a file"), self.open_requested),
+            ("list-plus", tr("Add from the library of reflectances"), self.list_requested),
+            ("eye", tr("Show all"), self.all_requested),
         ):
             button = QToolButton()
             button.setIcon(icon(name))
@@ -268,14 +270,14 @@ class Legend(QWidget):
     def _empty(self) -> QWidget:
         page = QWidget()
         box = QVBoxLayout(page)
-        text = PlainLabel(tr("Nothing is shown. Drop files here, or"))
+        text = PlainLabel(tr("No reflectances. Drop files here, or"))
         text.setWordWrap(True)
         text.setAlignment(Qt.AlignmentFlag.AlignCenter)
         box.addStretch(1)
         box.addWidget(text)
         for title, signal in (
-            (tr("Open a File…"), self.open_asked),
-            (tr("Choose from the List"), self.list_asked),
+            (tr("Open a File…"), self.open_requested),
+            (tr("Add from Library…"), self.list_requested),
         ):
             button = QPushButton(title)
             button.clicked.connect(signal)
@@ -287,7 +289,7 @@ class Legend(QWidget):
 
     def _selected(self, item: QTreeWidgetItem | None) -> None:
         if item is not None and not self._filling:
-            self.front_asked.emit(item.data(0, _KEY))
+            self.front_requested.emit(item.data(0, _KEY))
 
     def _changed(self, item: QTreeWidgetItem, column: int) -> None:
         if self._filling:
@@ -300,7 +302,7 @@ class Legend(QWidget):
         if column in _OF_COLUMN:
             getattr(self, _OF_COLUMN[column]).emit(key, checked)
         elif checked != row.shown:
-            self.shown_asked.emit(key, checked)
+            self.shown_requested.emit(key, checked)
         elif item.text(TITLE) != row.title:
             self._shown = ()  # the row shows what was typed, also where it is refused
             self.renamed.emit(key, item.text(TITLE))
@@ -311,16 +313,18 @@ class Legend(QWidget):
 
     def _key(self, what: str) -> None:
         item = self.rows.currentItem()
-        row = None if item is None else self._row(item.data(0, _KEY))
+        if item is None:
+            return
+        row = self._row(item.data(0, _KEY))
         if row is None:
             return
         place = self.rows.indexOfTopLevelItem(item)
         acts = {
-            "shown": lambda: self.shown_asked.emit(row.key, not row.shown),
-            "solo": lambda: self.solo_asked.emit(row.key, not row.solo),
-            "reference": lambda: self.reference_asked.emit(row.key, not row.reference),
-            "colour": lambda: self.colour_asked.emit(row.key),
-            "dash": lambda: self.dash_asked.emit(row.key),
+            "shown": lambda: self.shown_requested.emit(row.key, not row.shown),
+            "solo": lambda: self.solo_requested.emit(row.key, not row.solo),
+            "reference": lambda: self.reference_requested.emit(row.key, not row.reference),
+            "colour": lambda: self.colour_requested.emit(row.key),
+            "dash": lambda: self.dash_requested.emit(row.key),
             "rename": lambda: self.rows.editItem(item, TITLE),
             "remove": lambda: self.removed.emit(row.key),
             "up": lambda: self.moved.emit(row.key, place - 1),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -13,21 +14,26 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.legend.line import line_icon
 from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
 from brdf_lobe_visualizer.numbers.work import FiguresWork
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
 
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
+    from brdf_suite.inspection.figures.text import Group
+
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
-_GROUPS = {
+_GROUPS: dict[Group, str] = {
     "overview": mark("Overview"),
     "albedo": mark("Albedo"),
     "colours": mark("Colours"),
@@ -37,7 +43,7 @@ _ANGLES = {
     "e2194": mark("three angles, ASTM E2194"),
     "five": mark("five angles"),
     "six": mark("six angles"),
-    "e2539": mark("two lights, ASTM E2539"),
+    "e2539": mark("two illumination angles, ASTM E2539"),
 }
 
 AskPath = Callable[[Path], Path | None]
@@ -45,14 +51,14 @@ AskPath = Callable[[Path], Path | None]
 
 
 class NumbersPanel(QWidget):
-    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_asked()``,
-    ``export_asked()``, ``seen(bool)``.
+    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_requested()``,
+    ``export_requested()``, ``seen(bool)``.
     """
 
     group_chosen = Signal(str)
     angles_chosen = Signal(str)
-    copy_asked = Signal()
-    export_asked = Signal()
+    copy_requested = Signal()
+    export_requested = Signal()
     seen = Signal(bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -62,31 +68,31 @@ class NumbersPanel(QWidget):
         self.note = PlainLabel()
         self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
         self.angles = QuietComboBox()
-        self.angles.setAccessibleName(tr("Angles of the colours"))
-        self.angles.setToolTip(tr("At which geometries the colours are read, D65 and 10°"))
+        self.angles.setAccessibleName(tr("Colour geometries"))
+        self.angles.setToolTip(tr("Geometries of the L*a*b* values (D65, 10° observer)"))
         for key, title in _ANGLES.items():
             self.angles.addItem(tr(title), key)
         self.angles.activated.connect(lambda place: self.angles_chosen.emit(self.angles.itemData(place)))
         head = QHBoxLayout()
         head.setSpacing(8)
         for key, button in self.buttons.items():
-            button.setAccessibleName(tr("Show the figures {name}").format(name=button.text()))
+            button.setAccessibleName(tr("Show {name}").format(name=button.text()))
             button.clicked.connect(lambda _=False, key=key: self.group_chosen.emit(key))
             head.addWidget(button)
         head.addWidget(self.angles)
         head.addWidget(self.note)
         head.addStretch(1)
         for name, text, signal in (
-            ("copy", tr("Copy the table"), self.copy_asked),
-            ("export", tr("Export all figures as CSV"), self.export_asked),
+            ("copy", tr("Copy the table"), self.copy_requested),
+            ("export", tr("Export all figures as CSV"), self.export_requested),
         ):
-            button = QToolButton()
-            button.setIcon(icon(name))
-            button.setAutoRaise(True)
-            button.setToolTip(plain_tip(text))
-            button.setAccessibleName(text)
-            button.clicked.connect(signal)
-            head.addWidget(button)
+            tool = QToolButton()
+            tool.setIcon(icon(name))
+            tool.setAutoRaise(True)
+            tool.setToolTip(plain_tip(text))
+            tool.setAccessibleName(text)
+            tool.clicked.connect(signal)
+            head.addWidget(tool)
         box = QVBoxLayout(self)
         box.setContentsMargins(8, 4, 8, 8)
         box.setSpacing(4)
@@ -109,36 +115,36 @@ class NumbersPanel(QWidget):
         self.seen.emit(False)
 
 
-class Numbers(QObject):
+class Numbers(LobeFeature):
     """A part of the window: the panel Numbers at the bottom, and the plot Albedo in the row of plots."""
 
-    def __init__(self, desk: Desk, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._ask_path = ask_path or _asks(window)
         # Nothing is worked out or imported before the window is painted, also where the panel was left open.
         self._ready = self._closed = False
-        self.work = FiguresWork(desk, window)
+        self.work = FiguresWork(session, window)
         self.panel, self.plot = NumbersPanel(), AlbedoPlot()
         self.dock = window.add_dock(
             "numbers", mark("Numbers"), self.panel, Qt.DockWidgetArea.BottomDockWidgetArea
         )
         window.add_plot("albedo", tr("Albedo"), self.plot)
         group = str(settings().value(_GROUP_KEY, "overview"))
-        self._group = group if group in _GROUPS else "overview"
+        self._group: Group = _known_group(group) or "overview"
         angles = str(settings().value(_ANGLES_KEY, DEFAULT_SET))
         self.work.set_angles(angles if angles in _ANGLES else DEFAULT_SET)
         self.panel.show_choices(self._group, self.work.angles.name)
         self.panel.group_chosen.connect(self.choose_group)
         self.panel.angles_chosen.connect(self.choose_angles)
-        self.panel.copy_asked.connect(self.copy)
-        self.panel.export_asked.connect(self.export)
+        self.panel.copy_requested.connect(self.copy)
+        self.panel.export_requested.connect(self.export)
         self.panel.seen.connect(lambda _seen: self._look())
         self.plot.seen.connect(lambda _seen: self._look())
         self.work.changed.connect(self._show)
-        desk.subjects_changed.connect(self._show_lines)
-        desk.front_changed.connect(self._show_lines)
-        desk.visibility_changed.connect(self._show)
+        session.subjects_changed.connect(self._show_lines)
+        session.front_changed.connect(self._show_lines)
+        session.visibility_changed.connect(self._show)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
         self.action = window.add_command(
             "view",
@@ -154,7 +160,7 @@ class Numbers(QObject):
             "Ctrl+Shift+N",
             self.copy,
             icon="copy",
-            tip=mark("Copy the table shown"),
+            tip=mark("Copy the visible table"),
         )
         window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
 
@@ -170,15 +176,16 @@ class Numbers(QObject):
 
     def set_from_script(self, key: str, value: str) -> bool:
         """Take ``figures=GROUP`` and ``angles=SET`` from the command line."""
-        if key == "figures" and value in _GROUPS:
-            self.choose_group(value)
+        group = _known_group(value)
+        if key == "figures" and group is not None:
+            self.choose_group(group)
         elif key == "angles" and value in GEOMETRY_SETS:
             self.choose_angles(value)
         else:
             return False
         return True
 
-    def choose_group(self, group: str) -> None:
+    def choose_group(self, group: Group) -> None:
         """Show the figures of a group, and remember it."""
         self._group = group
         settings().setValue(_GROUP_KEY, group)
@@ -210,7 +217,7 @@ class Numbers(QObject):
                 Message(
                     "figures",
                     tr("There are no figures to export yet."),
-                    todo=tr("Show the panel Numbers (Ctrl+N) and wait for them."),
+                    todo=tr("Open the panel Numbers (Ctrl+N) and wait until they are computed."),
                 )
             )
             return
@@ -223,7 +230,7 @@ class Numbers(QObject):
         except SuiteError as error:
             self._window.show_message(message_of(error, "figures"))
         else:
-            text = tr("The figures of {count} reflectances are in {path}.").format(
+            text = tr("Figures of {count} reflectances exported to {path}.").format(
                 count=len(named), path=path
             )
             self._window.show_message(Message("figures", text))
@@ -238,11 +245,11 @@ class Numbers(QObject):
     def _look(self) -> None:
         if self._closed or not self._ready:
             return
-        self.work.set_wanted(self.panel.isVisible() or self.plot.isVisible())
+        self.work.set_needed(self.panel.isVisible() or self.plot.isVisible())
         self._show()
 
-    def _named(self) -> list[tuple[str, object]]:
-        found = [(s.title, self.work.figures(s.key)) for s in self._desk.visible]
+    def _named(self) -> list[tuple[str, ReflectanceFigures]]:
+        found = [(s.title, self.work.figures(s.key)) for s in self._session.visible]
         return [(title, figures) for title, figures in found if figures is not None]
 
     def _show(self) -> None:
@@ -253,30 +260,30 @@ class Numbers(QObject):
             return
         from brdf_suite.inspection.figures.text import figure_rows
 
-        shown = [s for s in self._desk.visible if self.work.figures(s.key) is not None]
+        shown = [s for s in self._session.visible if self.work.figures(s.key) is not None]
         rows = [row for row in figure_rows(self._named()) if row.group == self._group]
         ratio = self.panel.devicePixelRatioF()
         columns = [
             Column(s.title, line_icon(s.colour, s.dash, ratio), self.work.is_stale(s.key)) for s in shown
         ]
         self.panel.table.figures.show(columns, rows)
-        self.panel.note.setText(self._told())
+        self.panel.note.setText(self._note())
 
-    def _told(self) -> str:
-        visible = self._desk.visible
+    def _note(self) -> str:
+        visible = self._session.visible
         if not visible:
-            return tr("Nothing is shown.")
+            return tr("No reflectance shown.")
         if not self.work.is_complete:
             fresh = sum(not self.work.is_stale(s.key) for s in visible)
-            return tr("{fresh} of {count} worked out").format(fresh=fresh, count=len(visible))
-        if self._group == "errors" and self._desk.compared is None:
-            return tr("Take a reference in the legend (R) to have differences.")
+            return tr("{fresh} of {count} computed").format(fresh=fresh, count=len(visible))
+        if self._group == "errors" and self._session.reference is None:
+            return tr("Set a reference in the legend (R) to see differences.")
         return ""
 
     def _show_lines(self) -> None:
-        front = self._desk.front
+        front = self._session.front
         lines = []
-        for subject in self._desk.visible:
+        for subject in self._session.visible:
             figures = self.work.figures(subject.key)
             if figures is not None:
                 curve = figures.curve
@@ -289,3 +296,7 @@ class Numbers(QObject):
 
 def _asks(window: LobeWindow) -> AskPath:
     return lambda suggested: QtDialogs(window).save_path(suggested, tr("Comma-separated values (*.csv)"))
+
+
+def _known_group(text: str) -> Group | None:
+    return next((group for group in _GROUPS if group == text), None)

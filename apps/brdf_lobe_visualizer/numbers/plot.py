@@ -12,7 +12,7 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.cuts.pens import colour_of, dashed, grey_pen
+from brdf_lobe_visualizer.cuts.pens import colour_of, dashed_pen, grey_pen
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_suite.geometry.directions import Floats
 
@@ -44,7 +44,7 @@ class AlbedoPlot(QWidget):
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._box.addWidget(self.empty, 1)
         self.plot: Any = None
-        self._curves: list[Any] = []
+        self.curves: list[Any] = []
         self._lines: Sequence[AlbedoLine] = ()
 
     @property
@@ -89,7 +89,7 @@ class AlbedoPlot(QWidget):
         self.plot.getAxis("left").enableAutoSIPrefix(False)
         self.plot.setMouseEnabled(x=False, y=False)
         self._whole = pg.InfiniteLine(pos=1.0, angle=0, movable=False)
-        self._whole.setToolTip(tr("All of the light"))
+        self._whole.setToolTip(tr("Total reflection"))
         self.plot.addItem(self._whole, ignoreBounds=True)
         self._box.insertWidget(0, self.plot, 1)
         self._dress()
@@ -110,15 +110,15 @@ class AlbedoPlot(QWidget):
             self._build()
         self.plot.setVisible(bool(self._lines))
         base = self.palette().color(QPalette.ColorRole.Base)
-        while len(self._curves) < len(self._lines):
-            self._curves.append(self.plot.plot(antialias=True))
-        for curve, line in zip(self._curves, self._lines, strict=False):
+        while len(self.curves) < len(self._lines):
+            self.curves.append(self.plot.plot(antialias=True))
+        for curve, line in zip(self.curves, self._lines, strict=False):
             colour = colour_of(line.subject.colour, base)
             colour.setAlphaF(0.5 if line.stale else 1.0)
-            curve.setPen(dashed(colour, 2.4 if line.front else 1.6, line.subject.dash))
+            curve.setPen(dashed_pen(colour, 2.4 if line.front else 1.6, line.subject.dash))
             curve.setData(line.incidence_deg, line.albedo)
             curve.setVisible(True)
-        for curve in self._curves[len(self._lines) :]:
+        for curve in self.curves[len(self._lines) :]:
             curve.setVisible(False)
         top = max((float(line.albedo.max()) for line in self._lines), default=1.0)
         self.plot.setXRange(0.0, 90.0, padding=0.0)

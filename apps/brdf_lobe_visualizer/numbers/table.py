@@ -82,7 +82,7 @@ class FiguresModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.DecorationRole:
             return column.line
         if role == Qt.ItemDataRole.ToolTipRole:
-            stale = tr("{title}: figures of what it was before").format(title=column.title)
+            stale = tr("{title}: outdated, being recomputed").format(title=column.title)
             return plain_tip(stale if column.stale else column.title)
         return None
 

@@ -10,14 +10,16 @@ from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
+    from brdf_suite.fitting.lobes.weights import LobeWeights
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _PAUSE_MS = 200
@@ -25,17 +27,17 @@ _PAUSE_MS = 200
 
 
 @dataclass(frozen=True, eq=False)
-class _Wanted:
+class _Inputs:
     """What figures depend on, compared by identity where it is large."""
 
-    reflectance: object
-    weights: object
-    reference: object
+    reflectance: Reflectance
+    weights: LobeWeights | None
+    reference: Reflectance | None
     azimuth_deg: float
     isotropic: bool
     angles: GeometrySet
 
-    def is_same(self, other: _Wanted | None) -> bool:
+    def is_same(self, other: _Inputs | None) -> bool:
         return (
             other is not None
             and self.reflectance is other.reflectance
@@ -46,37 +48,40 @@ class _Wanted:
 
 
 class FiguresWork(QObject):
-    """Keeps figures in step with the desk while :attr:`wanted` says that somebody looks at them.
+    """Keeps figures in step with the session while they are needed (:meth:`set_needed`).
 
     Signals: ``changed()`` when figures are there, have gone, or are stale.
     """
 
     changed = Signal()
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=1)
         self._progress = LateProgress(window.progress, self)
         self.angles = GEOMETRY_SETS[DEFAULT_SET]
-        self._wanted = False
-        self._of: dict[str, _Wanted] = {}
-        self._found: dict[str, tuple[_Wanted, ReflectanceFigures]] = {}
-        self._pause = QTimer(self, singleShot=True, interval=_PAUSE_MS, timeout=self._look)
-        for signal in (desk.subjects_changed, desk.visibility_changed, desk.options_changed):
+        self._needed = False
+        self._of: dict[str, _Inputs] = {}
+        self._found: dict[str, tuple[_Inputs, ReflectanceFigures]] = {}
+        self._pause = QTimer(self)
+        self._pause.setSingleShot(True)
+        self._pause.setInterval(_PAUSE_MS)
+        self._pause.timeout.connect(self._look)
+        for signal in (session.subjects_changed, session.visibility_changed, session.options_changed):
             signal.connect(self._touch)
-        desk.incidence_changed.connect(lambda _theta, _phi: self._touch())
+        session.incidence_changed.connect(lambda _theta, _phi: self._touch())
 
     @property
     def is_complete(self) -> bool:
         """Whether all figures that are looked at are there."""
-        return not self._wanted or not (self._pause.isActive() or self._tasks.busy)
+        return not self._needed or not (self._pause.isActive() or self._tasks.busy)
 
-    def set_wanted(self, wanted: bool) -> None:
-        """Say whether somebody looks at the figures; only then are any worked out."""
-        if wanted != self._wanted:
-            self._wanted = wanted
-            if wanted:
+    def set_needed(self, needed: bool) -> None:
+        """Set whether the figures are visible; only then are any computed."""
+        if needed != self._needed:
+            self._needed = needed
+            if needed:
                 self._look()
             else:
                 self._pause.stop()
@@ -99,7 +104,7 @@ class FiguresWork(QObject):
 
     def close(self) -> None:
         """End what runs."""
-        self._wanted = False
+        self._needed = False
         self._pause.stop()
         self._tasks.stop()
 
@@ -108,31 +113,31 @@ class FiguresWork(QObject):
         return found is not None and found[0].is_same(self._of.get(key))
 
     def _touch(self) -> None:
-        if self._wanted:
+        if self._needed:
             self._pause.start()
 
     def _look(self) -> None:
-        visible = self._desk.visible
+        visible = self._session.visible
         for key in set(self._of) - {s.key for s in visible}:
             self._cancel(key)
-        for key in set(self._found) - {s.key for s in self._desk.subjects}:
+        for key in set(self._found) - {s.key for s in self._session.subjects}:
             del self._found[key]
         for subject in visible:
-            wanted = self._wanted_of(subject)
+            wanted = self.inputs_of(subject)
             if not wanted.is_same(self._of.get(subject.key)):
                 self._of[subject.key] = wanted
                 if not self._is_fresh(subject.key):
                     self._submit(subject, wanted)
         self.changed.emit()
 
-    def _wanted_of(self, subject: PlottedMaterial) -> _Wanted:
-        reference = self._desk.compared
+    def inputs_of(self, subject: PlottedMaterial) -> _Inputs:
+        reference = self._session.reference
         other = None if reference is None or reference.key == subject.key else reference
         # Switching a lobe makes new weights; those of a whole fit are always the same object.
-        weights = self._desk.weights_of(subject)
+        weights = self._session.weights_of(subject)
         turned = not subject.isotropic or (other is not None and not other.isotropic)
-        azimuth = self._desk.incidence[1] if turned else 0.0
-        return _Wanted(
+        azimuth = self._session.incidence[1] if turned else 0.0
+        return _Inputs(
             subject.reflectance,
             weights,
             None if other is None else other.reflectance,
@@ -141,9 +146,9 @@ class FiguresWork(QObject):
             self.angles,
         )
 
-    def _submit(self, subject: PlottedMaterial, wanted: _Wanted) -> None:
+    def _submit(self, subject: PlottedMaterial, wanted: _Inputs) -> None:
         key, job = subject.key, f"figures {subject.key}"
-        text = tr("Working out the figures of {name}").format(name=subject.title)
+        text = tr("Computing statistics for {name}").format(name=subject.title)
         moved = self._progress.begin(job, text, lambda: self._cancel(key))
 
         def done(found: ReflectanceFigures) -> None:
@@ -154,7 +159,7 @@ class FiguresWork(QObject):
 
         def failed(error: Exception) -> None:
             self._progress.end(job)
-            self._window.show_message(message_of(error, job, todo=tr("It has no figures.")))
+            self._window.show_message(message_of(error, job, todo=tr("Its figures are not shown.")))
             self.changed.emit()
 
         self._tasks.submit(key, _figures, wanted, done, failed, moved)
@@ -165,7 +170,7 @@ class FiguresWork(QObject):
         self._of.pop(key, None)
 
 
-def _figures(wanted: _Wanted, progress: Progress) -> ReflectanceFigures:
+def _figures(wanted: _Inputs, progress: Progress) -> ReflectanceFigures:
     # Deferred: what measures is much to import, and the panel is not there at a first start.
     from brdf_suite.inspection.figures.figures import FiguresRequest, reflectance_figures
 

@@ -7,8 +7,8 @@ from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
@@ -24,14 +24,14 @@ class Fits(QObject):
     flickers.
     """
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         # One thread: HiGHS takes a core, and a fit of samples takes a second or two.
         self.tasks = TaskRunner(self, threads=1)
         self._progress = LateProgress(window.progress, self)
         self._of: dict[str, Reflectance] = {}
-        desk.subjects_changed.connect(self._look)
+        session.subjects_changed.connect(self._look)
         self._look()
 
     @property
@@ -43,12 +43,12 @@ class Fits(QObject):
         """End what is being fitted."""
         self.tasks.stop()
 
-    def taken(self, key: str, reflectance: Reflectance) -> None:
-        """Say that the subject's fit is brought by somebody else, as with a paint that is followed."""
+    def skip(self, key: str, reflectance: Reflectance) -> None:
+        """Fit nothing for this reflectance of a subject: the caller supplies the fit, as for a followed paint."""
         self._of[key] = reflectance
 
     def _look(self) -> None:
-        subjects = self._desk.subjects
+        subjects = self._session.subjects
         for key in set(self._of) - {s.key for s in subjects}:
             del self._of[key]
             self._cancel(key)
@@ -71,13 +71,13 @@ class Fits(QObject):
         def done(fit: LobeFit) -> None:
             self._progress.end(job)
             self._window.dismiss_message(job)
-            now = self._desk.subject(key)
+            now = self._session.subject(key)
             if now is not None and now.reflectance is reflectance:
-                self._desk.change(key, fit=fit)
+                self._session.change(key, fit=fit)
 
         def failed(error: Exception) -> None:
             self._progress.end(job)
-            todo = tr("It is shown without a fit.")
+            todo = tr("The reflectance is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 
         self.tasks.submit(key, _fitted, subject.material, done, failed, moved)

@@ -11,7 +11,7 @@ from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.fits import Fits
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
@@ -23,20 +23,20 @@ from brdf_suite.progress import Progress
 
 KEY = "designer"
 """The key of the subject that is Designer's paint."""
-_TOLD = "designer's paint"
+_MESSAGE = "designer's paint"
 
 
 class FollowedPaint(QObject):
     """Shows what Designer publishes, the newest only; fitted on a thread within the time limit, then exactly.
 
-    Signals: ``arrived()`` when a paint of Designer's has been put on the desk.
+    Signals: ``arrived()`` when a paint of Designer's has been put in the session.
     """
 
     arrived = Signal()
 
-    def __init__(self, desk: Desk, window: LobeWindow, sources: Sources, fits: Fits) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow, sources: Sources, fits: Fits) -> None:
         super().__init__(window)
-        self._desk, self._window, self._sources, self._fits = desk, window, sources, fits
+        self._session, self._window, self._sources, self._fits = session, window, sources, fits
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
         self._newest: Paint | None = None
@@ -50,17 +50,17 @@ class FollowedPaint(QObject):
             mark("&Follow Designer"),
             "Ctrl+D",
             self._followed,
-            tip=mark("Show the paint that is edited in Designer, and follow every change"),
+            tip=mark("Show the paint being edited in Designer and follow every change"),
             checked=True,
         )
-        desk.subjects_changed.connect(self._look)
+        session.subjects_changed.connect(self._look)
 
     @property
     def is_complete(self) -> bool:
         """Whether the newest paint is shown."""
         return not self._tasks.busy
 
-    def received(self, topic: str, value: dict[str, Any]) -> None:
+    def receive(self, topic: str, value: dict[str, Any]) -> None:
         """Take what a program has published; only paints are of interest. ``value`` has passed the link's check."""
         if topic == "paint":
             self._newest = paint_from_json(value, "Designer")
@@ -68,11 +68,12 @@ class FollowedPaint(QObject):
                 self._fit(self._newest)
 
     def close(self) -> None:
-        """End what is being fitted."""
+        """End what is being fitted, and forget the paints that were received."""
         self._tasks.stop()
         self._exact.forget()
         if self._fitter is not None:
             self._fitter.close()
+        self._fitter = self._newest = self._next = None
 
     def _fit(self, paint: Paint) -> None:
         # One that is in work is brought to its end: were each dropped for the next, a drag would show none of them.
@@ -84,7 +85,7 @@ class FollowedPaint(QObject):
         self._tasks.submit(KEY, _fitted, (self._fitter, paint), self._fresh, self._refused)
 
     def _fresh(self, fit: LobeFit) -> None:
-        self._window.dismiss_message(_TOLD)
+        self._window.dismiss_message(_MESSAGE)
         self._exact.watch(fit)
         self._show(fit)
         self._go_on()
@@ -97,7 +98,7 @@ class FollowedPaint(QObject):
     def _show(self, fit: LobeFit) -> None:
         if not self.action.isChecked():
             return
-        before = self._desk.subject(KEY)
+        before = self._session.subject(KEY)
         shown = PlottedMaterial(
             KEY,
             tr("Designer: {name}").format(name=fit.name),
@@ -107,18 +108,18 @@ class FollowedPaint(QObject):
         )
         if before is None:
             colour, dash = self._sources.next_line()
-            self._fits.taken(KEY, shown.reflectance)
-            self._desk.add(replace(shown, colour=colour, dash=dash))
-            self._desk.set_front(KEY)
+            self._fits.skip(KEY, shown.reflectance)
+            self._session.add(replace(shown, colour=colour, dash=dash))
+            self._session.set_front(KEY)
         else:
-            self._fits.taken(KEY, shown.reflectance)
-            self._desk.add(replace(shown, colour=before.colour, dash=before.dash))
+            self._fits.skip(KEY, shown.reflectance)
+            self._session.add(replace(shown, colour=before.colour, dash=before.dash))
         self._shown = True
         self.arrived.emit()
 
     def _refused(self, error: Exception) -> None:
-        todo = tr("The paint before is still shown.")
-        self._window.show_message(message_of(error, _TOLD, todo=todo))
+        todo = tr("The previous paint is still shown.")
+        self._window.show_message(message_of(error, _MESSAGE, todo=todo))
         self._go_on()
 
     def _followed(self, follow: bool) -> None:
@@ -131,7 +132,7 @@ class FollowedPaint(QObject):
 
     def _look(self) -> None:
         # Taken out of the legend it is followed no more, or the next edit would bring it back.
-        there = self._desk.subject(KEY) is not None
+        there = self._session.subject(KEY) is not None
         if self._shown and not there:
             self.action.setChecked(False)
         self._shown = there

@@ -11,8 +11,8 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, 
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.cuts.crosshair import number
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SpaceOptions, SpaceState
 from brdf_lobe_visualizer.view3d.words import PART_TITLES, lobe_weight
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
@@ -21,25 +21,25 @@ _SHOWN = {
     "target": mark("Target"),
     "fit": mark("Fit"),
     "both": mark("Fit over target"),
-    "side by side": mark("Target beside fit"),
+    "side by side": mark("Side by side"),
     "difference": mark("Difference"),
 }
-_STYLES = {"lines": mark("As lines"), "glass": mark("Like glass"), "solid": mark("Solid")}
+_STYLES = {"lines": mark("Lines"), "glass": mark("Transparent"), "solid": mark("Solid")}
 _VIEWS = {
-    "sum": mark("Their sum"),
-    "parts": mark("The three parts"),
+    "sum": mark("Sum"),
+    "parts": mark("Three parts"),
     "stacked": mark("Stacked"),
-    "apart": mark("Each lobe alone"),
+    "apart": mark("Separate lobes"),
 }
 
 
 class PartsSection(QWidget):
     """Sets what is shown of target and fit, and which lobes are on."""
 
-    def __init__(self, desk: Desk, state: SpaceState, parent: QWidget | None = None) -> None:
+    def __init__(self, session: LobeSession, state: SpaceState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("parts_section")
-        self._desk, self._state = desk, state
+        self._session, self._state = session, state
         self._listed: tuple[FitLobe, ...] | None = None
         shared, plain = Options(), SpaceOptions()
         box = QVBoxLayout(self)
@@ -48,20 +48,21 @@ class PartsSection(QWidget):
         form = Form()
         box.addWidget(form)
         self.shown = ChoiceField(_SHOWN, shared.shown)
-        self.shown.chosen.connect(lambda key: desk.set_options(shown=key))
+        self.shown.chosen.connect(lambda key: session.set_options(shown=key))
         form.add_row(
             tr("Show"),
             self.shown,
             tr(
-                "Of each reflectance, in all views. A difference is against the reference of the legend, or of the fit."
+                "What all views show of each reflectance. Differences are against the legend's reference, "
+                "or else between fit and target."
             ),
         )
         self.style_ = ChoiceField(_STYLES, plain.fit_style)
         self.style_.chosen.connect(lambda key: state.set(fit_style=key))
-        form.add_row(tr("Fit drawn"), self.style_, tr("Where it lies over its target."))
+        form.add_row(tr("Fit style"), self.style_, tr("Style of the fit where it overlays its target"))
         self.lobes = ChoiceField(_VIEWS, plain.lobes)
         self.lobes.chosen.connect(self._choose_lobes)
-        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown where the fit is."))
+        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown"))
         self.switches: dict[tuple[FitPart, int], QCheckBox] = {}
         self._list = QWidget()
         self._grid = QGridLayout(self._list)
@@ -73,22 +74,27 @@ class PartsSection(QWidget):
         self.none = PlainLabel(tr("The selected reflectance has no fit."))
         self.none.setWordWrap(True)
         box.addWidget(self.none)
-        self.reset = QPushButton(tr("Reset parts"))
-        self.reset.setToolTip(tr("All lobes on, the sum of them, and what a first start shows"))
+        self.reset = QPushButton(tr("Reset Parts"))
+        self.reset.setToolTip(tr("Switch all lobes on and restore the default display"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
-        for signal in (desk.options_changed, desk.subjects_changed, desk.front_changed, state.changed):
+        for signal in (
+            session.options_changed,
+            session.subjects_changed,
+            session.front_changed,
+            state.changed,
+        ):
             signal.connect(self.show_now)
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        shared, own = self._desk.options, self._state.options
+        shared, own = self._session.options, self._state.options
         self.shown.set_choice(shared.shown)
         self.style_.set_choice(own.fit_style)
         self.style_.setEnabled(shared.shown == "both")
         self.lobes.set_choice(own.lobes)
-        front = self._desk.front
+        front = self._session.front
         lobes = () if front is None or front.fit is None else fit_lobes(front.fit.weights)
         if lobes != self._listed:
             self._list_lobes(lobes)
@@ -99,7 +105,8 @@ class PartsSection(QWidget):
 
     def _list_lobes(self, lobes: tuple[FitLobe, ...]) -> None:
         while self._grid.count():
-            widget = self._grid.takeAt(0).widget()
+            taken = self._grid.takeAt(0)
+            widget = None if taken is None else taken.widget()
             if widget is not None:
                 widget.deleteLater()
         self.switches = {}
@@ -111,7 +118,7 @@ class PartsSection(QWidget):
                 continue
             whole = QPushButton(_swatch(part), tr(PART_TITLES[part]))
             whole.setFlat(True)
-            whole.setToolTip(tr("All of this part on or off"))
+            whole.setToolTip(tr("Switch all lobes of this part on or off"))
             whole.clicked.connect(lambda _on=False, rows=tuple(of_part): self._switch_part(rows))
             self._grid.addWidget(whole, row, 0, 1, 2, Qt.AlignmentFlag.AlignLeft)
             row += 1
@@ -123,29 +130,29 @@ class PartsSection(QWidget):
                 )
                 switch = self.switches[lobe.key] = QCheckBox(text)
                 switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
-                switch.clicked.connect(lambda on, key=lobe.key: self._desk.switch_lobe(*key, on))
+                switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(key[0], key[1], on))
                 weight = ElidedLabel(lobe_weight(lobe))
                 weight.setToolTip(
-                    plain_tip(f"{weight.text()}\n{tr('Weight: red, green, blue of linear Rec. 2020')}")
+                    plain_tip(f"{weight.text()}\n{tr('Weight (linear Rec. 2020 red, green, blue)')}")
                 )
                 self._grid.addWidget(switch, row, 0)
                 self._grid.addWidget(weight, row, 1)
                 row += 1
 
     def _switch_part(self, lobes: tuple[FitLobe, ...]) -> None:
-        off = self._desk.options.lobes_off
+        off = self._session.options.lobes_off
         keys = frozenset(lobe.key for lobe in lobes)
-        self._desk.set_options(lobes_off=off - keys if keys & off else off | keys)
+        self._session.set_options(lobes_off=off - keys if keys & off else off | keys)
 
     def _choose_lobes(self, key: str) -> None:
         self._state.set(lobes=key)
         # Lobes are of the fit: who wants to see them wants to see it.
-        if key != "sum" and self._desk.options.shown not in ("fit", "side by side"):
-            self._desk.set_options(shown="fit")
+        if key != "sum" and self._session.options.shown not in ("fit", "side by side"):
+            self._session.set_options(shown="fit")
 
     def _reset(self) -> None:
         self._state.reset("fit_style", "lobes")
-        self._desk.reset_options("shown", "lobes_off")
+        self._session.reset_options("shown", "lobes_off")
 
 
 def _swatch(part: FitPart) -> QIcon:

@@ -7,11 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
@@ -24,6 +27,9 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
@@ -59,8 +65,8 @@ def open_source(asked: str, progress: Progress | None = None) -> Opened:
     if is_file(asked) and asked not in paint_names() and file_kind(asked) == "palette":
         return _of_palette(asked, progress)
     material = load_material(asked)
-    report(progress, 0.7, "looking at the values")
-    return Opened((_described(material),), material.name)
+    report(progress, 0.7, "checking the values")
+    return Opened((_describe(material),), material.name)
 
 
 def _of_palette(path: str, progress: Progress | None) -> Opened:
@@ -69,20 +75,21 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
     entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if not entries:
         raise FileError(path, "is a palette without a paint")
-    subjects, refused = [], []
+    subjects: list[PlottedMaterial] = []
+    refused: list[str] = []
     for place, entry in enumerate(palette):
         if len(subjects) == MOST_AT_ONCE:
             break
         report(progress, 0.2 + 0.8 * place / min(len(palette), MOST_AT_ONCE), "building paints")
         try:
-            subjects.append(_described(material_of_entry(entry, entries[place][1])))
+            subjects.append(_describe(material_of_entry(entry, entries[place][1])))
         except SuiteError as error:
             refused.append(str(error))
     return Opened(tuple(subjects), palette.name, entries, tuple(refused), read.notes)
 
 
-def _described(material: Material) -> PlottedMaterial:
-    """Add what the reflectance itself tells: whether it is isotropic, where its samples and holes are, and notes."""
+def _describe(material: Material) -> PlottedMaterial:
+    """Add the properties of the reflectance: whether it is isotropic, where its samples and holes are, and notes."""
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
     from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
@@ -94,35 +101,31 @@ def _described(material: Material) -> PlottedMaterial:
     if isinstance(value, IsotropicTable):
         holes = value.holes_above_horizon()
         measured = MeasuredBins(value) if holes else None
-        return _noted(replace(subject, measured=measured, isotropic=True))
+        return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
         from brdf_suite.inspection.figures.figures import is_isotropic
 
         known = material.document is not None or is_isotropic(value)
-    return _noted(replace(subject, isotropic=known))
+    return _add_notes(replace(subject, isotropic=known))
 
 
-def _noted(subject: PlottedMaterial) -> PlottedMaterial:
+def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     """Say what makes a picture look empty or strange: nothing, one spike, no numbers."""
     values = _look(subject.reflectance)
     numbers = np.isfinite(values).all(axis=-1)
     notes = list(subject.notes)
     if not numbers.all():
-        notes.append(
-            f"{100.0 * np.mean(~numbers):.0f} % of the directions have no number; they are drawn as holes."
-        )
+        notes.append(f"{100.0 * np.mean(~numbers):.0f} % of the directions have no value (drawn as holes).")
     known = values[numbers]
     if known.size and not known.any():
-        notes.append("It reflects nothing in any direction that was looked at.")
+        notes.append("The reflectance is zero in every sampled direction.")
     elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
-        notes.append(
-            "It reflects into one narrow lobe and nowhere else; a view that misses the lobe is dark."
-        )
+        notes.append("All light is reflected into one narrow lobe; other views are dark.")
     return replace(subject, notes=tuple(notes))
 
 
-def _look(reflectance: Reflectance) -> np.ndarray:
+def _look(reflectance: Reflectance) -> Floats:
     """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
     from brdf_suite.geometry.directions import illumination, mirror, spherical
 
@@ -138,9 +141,9 @@ def _look(reflectance: Reflectance) -> np.ndarray:
 class MeasuredBins:
     """Which pairs of directions fall into bins of a table that were measured: ``(wi, wo) -> (...)`` bool."""
 
-    table: object
+    table: IsotropicTable
 
-    def __call__(self, wi: object, wo: object) -> np.ndarray:
+    def __call__(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> npt.NDArray[np.bool_]:
         table = self.table
         light, view = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
         shape = light.shape[:-1]
@@ -150,13 +153,13 @@ class MeasuredBins:
             # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
             from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
 
-            return (above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape)
+            return np.asarray((above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape))
         places = table.grid.index_of(flat_light, flat_view)
         h, d, p = (
             np.minimum(place.astype(np.intp), size - 1)
             for place, size in zip(places, table.grid.shape, strict=True)
         )
-        return (above & ~np.asarray(table.holes)[h, d, p]).reshape(shape)
+        return np.asarray((above & ~np.asarray(table.holes)[h, d, p]).reshape(shape))
 
 
 def names() -> dict[str, Sequence[tuple[str, str]]]:

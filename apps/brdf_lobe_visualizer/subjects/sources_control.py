@@ -13,8 +13,8 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.late_progress import LateProgress
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.sources import Opened, open_source
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
@@ -31,13 +31,13 @@ class Sources(QObject):
     Signals
     -------
     opened(asked, keys)
-        What was asked is on the desk, as subjects of these keys.
+        What was asked is in the session, as subjects of these keys.
     failed(asked)
         It could not be opened; the message is shown.
     recent_changed()
         The recent files are others.
     idle()
-        All that was asked for is on the desk, or has failed.
+        All that was asked for is in the session, or has failed.
     palette_opened(title, entries)
         A palette was read; ``entries`` are pairs of name and origin, each of which can be opened.
     """
@@ -48,9 +48,9 @@ class Sources(QObject):
     idle = Signal()
     palette_opened = Signal(str, object)
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         # Its own, so that a long fit keeps no file waiting; files are read at once, two at a time.
         self.tasks = TaskRunner(self)
         self._progress = LateProgress(window.progress, self)
@@ -85,7 +85,9 @@ class Sources(QObject):
 
         def failed(error: Exception) -> None:
             self._ended(job)
-            self._window.show_message(message_of(error, f"open {name}", todo=tr("What was shown stays.")))
+            self._window.show_message(
+                message_of(error, f"open {name}", todo=tr("The previous picture stays."))
+            )
             self.failed.emit(name)
             self._look_idle()
 
@@ -95,31 +97,32 @@ class Sources(QObject):
     def open_many(self, asked: Iterable[str | Path]) -> None:
         """Begin to open several; the first of them is in front where nothing was."""
         names = list(asked)
-        nothing = not self._desk.subjects
+        nothing = not self._session.subjects
         for place, one in enumerate(names):
             self.open(one, select=len(names) == 1 or (nothing and place == 0))
 
     def add(self, subject: PlottedMaterial, turn: int | None = None) -> str:
-        """Put a subject on the desk, with a key and a line of its own; return the key.
+        """Put a subject in the session, with a key and a line of its own; return the key.
 
         It comes last, or, with the ``turn`` in which it was asked for, before those that were asked for later: a large
         file that is read for longer keeps its place.
         """
         key = f"subject {next(self._numbers)}"
-        colour, dash = self._lines.pop(turn, None) or self.next_line()
-        subjects = list(self._desk.subjects)
+        chosen = None if turn is None else self._lines.pop(turn, None)
+        colour, dash = chosen or self.next_line()
+        subjects = list(self._session.subjects)
         place = len(subjects)
         if turn is not None:
             self._turn[key] = turn
             later = [i for i, s in enumerate(subjects) if self._turn.get(s.key, 0) > turn]
             place = later[0] if later else place
         subjects.insert(place, replace(subject, key=key, colour=colour, dash=dash))
-        self._desk.set_subjects(subjects)
+        self._session.set_subjects(subjects)
         return key
 
     def next_line(self) -> tuple[Srgb, Dash]:
         """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
-        used = [(s.colour, s.dash) for s in self._desk.subjects] + list(self._lines.values())
+        used = [(s.colour, s.dash) for s in self._session.subjects] + list(self._lines.values())
         lines = [
             (colour, DASHES[(place + turn) % len(DASHES)])
             for turn in range(len(DASHES))
@@ -132,8 +135,8 @@ class Sources(QObject):
     def recent(self) -> Sequence[Path]:
         """Return the files that were opened last and are still there, newest first."""
         stored = settings().value(RECENT_KEY, [])
-        stored = [stored] if isinstance(stored, str) else list(stored or [])
-        return [Path(path) for path in stored if isinstance(path, str) and Path(path).is_file()]
+        paths = [stored] if isinstance(stored, str) else stored if isinstance(stored, (list, tuple)) else []
+        return [Path(path) for path in paths if isinstance(path, str) and Path(path).is_file()]
 
     def clear_recent(self) -> None:
         """Forget them."""
@@ -147,22 +150,22 @@ class Sources(QObject):
     def _take(self, name: str, found: Opened, turn: int, *, remember: bool, select: bool) -> None:
         keys = [self.add(subject, turn) for subject in found.subjects]
         if keys and select:
-            self._desk.set_front(keys[0])
+            self._session.set_front(keys[0])
         if remember:
             self._remember(name)
         if found.entries:
             self.palette_opened.emit(found.title, found.entries)
-        self._tell(name, found, len(keys))
+        self._report(name, found, len(keys))
         self.opened.emit(name, keys)
         self._look_idle()
 
-    def _tell(self, name: str, found: Opened, shown: int) -> None:
+    def _report(self, name: str, found: Opened, shown: int) -> None:
         key = f"open {name}"
         self._window.dismiss_message(key)
         noted = " ".join(found.notes)
         more = ""
         if shown + len(found.refused) < len(found.entries):
-            more = tr("The others stand in the panel Reflectances (Ctrl+L).")
+            more = tr("The others are listed in the panel Reflectances (Ctrl+L).")
         if found.refused:
             what = tr("{count} entries of {title} cannot be shown.").format(
                 count=len(found.refused), title=found.title
@@ -175,7 +178,7 @@ class Sources(QObject):
             )
             self._window.show_message(Message(key, what, where=noted, todo=more))
         elif noted:
-            what = tr("{title} was read with remarks.").format(title=found.title)
+            what = tr("{title} imported with notes.").format(title=found.title)
             self._window.show_message(Message(key, what, where=noted))
 
     def _remember(self, name: str) -> None:

@@ -1,4 +1,4 @@
-"""The list of all that comes with the program and of opened palettes: found by a word, put on the desk by Enter."""
+"""The list of all that comes with the program and of opened palettes: found by a word, put in the session by Enter."""
 
 from __future__ import annotations
 
@@ -23,38 +23,38 @@ from brdf_lobe_visualizer.subjects import sources
 
 _ORIGIN = Qt.ItemDataRole.UserRole
 _GROUPS = {
-    "paints": mark("Shipped paints"),
+    "paints": mark("Sample paints"),
     "table_1": mark("Measured paints of Table 1"),
     "models": mark("Models"),
 }
 
 
 class SourcesPanel(QWidget):
-    """Groups of names. Signals: ``asked(list[str])`` with what :func:`open_source` takes."""
+    """Groups of names. Signals: ``open_requested(list[str])`` with what :func:`open_source` takes."""
 
-    asked = Signal(object)
+    open_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._filled = False
         self.query = QLineEdit()
-        self.query.setPlaceholderText(tr("Find a paint or a model by name"))
-        self.query.setAccessibleName(tr("Find a paint or a model by name"))
+        self.query.setPlaceholderText(tr("Search paints and models by name"))
+        self.query.setAccessibleName(tr("Search paints and models by name"))
         self.query.setClearButtonEnabled(True)
         self.query.textChanged.connect(self._filter)
         self.query.returnPressed.connect(self._take)
         self.tree = QTreeWidget()
         self.tree.setHeaderHidden(True)
-        self.tree.setAccessibleName(tr("Reflectances that can be shown"))
+        self.tree.setAccessibleName(tr("Available reflectances"))
         self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.tree.setUniformRowHeights(True)
         self.tree.itemActivated.connect(lambda item, _column: self._ask([item]))
         self._add = QPushButton(tr("Show"))
-        self._add.setToolTip(tr("Put the selected ones into the legend (Enter, or a double click)"))
+        self._add.setToolTip(tr("Add the selected reflectances to the legend (Enter or double click)"))
         self._add.clicked.connect(self._take)
-        self._none = PlainLabel(tr("No reflectance has this name."))
-        self._none.setMargin(8)
-        self._none.hide()
+        self.no_match = PlainLabel(tr("No reflectance matches."))
+        self.no_match.setMargin(8)
+        self.no_match.hide()
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self._add)
@@ -62,7 +62,7 @@ class SourcesPanel(QWidget):
         box.setContentsMargins(8, 8, 8, 8)
         box.setSpacing(8)
         box.addWidget(self.query)
-        box.addWidget(self._none)
+        box.addWidget(self.no_match)
         box.addWidget(self.tree, 1)
         box.addLayout(row)
         self.setMinimumWidth(180)
@@ -79,7 +79,8 @@ class SourcesPanel(QWidget):
         """Put in the entries of a palette, in the place of one of the same title; each a name and an origin."""
         self.fill()
         for place in reversed(range(self.tree.topLevelItemCount())):
-            if self.tree.topLevelItem(place).text(0) == title:
+            group = self.tree.topLevelItem(place)
+            if group is not None and group.text(0) == title:
                 self.tree.takeTopLevelItem(place)
         self._add_group(title, entries)
 
@@ -109,32 +110,33 @@ class SourcesPanel(QWidget):
     def _filter(self, text: str) -> None:
         words = text.casefold().split()
         found = 0
-        for place in range(self.tree.topLevelItemCount()):
-            group = self.tree.topLevelItem(place)
+        for group in self._groups():
             shown = 0
-            for index in range(group.childCount()):
-                item = group.child(index)
+            for item in _children(group):
                 name = f"{item.text(0)} {item.data(0, _ORIGIN)}".casefold()
                 item.setHidden(not all(word in name for word in words))
                 shown += not item.isHidden()
             group.setHidden(shown == 0)
             found += shown
-        self._none.setVisible(self._filled and found == 0)
+        self.no_match.setVisible(self._filled and found == 0)
 
     def _take(self) -> None:
         chosen = [item for item in self.tree.selectedItems() if not item.isHidden()]
         self._ask(chosen or self._visible()[:1])
 
     def _visible(self) -> list[QTreeWidgetItem]:
-        groups = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]
-        return [
-            item
-            for group in groups
-            for item in (group.child(index) for index in range(group.childCount()))
-            if not item.isHidden()
-        ]
+        return [item for group in self._groups() for item in _children(group) if not item.isHidden()]
+
+    def _groups(self) -> list[QTreeWidgetItem]:
+        rows = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]
+        return [row for row in rows if row is not None]
 
     def _ask(self, items: Sequence[QTreeWidgetItem]) -> None:
         origins = [item.data(0, _ORIGIN) for item in items if item.data(0, _ORIGIN)]
         if origins:
-            self.asked.emit(origins)
+            self.open_requested.emit(origins)
+
+
+def _children(group: QTreeWidgetItem) -> list[QTreeWidgetItem]:
+    rows = [group.child(index) for index in range(group.childCount())]
+    return [row for row in rows if row is not None]

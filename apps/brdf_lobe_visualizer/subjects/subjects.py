@@ -24,7 +24,7 @@ LINE_COLOURS: tuple[Srgb, ...] = tuple(
     (int(code[0:2], 16) / 255.0, int(code[2:4], 16) / 255.0, int(code[4:6], 16) / 255.0)
     for code in ("56b4e9", "e69f00", "009e73", "cc79a7", "d55e00", "0072b2", "f0e442")
 )
-"""The lines' colours, in the order in which they are taken: Okabe and Ito's, told apart by all eyes."""
+"""The lines' colours, in the order of use: Okabe and Ito's, distinguishable without full colour vision."""
 
 Measured = Callable[[npt.ArrayLike, npt.ArrayLike], npt.NDArray[np.bool_]]
 """``(wi, wo) -> (...)``: whether a pair was measured, and not filled in from its neighbours; they broadcast."""

@@ -24,24 +24,24 @@ class Camera:
     distance: float = _HOME_DISTANCE
     centre: tuple[float, float, float] = (0.0, 0.0, 0.42)
 
-    def orbited(self, azimuth_deg: float, elevation_deg: float) -> Camera:
+    def orbit(self, azimuth_deg: float, elevation_deg: float) -> Camera:
         """Return the camera turned by angles; it stays below the zenith and above the nadir."""
         elevation = min(90.0, max(-90.0, self.elevation_deg + elevation_deg))
         azimuth = (self.azimuth_deg + azimuth_deg + 180.0) % 360.0 - 180.0
         return replace(self, azimuth_deg=azimuth, elevation_deg=elevation)
 
-    def panned(self, right: float, up: float) -> Camera:
+    def pan(self, right: float, up: float) -> Camera:
         """Return the camera moved so that the picture moves by fractions of its height."""
         reach = 2.0 * self.distance * math.tan(math.radians(0.5 * FIELD_DEG))
         side, top = self.axes()
         x, y, z = (c - reach * (right * s + up * t) for c, s, t in zip(self.centre, side, top, strict=True))
         return replace(self, centre=(x, y, z))
 
-    def zoomed(self, factor: float, right: float, up: float) -> Camera:
+    def zoom(self, factor: float, right: float, up: float) -> Camera:
         """Return the camera nearer or farther; what is at the place, as fractions of the height, stays there."""
         distance = min(FARTHEST, max(NEAREST, self.distance * factor))
         share = distance / self.distance - 1.0
-        return replace(self.panned(right * share, up * share), distance=distance)
+        return replace(self.pan(right * share, up * share), distance=distance)
 
     def axes(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return the directions to the right and to the top of the picture."""
@@ -76,7 +76,7 @@ class Camera:
 
     def to_screen(self, width: float, height: float) -> QMatrix4x4:
         """Return the projection onto a picture of that shape."""
-        # Near and far are close about the lobes, or depths could not be told apart.
+        # Near and far are close about the lobes, or depths could not be distinguished.
         reach = 3.0 + math.dist(self.centre, (0.0, 0.0, 0.4))
         near = max(0.02 * self.distance, self.distance - reach, 1e-3)
         far = self.distance + reach
@@ -86,8 +86,8 @@ class Camera:
         return matrix
 
 
-def remembered(text: str) -> Camera:
-    """Return the camera that :func:`told` wrote; that of a first start where the text is none."""
+def parse_camera(text: str) -> Camera:
+    """Return the camera that :func:`format_camera` wrote; that of a first start where the text is none."""
     try:
         numbers = [float(part) for part in text.split()]
         azimuth, elevation, distance, x, y, z = numbers
@@ -98,27 +98,27 @@ def remembered(text: str) -> Camera:
     return Camera(azimuth, elevation, distance, (x, y, z))
 
 
-def told(camera: Camera) -> str:
+def format_camera(camera: Camera) -> str:
     """Return a camera as text, to be remembered."""
     return " ".join(
         f"{v:.6g}" for v in (camera.azimuth_deg, camera.elevation_deg, camera.distance, *camera.centre)
     )
 
 
-def framed(camera: Camera) -> Camera:
+def frame_hemisphere(camera: Camera) -> Camera:
     """Return the camera where all of the hemisphere is seen, from the side that it looks from now."""
     home = Camera()
     return replace(camera, distance=home.distance, centre=home.centre)
 
 
 PRESETS: tuple[tuple[str, str], ...] = (
-    ("three_quarters", mark("Three quarters")),
-    ("plane", mark("Across the plane of incidence")),
+    ("three_quarters", mark("Three-quarter view")),
+    ("plane", mark("Side view of the plane of incidence")),
     ("light", mark("From the light")),
-    ("mirror", mark("Into the mirror direction")),
+    ("mirror", mark("From the mirror direction")),
     ("top", mark("From above")),
-    ("behind", mark("Three quarters from behind")),
-    ("back", mark("Across the plane, from behind")),
+    ("behind", mark("Three-quarter view from behind")),
+    ("back", mark("Side view from behind")),
     ("along", mark("Low, along the plane of incidence")),
     ("below", mark("From below")),
 )
@@ -142,4 +142,4 @@ def preset(key: str, theta_deg: float, phi_deg: float) -> Camera:
         "below": (phi_deg + HOME[0], -35.0),
     }
     azimuth, elevation = angles[key]
-    return Camera().orbited(azimuth - HOME[0], elevation - HOME[1])
+    return Camera().orbit(azimuth - HOME[0], elevation - HOME[1])

@@ -67,7 +67,7 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
                 at = azimuth + np.radians(62.0)
                 place = (float(radius * np.cos(at)), float(radius * np.sin(at)), 0.0)
                 labels.append(Label(place, text))
-    before = []
+    before: list[npt.NDArray[np.void]] = []
     handle = None
     if light is not None:
         handle = LIGHT_REACH * light

@@ -147,7 +147,7 @@ class SegmentItem:
         self._ratio = 0.0
         self._arrays.bind()
         for place, (name, count) in enumerate((("start", 3), ("end", 3), ("widths", 2), ("colour", 4))):
-            offset = int(_SEGMENT.fields[name][1])
+            offset = int(_SEGMENT.fields[name][1]) if _SEGMENT.fields is not None else 0
             self._arrays.feed(
                 place, self._buffer, count, stride=_SEGMENT.itemsize, offset=offset, instanced=True
             )
@@ -188,7 +188,8 @@ class PointItem:
     """Points on the card."""
 
     def __init__(self) -> None:
-        self._arrays, self._buffer, self._written = Arrays(), Buffer(), None
+        self._arrays, self._buffer = Arrays(), Buffer()
+        self._written: object = None
         self._arrays.bind()
         self._arrays.feed(0, self._buffer, 3, stride=_POINT.itemsize)
         self._arrays.feed(1, self._buffer, 4, stride=_POINT.itemsize, offset=12)

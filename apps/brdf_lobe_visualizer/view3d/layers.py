@@ -1,4 +1,4 @@
-"""From the desk to a scene: which surfaces stand in which panel, over one another, with which words."""
+"""From the session to a scene: which surfaces stand in which panel, over one another, with which words."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.cuts.crosshair import number
 from brdf_lobe_visualizer.cuts.words import UNIT, quantity
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
 from brdf_lobe_visualizer.view3d.fill import full_of, tops_of
 from brdf_lobe_visualizer.view3d.frame import rings_of
@@ -67,19 +67,19 @@ class _Plan:
 
 
 class SceneMaker:
-    """Makes scenes of a desk; what stays the same stays the same object, so that nothing is handed over twice."""
+    """Makes scenes of a session; what stays the same stays the same object, so that nothing is handed over twice."""
 
-    def __init__(self, desk: Desk, values: SpaceValues) -> None:
-        self._desk, self._values = desk, values
+    def __init__(self, session: LobeSession, values: SpaceValues) -> None:
+        self._session, self._values = session, values
         # With the arrays that they come from: while those are held, nothing else has their identities.
         self._made: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
         self._shown: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
 
     def scene(self, options: SpaceOptions) -> Scene:
-        """Return the scene of the desk as it is now."""
-        desk = self._desk
-        shared = desk.options
-        self._values.forget_others({s.key for s in desk.subjects})
+        """Return the scene of the session as it is now."""
+        session = self._session
+        shared = session.options
+        self._values.forget_others({s.key for s in session.subjects})
         difference = shared.shown == "difference"
         plans = self._plans(options)[:MOST_PANELS]
         numbers = {
@@ -106,10 +106,10 @@ class SceneMaker:
         mapped = options.colouring == "values" and any(s.line is None for plan in plans for s in plan.sheets)
         if panels and (difference or mapped):
             bar = _bar(scale, quantity(shared), signed=difference)
-        return Scene(panels, desk.light, scale, bar, quantity(shared), frame)
+        return Scene(panels, session.light, scale, bar, quantity(shared), frame)
 
     def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
-        channel = self._desk.options.channel
+        channel = self._session.options.channel
         tops = [
             tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets
         ] or [(0.0, 0.0)]
@@ -118,11 +118,11 @@ class SceneMaker:
     # Which panels.
 
     def _plans(self, options: SpaceOptions) -> list[_Plan]:
-        visible = self._desk.visible
+        visible = self._session.visible
         if not visible:
             return []
-        shown = self._desk.options.shown
-        front = self._desk.front
+        shown = self._session.options.shown
+        front = self._session.front
         if shown == "difference":
             return self._differences()
         if shown == "side by side":
@@ -141,12 +141,12 @@ class SceneMaker:
 
     def _ordered(self) -> tuple[PlottedMaterial, ...]:
         """The visible subjects, the front one first."""
-        front = self._desk.front
-        return tuple(sorted(self._desk.visible, key=lambda s: s is not front))
+        front = self._session.front
+        return tuple(sorted(self._session.visible, key=lambda s: s is not front))
 
     def _overlay(self, subjects: tuple[PlottedMaterial, ...], options: SpaceOptions) -> _Plan:
         """Targets, fits or both over one another: the first solid, the others like glass, fits over their targets."""
-        shown = self._desk.options.shown
+        shown = self._session.options.shown
         sheets: list[_Sheet] = []
         notes: list[str] = []
         for place, subject in enumerate(subjects):
@@ -156,7 +156,7 @@ class SceneMaker:
                 if target is None:
                     notes.append(_coming())
                 else:
-                    style = "solid" if place == 0 else "glass"
+                    style: Style = "solid" if place == 0 else "glass"
                     sheets.append(_sheet(target, style, subject, line=legend if place else None))
             if shown in ("fit", "both"):
                 fit = self._values.fit(subject, self._lobes_on(subject))
@@ -189,7 +189,7 @@ class SceneMaker:
     def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
         if subject.fit is None:
             return ()
-        off = self._desk.options.lobes_off
+        off = self._session.options.lobes_off
         return tuple(lobe for lobe in fit_lobes(subject.fit.weights) if lobe.key not in off)
 
     def _fit_plans(self, subject: PlottedMaterial, options: SpaceOptions) -> list[_Plan]:
@@ -215,28 +215,28 @@ class SceneMaker:
         if options.lobes == "parts":
             sheets = [
                 self._part(subject, tuple(lobe for lobe in lobes if lobe.part == part), style)
-                for part, style in zip(FIT_PARTS, ("solid", "glass", "lines"), strict=True)
+                for part, style in zip(FIT_PARTS, _PART_STYLES, strict=True)
                 if any(lobe.part == part for lobe in lobes)
             ]
             return [
                 _Plan(
                     subject.title,
                     tuple(sheets),
-                    tr("Diffuse, directional diffuse and gloss, each alone"),
+                    tr("Diffuse, directional diffuse and gloss, separately"),
                     "",
                     subject.colour,
                 )
             ]
         if options.lobes == "stacked":
             # Each shell holds all lobes within it: the last is the whole fit.
-            sheets = []
+            shells: list[_Sheet] = []
             for count in range(1, len(lobes) + 1):
                 # The more shells, the clearer each: the innermost is to be seen through all.
                 glass = min(0.30, 0.9 / len(lobes))
-                style: Style = "solid" if count == 1 else "glass"
-                sheets.append(self._part(subject, lobes[:count], style, lobes[count - 1].part, glass))
-            words = tr("{count} lobes stacked, from the widest out").format(count=len(lobes))
-            return [_Plan(subject.title, tuple(sheets), words, "", subject.colour)]
+                shell: Style = "solid" if count == 1 else "glass"
+                shells.append(self._part(subject, lobes[:count], shell, lobes[count - 1].part, glass))
+            words = tr("{count} lobes stacked, widest innermost").format(count=len(lobes))
+            return [_Plan(subject.title, tuple(shells), words, "", subject.colour)]
         words = tr("Fit: {count} lobes").format(count=len(lobes))
         return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
 
@@ -256,7 +256,7 @@ class SceneMaker:
 
     def _differences(self) -> list[_Plan]:
         """Against the reference where one is chosen, else fit minus target."""
-        reference = self._desk.compared
+        reference = self._session.reference
         plans = []
         base = None if reference is None else self._values.target(reference)
         for subject in self._ordered():
@@ -271,7 +271,7 @@ class SceneMaker:
                 else:
                     plans.append(self._difference(subject, fit, target, tr("fit minus target")))
         if not plans and reference is not None:
-            note = tr("Only the reference is shown: there is nothing to take the difference of.")
+            note = tr("Only the reference is shown. Show another reflectance to see its difference.")
             plans.append(_Plan(reference.title, (), "", note, reference.colour))
         return plans
 
@@ -302,10 +302,10 @@ class SceneMaker:
         )
         notes = [plan.note] if plan.note else []
         if layers and all(layer.surface.dark for layer in layers):
-            notes.append(tr("It is zero in every direction: there is no lobe."))
+            notes.append(tr("The reflectance is zero in every direction."))
         points = None
         if plan.samples is not None and options.samples and not any(s.signed for s in plan.sheets):
-            points, words = sample_points(plan.samples, self._desk, scale, options)
+            points, words = sample_points(plan.samples, self._session, scale, options)
             if words:
                 notes.append(words)
         caption = "\n".join(line for line in (plan.caption, self._peak(layers)) if line)
@@ -315,7 +315,7 @@ class SceneMaker:
         if all(layer.surface.dark for layer in layers):
             return ""
         most = max(greatest(layer.surface.values) for layer in layers)
-        text = tr("greatest {value} {unit}").format(value=number(most), unit=UNIT)
+        text = tr("maximum {value} {unit}").format(value=number(most), unit=UNIT)
         if float(layers[0].surface.scale.radius(most)) > CUT:
             text = tr("{text}, cut off in the picture").format(text=text)
         return text
@@ -323,7 +323,7 @@ class SceneMaker:
     def _surface(
         self, sheet: _Sheet, scale: RadiusScale, values: Singles, options: SpaceOptions
     ) -> LobeSurface:
-        shared = self._desk.options
+        shared = self._session.options
         colouring: Colouring = "line" if sheet.line is not None else options.colouring
         line = sheet.line or sheet.legend
         origin = sheet.origin or (sheet.found.values,)
@@ -336,7 +336,7 @@ class SceneMaker:
     def _make(
         self, sheet: _Sheet, scale: RadiusScale, values: Singles, colouring: Colouring, line: Srgb
     ) -> LobeSurface:
-        channel = self._desk.options.channel
+        channel = self._session.options.channel
         if sheet.signed:
             return difference_surface(sheet.found.grid, scalar_of(values, channel), scale, CUT)
         return lobe_surface(
@@ -344,10 +344,11 @@ class SceneMaker:
         )
 
 
+_PART_STYLES: tuple[Style, ...] = ("solid", "glass", "lines")
 _WORDS: dict[str, Callable[[], str]] = {
     "target": lambda: "",
     "fit": lambda: tr("Fit"),
-    "both": lambda: tr("Target, and its fit over it"),
+    "both": lambda: tr("Target with its fit overlaid"),
 }
 
 
@@ -359,7 +360,7 @@ def _sheet(
 
 
 def _coming() -> str:
-    return tr("The values are being worked out.")
+    return tr("Computing the values…")
 
 
 def _no_fit(subject: PlottedMaterial) -> str:
@@ -369,13 +370,13 @@ def _no_fit(subject: PlottedMaterial) -> str:
 def _notes(sheet: _Sheet) -> list[str]:
     notes = []
     if sheet.found.stale:
-        notes.append(tr("As it was before: its values are being worked out."))
+        notes.append(tr("Outdated: computing the new values…"))
     holes = int(np.isnan(sheet.found.values[:, :-1]).any(axis=-1).sum())
     if holes:
         rows, columns = sheet.found.grid.shape
         share = holes / (rows * (columns - 1))
-        text = tr("No values in {share} of the directions: holes.").format(share=f"{share:.1%}")
-        notes.append(text if share < 1.0 else tr("There is no value in any direction."))
+        text = tr("No values in {share} of the directions (holes).").format(share=f"{share:.1%}")
+        notes.append(text if share < 1.0 else tr("No values in any direction."))
     return notes
 
 

@@ -96,7 +96,7 @@ _RANGES = {
 
 
 class SpaceState(QObject):
-    """Holds the options; ``changed()`` tells of others."""
+    """Holds the options; ``changed()`` is emitted when they change."""
 
     changed = Signal()
 
@@ -142,8 +142,18 @@ def _sound(options: SpaceOptions) -> SpaceOptions:
     for name, choices in _CHOICES.items():
         if getattr(options, name) not in choices:
             raise ValueError(f"{name} is one of {', '.join(choices)}")
-    held = {name: min(max(float(getattr(options, name)), low), high) for name, (low, high) in _RANGES.items()}
-    return replace(options, **held)
+
+    def hold(name: str, value: float) -> float:
+        low, high = _RANGES[name]
+        return min(max(float(value), low), high)
+
+    return replace(
+        options,
+        decades=hold("decades", options.decades),
+        within_deg=hold("within_deg", options.within_deg),
+        speed=hold("speed", options.speed),
+        full=hold("full", options.full),
+    )
 
 
 def _remembered() -> SpaceOptions:

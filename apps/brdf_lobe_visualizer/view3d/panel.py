@@ -12,16 +12,24 @@ from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.gl.gestures import CameraGestures
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, QTimer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.incidence.section import IncidenceSection
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.parts_section import PartsSection
-from brdf_lobe_visualizer.view3d.camera import PRESETS, Camera, framed, preset, remembered, told
+from brdf_lobe_visualizer.view3d.camera import (
+    PRESETS,
+    Camera,
+    format_camera,
+    frame_hemisphere,
+    parse_camera,
+    preset,
+)
 from brdf_lobe_visualizer.view3d.options import SpaceState
 from brdf_lobe_visualizer.view3d.save import SaveSurface
 from brdf_lobe_visualizer.view3d.section import SurfaceSection
@@ -36,42 +44,46 @@ if TYPE_CHECKING:
 _CAMERA_KEY = "lobes/camera"
 
 
-class Space(QObject):
+class Space(LobeFeature):
     """Lobes in three dimensions."""
 
-    def __init__(self, desk: Desk, window: LobeWindow) -> None:
+    def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self.session, self._window = session, window
         self.state = SpaceState(self)
-        self.camera = remembered(str(settings().value(_CAMERA_KEY, "")))
+        self.camera = parse_camera(str(settings().value(_CAMERA_KEY, "")))
         self.view: SpaceView | None = None
-        self._values: SpaceValues | None = None
+        self.values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
         self._holder = _Holder()
-        self.sweep = SweepControl(desk, self.state, self)
-        self.incidence = IncidenceSection(desk, self.state, self.sweep)
-        self.surface = SurfaceSection(desk, self.state)
-        self.parts = PartsSection(desk, self.state)
-        self._timer = QTimer(self, singleShot=True, interval=0, timeout=self.draw_now)
+        self.sweep = SweepControl(session, self.state, self)
+        self.incidence = IncidenceSection(session, self.state, self.sweep)
+        self.surface = SurfaceSection(session, self.state)
+        self.parts = PartsSection(session, self.state)
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self.draw_now)
         # Numbers that follow the picture wait until it rests: setting one costs as much as a surface's colours.
         self._full = 0.0
-        self._settle = QTimer(
-            self, singleShot=True, interval=150, timeout=lambda: self.surface.hold(self._full)
-        )
+        self._settle = QTimer(self)
+        self._settle.setSingleShot(True)
+        self._settle.setInterval(150)
+        self._settle.timeout.connect(lambda: self.surface.hold(self._full))
         window.set_centre(self._holder, tab_hides_panels=True)
         for signal in (
-            desk.subjects_changed,
-            desk.front_changed,
-            desk.visibility_changed,
-            desk.incidence_changed,
-            desk.options_changed,
+            session.subjects_changed,
+            session.front_changed,
+            session.visibility_changed,
+            session.incidence_changed,
+            session.options_changed,
         ):
             signal.connect(self._stale)
         self.state.changed.connect(self._stale)
         window.add_section("incidence", tr("Incidence"), self.incidence)
         window.add_section("radius", tr("Radius"), self.surface)
         window.add_section("parts", tr("Parts"), self.parts)
-        self.save = SaveSurface(self, desk, window)
+        self.save = SaveSurface(self.draw_now, lambda: self.view, session, window)
         self._add_commands()
         window.first_painted.connect(self._build)
 
@@ -80,9 +92,7 @@ class Space(QObject):
         """Whether all that is asked for is drawn, or cannot be."""
         if self._holder.notice.text():
             return True
-        return (
-            self.view is not None and not self._timer.isActive() and not (self._values and self._values.busy)
-        )
+        return self.view is not None and not self._timer.isActive() and not (self.values and self.values.busy)
 
     def set_from_script(self, key: str, value: str) -> bool:
         """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
@@ -103,18 +113,18 @@ class Space(QObject):
 
     def go_to(self, key: str) -> None:
         """See from a preset's place."""
-        self.set_camera(preset(key, *self._desk.incidence))
+        self.set_camera(preset(key, *self.session.incidence))
 
     def frame(self) -> None:
         """Show all of the hemisphere."""
-        self.set_camera(framed(self.camera))
+        self.set_camera(frame_hemisphere(self.camera))
 
     def close(self) -> None:
         """End what moves."""
         self.sweep.set_running(False)
         self._timer.stop()
         self._settle.stop()
-        settings().setValue(_CAMERA_KEY, told(self.camera))
+        settings().setValue(_CAMERA_KEY, format_camera(self.camera))
 
     def reset_view(self) -> None:
         """Put camera and options back to those of a first start."""
@@ -144,7 +154,7 @@ class Space(QObject):
         if self.view is not None:
             return
         if QGuiApplication.platformName() in ("offscreen", "minimal"):
-            self._holder.show_notice(tr("There is no OpenGL here: the lobes cannot be drawn."))
+            self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
         # Half a second of imports.
         from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
@@ -153,27 +163,27 @@ class Space(QObject):
         from brdf_lobe_visualizer.view3d.values import SpaceValues
         from brdf_lobe_visualizer.view3d.view import SpaceView
 
-        self._values = SpaceValues(self._desk, self._stale)
-        self._maker = SceneMaker(self._desk, self._values)
+        self.values = SpaceValues(self.session, self._stale)
+        self._maker = SceneMaker(self.session, self.values)
         self.view = view = SpaceView()
         view.set_camera(self.camera)
         view.failed.connect(self._holder.show_notice)
         gestures = CameraGestures(view)
-        gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbited(a, e)))
-        gestures.panned.connect(lambda r, u: self.set_camera(self.camera.panned(r, u)))
-        gestures.zoomed.connect(lambda f, r, u: self.set_camera(self.camera.zoomed(f, r, u)))
+        gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbit(a, e)))
+        gestures.panned.connect(lambda r, u: self.set_camera(self.camera.pan(r, u)))
+        gestures.zoomed.connect(lambda f, r, u: self.set_camera(self.camera.zoom(f, r, u)))
         gestures.framed.connect(self.frame)
         drag = IncidenceDrag(view)
-        drag.dragged.connect(self._desk.set_incidence)
+        drag.dragged.connect(self.session.set_incidence)
         drag.turned.connect(self._turn)
-        drag.reset.connect(self._desk.reset_incidence)
+        drag.reset.connect(self.session.reset_incidence)
         SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
 
     def _turn(self, theta: float, phi: float) -> None:
-        now = self._desk.incidence
-        self._desk.set_incidence(now[0] + theta, now[1] + phi)
+        now = self.session.incidence
+        self.session.set_incidence(now[0] + theta, now[1] + phi)
 
     def _add_commands(self) -> None:
         add = self._window.add_command
@@ -208,7 +218,7 @@ class _Holder(QWidget):
         self._layout.setCurrentWidget(view)
         self.setFocusProxy(view)
         ground = self._layout.widget(1)
-        if ground is not view:
+        if ground is not None and ground is not view:
             self._layout.removeWidget(ground)
             ground.deleteLater()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
+from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.cuts.crosshair import number
 from brdf_lobe_visualizer.cuts.words import UNIT
@@ -24,12 +25,19 @@ class SpaceProbe(QObject):
         super().__init__(view)
         self._view = view
         self._at: QPointF | None = None
-        self._rest = QTimer(self, singleShot=True, interval=_REST_MS, timeout=self.look)
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(_REST_MS)
+        self._rest.timeout.connect(self.look)
         view.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if kind == QEvent.Type.MouseMove and event.buttons() == Qt.MouseButton.NoButton:
+        if (
+            isinstance(event, QMouseEvent)
+            and kind == QEvent.Type.MouseMove
+            and event.buttons() == Qt.MouseButton.NoButton
+        ):
             self._at = event.position()
             self._rest.start()
         elif kind in (QEvent.Type.Leave, QEvent.Type.MouseButtonPress, QEvent.Type.Wheel):

@@ -1,12 +1,12 @@
-"""Measured samples as points: those whose light stands about where the desk's does."""
+"""Measured samples as points: those whose light stands about where the session's does."""
 
 from __future__ import annotations
 
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import cosine_factor
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_lobe_visualizer.view3d.options import SpaceOptions
 from brdf_lobe_visualizer.view3d.scene import CUT, Points
@@ -16,25 +16,25 @@ from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 
 
 def sample_points(
-    subject: PlottedMaterial, desk: Desk, scale: RadiusScale, options: SpaceOptions
+    subject: PlottedMaterial, session: LobeSession, scale: RadiusScale, options: SpaceOptions
 ) -> tuple[Points | None, str]:
-    """Return the points of a subject's samples near the desk's incidence, and what is to be told where there are none.
+    """Return the points of a subject's samples near the session's incidence, and a note if there are none.
 
-    Samples of an isotropic reflectance are turned about the normal into the desk's plane of incidence, and stand on
+    Samples of an isotropic reflectance are turned about the normal into the session's plane of incidence, and stand on
     both sides of it: only the size of the azimuth between light and view matters. What is longer than the picture shows
     is at its end.
     """
     samples = subject.samples
     if samples is None:
         return None, ""
-    wi, wo, values = samples_near(samples, desk.light, options.within_deg)
+    wi, wo, values = samples_near(samples, session.light, options.within_deg)
     if not len(wi):
         polar = np.degrees(np.arccos(np.clip(samples.wi[:, 2], -1.0, 1.0)))
-        nearest = polar[np.argmin(np.abs(polar - desk.incidence[0]))]
-        text = tr("No sample within {reach}° of this incidence; the nearest lies at {angle}°.")
+        nearest = polar[np.argmin(np.abs(polar - session.incidence[0]))]
+        text = tr("No samples within {reach}° of this incidence; the nearest is at {angle}°.")
         return None, text.format(reach=f"{options.within_deg:g}", angle=f"{nearest:.1f}")
-    values = values * cosine_factor(desk.options.cosine, wi, wo)[:, None]
-    shown = scalar_of(values.astype(np.float32), desk.options.channel)
+    values = values * cosine_factor(session.options.cosine, wi, wo)[:, None]
+    shown = scalar_of(values.astype(np.float32), session.options.channel)
     places = wo * np.minimum(scale.radius(shown), CUT)[:, None]
     colours = np.ones((len(wo), 4), np.float32)
     colours[:, :3] = light_codes(values.astype(np.float32)) / 255.0

@@ -16,12 +16,12 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, QSize
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.desk import Desk
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.panel import Space
+    from brdf_lobe_visualizer.view3d.view import SpaceView
 
 AskPath = Callable[[QWidget, str, Path, str], Path | None]
 """``(parent, title, suggested, filters) -> path``: asks where to write; tests answer for the user."""
@@ -58,9 +58,15 @@ class SaveSection(QWidget):
             (self.size_, SIZE_MM),
         ):
             field.set_value(default)
-        form.add_row(tr("Width"), self.width_, tr("Of PNG and SVG. PNG is sampled 16 times a pixel."))
+        form.add_row(
+            tr("Width"), self.width_, tr("Size of PNG and SVG pictures. PNG uses 16 samples per pixel.")
+        )
         form.add_row(tr("Height"), self.height_)
-        form.add_row(tr("Radius 1 is"), self.size_, tr("In OBJ and PLY; the file says what value that is."))
+        form.add_row(
+            tr("Scale"),
+            self.size_,
+            tr("Length of radius 1 in OBJ and PLY. The file states the value it stands for."),
+        )
         grid = QGridLayout()
         grid.setSpacing(8)
         self.buttons: dict[str, QPushButton] = {}
@@ -71,18 +77,18 @@ class SaveSection(QWidget):
             button.clicked.connect(lambda _on=False, kind=kind: save.ask(kind))
             grid.addWidget(button, number // 2, number % 2)
         box.addLayout(grid)
-        self.told = PlainLabel()
-        self.told.setWordWrap(True)
-        self.told.hide()
-        box.addWidget(self.told)
-        self.reset = QPushButton(tr("Reset sizes"))
+        self.message = PlainLabel()
+        self.message.setWordWrap(True)
+        self.message.hide()
+        box.addWidget(self.message)
+        self.reset = QPushButton(tr("Reset Sizes"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
 
-    def tell(self, text: str) -> None:
+    def report(self, text: str) -> None:
         """Say what was written."""
-        self.told.setText(text)
-        self.told.show()
+        self.message.setText(text)
+        self.message.show()
 
     def _reset(self) -> None:
         for field in (self.width_, self.height_, self.size_):
@@ -90,11 +96,22 @@ class SaveSection(QWidget):
 
 
 class SaveSurface(QObject):
-    """Writes what the view shows."""
+    """Writes what the view shows.
 
-    def __init__(self, space: Space, desk: Desk, window: LobeWindow, ask_path: AskPath | None = None) -> None:
-        super().__init__(space)
-        self._space, self._desk, self._window = space, desk, window
+    ``draw_now`` draws what is pending; ``current_view`` returns the view, None until it is built.
+    """
+
+    def __init__(
+        self,
+        draw_now: Callable[[], object],
+        current_view: Callable[[], SpaceView | None],
+        session: LobeSession,
+        window: LobeWindow,
+        ask_path: AskPath | None = None,
+    ) -> None:
+        super().__init__(window)
+        self._draw_now, self._current_view = draw_now, current_view
+        self._session, self._window = session, window
         self.ask_path = ask_path or _ask_path
         self.section = SaveSection(self)
         window.add_section("export", tr("Export"), self.section, is_open=False)
@@ -102,9 +119,9 @@ class SaveSurface(QObject):
             window.add_command("file", title, None, lambda kind=kind: self.ask(kind))
 
     def ask(self, kind: str) -> None:
-        """Ask for a file of a kind and write it; what goes wrong is told in the window."""
+        """Ask for a file of a kind and write it; errors are shown in the window."""
         title, filters = KINDS[kind]
-        front = self._desk.front
+        front = self._session.front
         name = "".join(c if c.isalnum() or c in " -_" else "_" for c in (front.title if front else "lobes"))
         folder = Path(str(settings().value(_FOLDER_KEY, str(Path.home()))))
         path = self.ask_path(self._window, tr(title), folder / f"{name}.{kind}", tr(filters))
@@ -119,7 +136,7 @@ class SaveSurface(QObject):
             self._window.show_message(message_of(error, "export"))
             return
         self._window.dismiss_message("export")
-        self.section.tell(tr("Written: {path}").format(path=path))
+        self.section.report(tr("Saved: {path}").format(path=path))
 
     def write(self, path: Path) -> None:
         """Write the view or the front surface, by the ending of ``path``.
@@ -127,7 +144,7 @@ class SaveSurface(QObject):
         Raises :class:`GraphicsError` where there is no view, and what writing the file raises.
         """
         kind = path.suffix.lower().removeprefix(".")
-        self._space.draw_now()
+        self._draw_now()
         if kind == "png":
             self._write_png(path)
         elif kind == "svg":
@@ -138,10 +155,10 @@ class SaveSurface(QObject):
     def _sizes(self) -> tuple[int, int]:
         return round(self.section.width_.value()), round(self.section.height_.value())
 
-    def _view(self):  # type: ignore[no-untyped-def] # the class is imported with OpenGL
-        view = self._space.view
+    def _view(self) -> SpaceView:
+        view = self._current_view()
         if view is None or not view.isValid():
-            raise GraphicsError(tr("There is no OpenGL here: the lobes cannot be drawn."))
+            raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))
         return view
 
     def _write_png(self, path: Path) -> None:
@@ -171,14 +188,14 @@ class SaveSurface(QObject):
 
         layers = [layer for panel in self._view().scene.panels for layer in panel.layers]
         if not layers:
-            raise GraphicsError(tr("No surface is shown: add a reflectance, or show one in the legend."))
+            raise GraphicsError(tr("No surface to save. Add a reflectance, or show one in the legend."))
         write_surface(
             path, layers[0].surface, (*self._about(), "lengths in millimetres"), self.section.size_.value()
         )
 
     def _about(self) -> list[str]:
         view = self._view()
-        theta, phi = self._desk.incidence
+        theta, phi = self._session.incidence
         title = view.scene.panels[0].title if view.scene.panels else ""
         return [title, view.scene.quantity, f"incidence {theta:g}, azimuth {phi:g} degrees"]
 

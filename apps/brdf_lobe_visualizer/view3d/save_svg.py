@@ -93,7 +93,7 @@ def _panel(
         handle = np.asarray(frame.before[0]["colour"], float)[None]
         drawn += _points(frame.handle[None], handle, sight, look, 0.45 * look.text_px)
     if panel.points is not None:
-        drawn += _points(panel.points.places, panel.points.colours, sight, look)
+        drawn += _points(panel.points.places.astype(float), panel.points.colours.astype(float), sight, look)
     drawn.sort(key=lambda row: -row[0])
     clip = f"panel{number}"
     yield (
@@ -134,7 +134,7 @@ def _faces(layer: Layer, sight: _Sight, look: Look) -> Iterator[tuple[float, str
     surface = layer.surface
     rows, columns = _picked(surface)
     grid = np.ix_(rows, columns)
-    points, normals = surface.points[grid], surface.normals[grid]
+    points, normals = surface.points[grid].astype(float), surface.normals[grid].astype(float)
     known = np.isfinite(surface.values)[grid]
     places, depths = sight(points)
     colours = _codes(look.ink) if layer.ink else surface.colours[grid].astype(float)

@@ -8,8 +8,8 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import FULL_RANGE, SpaceOptions, SpaceState
 from brdf_suite.inspection.lobe_surface.scale import LEAST_DECADES, MOST_DECADES
 
@@ -28,16 +28,16 @@ _CHANNELS = {
 }
 _COLOURINGS = {
     "light": mark("Reflected light"),
-    "line": mark("As in the legend"),
-    "values": mark("A map of values"),
+    "line": mark("Legend colour"),
+    "values": mark("False colour"),
 }
 _FILLS = {
     "auto": mark("Automatic"),
-    "greatest": mark("The greatest value"),
-    "body": mark("The greatest off R"),
-    "value": mark("A held value"),
+    "greatest": mark("Maximum"),
+    "body": mark("Maximum away from R"),
+    "value": mark("Fixed value"),
 }
-_ARRANGEMENTS = {"overlay": mark("Over one another"), "panels": mark("Side by side")}
+_ARRANGEMENTS = {"overlay": mark("Overlay"), "panels": mark("Side by side")}
 _FLAGS = {
     "hemisphere": mark("Hemisphere"),
     "labels": mark("Labels"),
@@ -47,12 +47,12 @@ _FLAGS = {
 
 
 class SurfaceSection(QWidget):
-    """Sets the options of the desk and of the view that make a surface, and shows them."""
+    """Sets the options of the session and of the view that make a surface, and shows them."""
 
-    def __init__(self, desk: Desk, state: SpaceState, parent: QWidget | None = None) -> None:
+    def __init__(self, session: LobeSession, state: SpaceState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("surface_section")
-        self._desk, self._state = desk, state
+        self._session, self._state = session, state
         shared, plain = Options(), SpaceOptions()
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
@@ -60,47 +60,44 @@ class SurfaceSection(QWidget):
         form = Form()
         box.addWidget(form)
         self.radius = ChoiceField(_RADII, shared.radius)
-        self.radius.chosen.connect(lambda key: desk.set_options(radius=key))
-        form.add_row(tr("Radius"), self.radius, tr("How a value becomes a distance from the middle."))
+        self.radius.chosen.connect(lambda key: session.set_options(radius=key))
+        form.add_row(tr("Radius"), self.radius, tr("Mapping from values to distances from the centre"))
         self.decades = NumberField(tr("Decades"), "", LEAST_DECADES, MOST_DECADES, 1.0, 1, plain.decades)
         self.decades.edited.connect(lambda value: state.set(decades=value))
-        form.add_row(
-            tr("Decades"), self.decades, tr("What a logarithmic radius shows below its greatest value.")
-        )
+        form.add_row(tr("Decades"), self.decades, tr("Range of the logarithmic radius below its maximum"))
         self.fill = ChoiceField(_FILLS, plain.fill)
         self.fill.chosen.connect(self._choose_fill)
         form.add_row(
-            tr("Radius 1 is"),
+            tr("Scale"),
             self.fill,
             tr(
-                "Which value reaches the hemisphere; what is longer is cut off. Automatic: the greatest, or less where "
-                "the body would be shorter than half a radius. Off R: farther than 5° from the mirror direction."
+                "Value at the hemisphere; larger values are cut off. Automatic: the maximum, "
+                "or less if the body would be shorter than half a radius. "
+                "Away from R: more than 5° from the mirror direction."
             ),
         )
         self.full = NumberField(tr("Value of radius 1"), "1/sr", *FULL_RANGE, 0.1, 4, plain.full)
         self.full.edited.connect(lambda value: state.set(full=value, fill="value"))
-        form.add_row(tr("Value"), self.full, tr("Held while the light moves."))
+        form.add_row(tr("Value"), self.full, tr("Stays fixed while the light moves"))
         self.cosine = ChoiceField(_COSINES, shared.cosine)
-        self.cosine.chosen.connect(lambda key: desk.set_options(cosine=key))
+        self.cosine.chosen.connect(lambda key: session.set_options(cosine=key))
         form.add_row(
             tr("Quantity"),
             self.cosine,
-            tr("In all views: f_r, the reflected radiance f_r·cosθi, or the intensity f_r·cosθi·cosθo."),
+            tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo"),
         )
         self.channel = ChoiceField(_CHANNELS, shared.channel)
-        self.channel.chosen.connect(lambda key: desk.set_options(channel=key))
-        form.add_row(
-            tr("Channel"), self.channel, tr("What of the colour the radius shows: linear Rec. 2020.")
-        )
+        self.channel.chosen.connect(lambda key: session.set_options(channel=key))
+        form.add_row(tr("Channel"), self.channel, tr("Channel that the radius shows (linear Rec. 2020)"))
         self.colouring = ChoiceField(_COLOURINGS, plain.colouring)
         self.colouring.chosen.connect(lambda key: state.set(colouring=key))
         form.add_row(
-            tr("Colour"), self.colouring, tr("The reflected light's colour is shown at full brightness.")
+            tr("Colour"), self.colouring, tr("Reflected light is shown in its colour at full brightness")
         )
         self.arrangement = ChoiceField(_ARRANGEMENTS, plain.arrangement)
         self.arrangement.chosen.connect(lambda key: state.set(arrangement=key))
-        form.add_row(tr("Several"), self.arrangement, tr("Where more than one reflectance is shown."))
-        self.own_scale = QCheckBox(tr("Each panel has its own scale"))
+        form.add_row(tr("Multiple"), self.arrangement, tr("Arrangement of several reflectances"))
+        self.own_scale = QCheckBox(tr("Separate scale for each panel"))
         self.own_scale.clicked.connect(lambda on: state.set(own_scale=on))
         box.addWidget(self.own_scale)
         grid = QGridLayout()
@@ -116,21 +113,23 @@ class SurfaceSection(QWidget):
         self.samples = QCheckBox(tr("Measured samples"))
         self.samples.clicked.connect(lambda on: state.set(samples=on))
         samples.add_wide(self.samples)
-        self.within = NumberField(tr("Reach of samples"), "°", 0.1, 90.0, 0.5, 1, plain.within_deg)
+        self.within = NumberField(tr("Maximum distance of samples"), "°", 0.1, 90.0, 0.5, 1, plain.within_deg)
         self.within.edited.connect(lambda value: state.set(within_deg=value))
         samples.add_row(
-            tr("Within"), self.within, tr("How far a sample's light may be from the one that is shown.")
+            tr("Within"),
+            self.within,
+            tr("Maximum angle between a sample's incidence and the current incidence"),
         )
-        self.reset = QPushButton(tr("Reset radius"))
+        self.reset = QPushButton(tr("Reset Radius"))
         self.reset.clicked.connect(self._reset)
         box.addWidget(self.reset)
-        desk.options_changed.connect(self.show_now)
+        session.options_changed.connect(self.show_now)
         state.changed.connect(self.show_now)
         self.show_now()
 
     def show_now(self) -> None:
         """Show what is set, without a signal."""
-        shared, own = self._desk.options, self._state.options
+        shared, own = self._session.options, self._state.options
         self.radius.set_choice(shared.radius)
         self.cosine.set_choice(shared.cosine)
         self.channel.set_choice(shared.channel)
@@ -157,9 +156,12 @@ class SurfaceSection(QWidget):
 
     def _choose_fill(self, key: str) -> None:
         # What is held first is what was shown.
-        self._state.set(fill=key, **({"full": self.full.value()} if key == "value" else {}))
+        if key == "value":
+            self._state.set(fill=key, full=self.full.value())
+        else:
+            self._state.set(fill=key)
 
     def _reset(self) -> None:
-        self._desk.reset_options("radius", "cosine", "channel")
+        self._session.reset_options("radius", "cosine", "channel")
         kept = ("fit_style", "lobes", "sweep", "speed")
         self._state.reset(*(name for name in vars(SpaceOptions()) if name not in kept))

@@ -1,7 +1,7 @@
 """Values over the lobe grid, kept per reflectance: nothing is worked out twice, and what is slow never holds a drag.
 
 A reflectance whose last evaluation took longer than a frame may is worked out in the background from then on; until its
-values are there, those of the incidence before are shown, and told to be so.
+values are there, those of the incidence before are shown and marked as outdated.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 import numpy.typing as npt
 from brdf_qt.window.message_bar import message_of
 
-from brdf_lobe_visualizer.desk import Desk
 from brdf_lobe_visualizer.options import Cosine, cosine_factor
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Measured, PlottedMaterial
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid, lobe_grid
@@ -56,12 +56,12 @@ class Found:
 
 
 class SpaceValues:
-    """Evaluates the desk's subjects; ``arrived()`` is called when values came from the background."""
+    """Evaluates the session's subjects; ``arrived()`` is called when values came from the background."""
 
-    def __init__(self, desk: Desk, arrived: Callable[[], None]) -> None:
-        self._desk, self._arrived = desk, arrived
+    def __init__(self, session: LobeSession, arrived: Callable[[], None]) -> None:
+        self._session, self._arrived = session, arrived
         self._grid: LobeGrid | None = None
-        self._kept: dict[str, _Kept] = {}
+        self.kept: dict[str, _Kept] = {}
         self._fits: dict[str, _KeptFit] = {}
         self._waiting: set[str] = set()
 
@@ -71,8 +71,8 @@ class SpaceValues:
         return bool(self._waiting)
 
     def grid(self) -> LobeGrid:
-        """Return the directions of the desk's incidence, the same object as long as that stays."""
-        light = self._desk.light
+        """Return the directions of the session's incidence, the same object as long as that stays."""
+        light = self._session.light
         if self._grid is None or not np.array_equal(self._grid.wi, light):
             self._grid = lobe_grid(light)
         return self._grid
@@ -80,10 +80,10 @@ class SpaceValues:
     def target(self, subject: PlottedMaterial) -> Found | None:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
         grid = self.grid()
-        kept = self._kept.get(subject.key)
+        kept = self.kept.get(subject.key)
         if kept is None or not _same(kept.source, subject.reflectance, subject.measured):
             source = LobeSource(subject.reflectance, subject.measured)
-            kept = self._kept[subject.key] = (
+            kept = self.kept[subject.key] = (
                 _Kept(source, seconds=kept.seconds, before=_stale(kept)) if kept else _Kept(source)
             )
         if kept.grid is not grid:
@@ -91,8 +91,8 @@ class SpaceValues:
                 start = time.process_time()
                 try:
                     kept.values, kept.grid = kept.source.brdf(grid), grid
-                except Exception as error:  # noqa: BLE001 - a model's fault is told, and ends no program
-                    self._told(subject.key, error)
+                except Exception as error:  # noqa: BLE001 - an error of a model is reported and does not end the program
+                    self._report(subject.key, error)
                     kept.values, kept.grid = np.full((*grid.shape, 3), np.nan, np.float32), grid
                 # A hiccup of the machine does not send a fast one to the background for long.
                 kept.seconds = 0.5 * kept.seconds + 0.5 * (time.process_time() - start)
@@ -116,7 +116,7 @@ class SpaceValues:
 
     def forget_others(self, keys: set[str]) -> None:
         """Keep nothing of subjects that have gone."""
-        for table in (self._kept, self._fits):
+        for table in (self.kept, self._fits):
             for key in [key for key in table if key not in keys]:
                 del table[key]
 
@@ -134,7 +134,7 @@ class SpaceValues:
             self._waiting.discard(key)
             kept.values, kept.grid = answer[0], grid
             kept.seconds = 0.5 * (kept.seconds + answer[1])
-            now = self._kept.get(key)
+            now = self.kept.get(key)
             if now is not None and now is not kept and now.values is None:
                 now.before = _stale(kept)
             self._arrived()
@@ -142,13 +142,13 @@ class SpaceValues:
         def failed(error: Exception) -> None:
             self._waiting.discard(key)
             kept.values, kept.grid = np.full((*grid.shape, 3), np.nan, np.float32), grid
-            self._told(key, error)
+            self._report(key, error)
             self._arrived()
 
-        self._desk.tasks.submit(f"space {key}", work, (kept.source, grid), done, failed)
+        self._session.tasks.submit(f"space {key}", work, (kept.source, grid), done, failed)
 
-    def _told(self, key: str, error: Exception) -> None:
-        self._desk.show_message(message_of(error, f"space {key}"))
+    def _report(self, key: str, error: Exception) -> None:
+        self._session.show_message(message_of(error, f"space {key}"))
 
 
 def _stale(kept: _Kept) -> Found | None:

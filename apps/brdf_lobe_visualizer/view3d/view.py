@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 import math
 import time
+from functools import partial
 
 import numpy as np
 from brdf_qt.program.application import surface_format
@@ -39,7 +40,7 @@ _CONTENT = (2.6, 1.9)
 """Width and height of hemisphere and labels beside each other."""
 
 
-class SpaceView(GLViewWidget):
+class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """The view. Signals: ``failed(text)`` where nothing can be drawn, ``drawn(ms)`` after each frame."""
 
     failed = Signal(str)
@@ -51,7 +52,7 @@ class SpaceView(GLViewWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setMinimumSize(200, 160)
-        self.setAccessibleName(tr("Lobes in three dimensions"))
+        self.setAccessibleName(tr("3-D lobe plot"))
         self.setObjectName("space_view")
         self.scene = Scene()
         self.camera = Camera()
@@ -263,9 +264,7 @@ class SpaceView(GLViewWidget):
         for panel, room in zip(self.scene.panels, rooms, strict=False):
             matrix = self.to_clip(room)
             behind = self._behind(panel, [label.place for label in labels])
-            overlay.labels(
-                labels, lambda place, m=matrix, r=room: _projected(m, place, r), room, behind, taken
-            )
+            overlay.labels(labels, partial(_projected, matrix, room=room), room, behind, taken)
             overlay.panel(panel, room, bordered=len(rooms) > 1)
         if self.scene.bar is not None:
             overlay.bar(self.scene.bar, everything)
@@ -277,7 +276,7 @@ class SpaceView(GLViewWidget):
                 if spot is not None:
                     overlay.probe(spot, self._probe_text, room)
         if not self.scene.panels:
-            overlay.words(tr("Nothing to show: add a reflectance, or show one in the legend."), everything)
+            overlay.words(tr("No reflectance shown. Add one, or show one in the legend."), everything)
 
     def _behind(self, panel: Panel, places: list[tuple[float, float, float]]) -> list[bool]:
         """Which places a solid lobe of the panel hides."""

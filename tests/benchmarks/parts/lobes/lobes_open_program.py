@@ -26,7 +26,7 @@ def main(path: str, runs: int) -> None:
 def openings(path: str, runs: int) -> dict[str, object]:
     """Return seconds of every opening, from the wish to the first picture.
 
-    ``read_s`` is until the table is on the desk, ``shown_s`` until it is painted, in three dimensions where there is a
+    ``read_s`` is until the table is in the session, ``shown_s`` until it is painted, in three dimensions with a
     screen; ``paint_s`` that of a shipped paint. ``all_s`` is until every view is at rest, the table's fit drawn too.
     ``cpu_s`` is the processor's time of all threads until the first picture, which other programs hardly lengthen.
     """
@@ -59,7 +59,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
     found: dict[str, list[float]] = {"read_s": [], "shown_s": [], "paint_s": [], "all_s": [], "cpu_s": []}
     for _ in range(runs):
         for name in ("copper", path):
-            program.desk.set_subjects(())
+            program.session.set_subjects(())
             _until(app, lambda: program.is_complete)
             seen.clear()
             start, cpu = perf_counter(), process_time()

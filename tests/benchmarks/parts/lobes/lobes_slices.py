@@ -51,25 +51,25 @@ def drag() -> dict[str, float]:
 
     app = create_application("Lobe Visualizer")
     program = LobeVisualizer(parts=(Slices,))
-    window, desk = program.window, program.desk
+    window, session = program.window, program.session
     window.resize(*SIZE)
     for key in window.plots.plots:
         window.plots.set_shown(key, key in ("polar", "curves"))
     window.show()
     slices = next(part for part in program.parts if isinstance(part, Slices))
     for subject in _subjects():
-        desk.add(subject)
-    while not slices.is_complete or desk.tasks.busy:
+        session.add(subject)
+    while not slices.is_complete or session.tasks.busy:
         app.processEvents()
     answer: dict[str, float] = {}
     angles = np.concatenate((np.linspace(FROM_DEG, TO_DEG, STEPS), np.linspace(TO_DEG, FROM_DEG, STEPS)))
     for shown, name in (("target", "slices"), ("both", "slices_both")):
-        desk.set_options(shown=shown)
+        session.set_options(shown=shown)
         app.processEvents()
         took, cpu = [], []
         for angle in angles:
             begun, used = perf_counter(), thread_time()
-            desk.set_incidence(float(angle), 0.0)
+            session.set_incidence(float(angle), 0.0)
             slices.draw_now()
             for plot in (slices.polar, slices.curves):
                 plot.plot.viewport().repaint()

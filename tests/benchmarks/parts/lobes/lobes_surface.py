@@ -88,7 +88,7 @@ def figures() -> dict[str, float]:
     subjects = {"cook_torrance": model, "table": IsotropicTable.from_reflectance(model)}
     found = {}
     for name, reflectance in subjects.items():
-        program.desk.set_subjects((PlottedMaterial(name, name, Material(name, reflectance)),))
+        program.session.set_subjects((PlottedMaterial(name, name, Material(name, reflectance)),))
         _until(app, lambda: space.is_complete)
         found[name] = _steps(app, program, space, GL)
     program.close()
@@ -111,9 +111,9 @@ def _steps(app, program, space, gl) -> dict[str, list[float]]:
     view.drawn.connect(drawn.append)
     times: dict[str, list[float]] = {"wall": [], "cpu": [], "draw": []}
     for step, theta in enumerate(np.linspace(5.0, 80.0, STEPS + WARM_UP)):
-        program.desk.blockSignals(True)  # the rest of the window is timed elsewhere
-        program.desk.set_incidence(float(theta), 0.0)
-        program.desk.blockSignals(False)
+        program.session.blockSignals(True)  # the rest of the window is timed elsewhere
+        program.session.set_incidence(float(theta), 0.0)
+        program.session.blockSignals(False)
         wall, cpu = perf_counter(), thread_time()
         space.draw_now()
         view.makeCurrent()

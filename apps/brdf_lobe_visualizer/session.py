@@ -1,6 +1,7 @@
-"""The subjects and how they are looked at, for every part of the window: read it, set it, hear of changes.
+"""The session that every part of the window shares: subjects, light and options, with signals for changes.
 
-A part is made with ``(desk, window)``, adds its widgets to the window and listens to the desk. No part knows another.
+A part is made with ``(session, window)``, adds its widgets to the window and listens to the session.
+No part knows another.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class Messages(Protocol):
         """Take a message away."""
 
 
-class Desk(QObject):
+class LobeSession(QObject):
     """All subjects, in the order of the legend, and the options that the views share.
 
     Signals
@@ -40,7 +41,7 @@ class Desk(QObject):
     subjects_changed()
         Subjects came, went, changed their place, or one is another now (its reflectance, fit, title or line).
     front_changed()
-        Another subject is the one that is selected. Its own changes are told by ``subjects_changed``.
+        Another subject is the one that is selected. Changes of the subject itself emit ``subjects_changed``.
     visibility_changed()
         Others are visible, by show or solo, or the one that differences are taken against is another.
     incidence_changed(theta_deg, phi_deg)
@@ -61,7 +62,7 @@ class Desk(QObject):
         self.tasks = TaskRunner(self)
         self._subjects: tuple[PlottedMaterial, ...] = ()
         self._front = ""
-        self._compared = ""
+        self._reference_key = ""
         self._hidden: frozenset[str] = frozenset()
         self._solo: frozenset[str] = frozenset()
         self._incidence = INCIDENCE_DEG
@@ -87,9 +88,9 @@ class Desk(QObject):
         return self._of(self._front)
 
     @property
-    def compared(self) -> PlottedMaterial | None:
+    def reference(self) -> PlottedMaterial | None:
         """The one that differences are taken against: the reference; None where none was chosen."""
-        return self._of(self._compared)
+        return self._of(self._reference_key)
 
     def subject(self, key: str) -> PlottedMaterial | None:
         """Return the subject of that key, None where there is none."""
@@ -97,19 +98,19 @@ class Desk(QObject):
 
     def set_subjects(self, subjects: Sequence[PlottedMaterial]) -> None:
         """Put these in the place of all; what was said of keys that stay (front, hidden, solo) stays."""
-        before_front, before = self._front, (self._hidden, self._solo, self._compared)
+        before_front, before = self._front, (self._hidden, self._solo, self._reference_key)
         self._subjects = tuple(subjects)
         keys = frozenset(s.key for s in self._subjects)
         if self._front not in keys:
             self._front = self._subjects[0].key if self._subjects else ""
-        if self._compared not in keys:
-            self._compared = ""
+        if self._reference_key not in keys:
+            self._reference_key = ""
         self._hidden &= keys
         self._solo &= keys
         self.subjects_changed.emit()
         if self._front != before_front:
             self.front_changed.emit()
-        if (self._hidden, self._solo, self._compared) != before:
+        if (self._hidden, self._solo, self._reference_key) != before:
             self.visibility_changed.emit()
 
     def add(self, subject: PlottedMaterial) -> None:
@@ -154,11 +155,11 @@ class Desk(QObject):
             self._front = key
             self.front_changed.emit()
 
-    def set_compared(self, key: str | None) -> None:
+    def set_reference(self, key: str | None) -> None:
         """Take differences against the subject of that key, or against none."""
         wanted = key if key and self._of(key) is not None else ""
-        if wanted != self._compared:
-            self._compared = wanted
+        if wanted != self._reference_key:
+            self._reference_key = wanted
             self.visibility_changed.emit()
 
     # Which are seen.
@@ -248,7 +249,7 @@ class Desk(QObject):
                 rows[index] = 0.0
         return replace(weights, kd=kd, kdd=kdd, kg=kg)
 
-    # Telling.
+    # Messages.
 
     def show_message(self, message: Message) -> None:
         """Show a message in the window."""
@@ -270,7 +271,7 @@ class Desk(QObject):
 
 
 def light_at(theta_deg: float, phi_deg: float) -> Floats:
-    """Return the unit direction (3,) to a light at an incidence as :attr:`Desk.incidence` has it.
+    """Return the unit direction (3,) to a light at an incidence as :attr:`LobeSession.incidence` has it.
 
     >>> light_at(90.0, 0.0).round(9).tolist()
     [-1.0, 0.0, 0.0]
