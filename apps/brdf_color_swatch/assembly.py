@@ -158,10 +158,10 @@ class ColorSwatch:
         if len(names) > _MOST_NAMED:
             names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
         newest = max(item.when for item in found)
-        what = tr("Unsaved work was found, the newest from {when}: {names}.").format(
+        what = tr("Unsaved work found, the newest from {when}: {names}.").format(
             when=moment(newest), names=", ".join(names)
         )
-        todo = tr("An earlier run ended before it was saved. Recover opens it; no file is changed.")
+        todo = tr("Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.")
         actions = (
             (tr("Recover"), lambda: self._recover(found)),
             (tr("Discard"), lambda: [self.library.drop_recovered(item) for item in found] and None),

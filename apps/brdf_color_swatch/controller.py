@@ -167,31 +167,31 @@ class Controller(QObject):
         new, opened = (tr("New Palette"), "new"), (tr("Open…"), "open")
         if item is None:
             text = tr(
-                "Choose a palette in the library, open one, or begin a new one.\nFiles can be dropped here."
+                "Choose a palette in the library, open one, or create a new one.\nFiles can be dropped here."
             )
-            pane.show_note(text, (new, opened, (tr("The Shipped Paints"), "shipped")))
+            pane.show_note(text, (new, opened, (tr("Sample Paints"), "shipped")))
         elif item.state == "reading":
-            text = tr("Reading {name}").format(name=item.title[:200])
+            text = tr("Reading {name}…").format(name=item.title[:200])
             pane.show_note(text, ((tr("Cancel"), "cancel"),), busy=True)
         elif item.state == "wrong":
-            text = tr("{problem}\nRepair the file or take it from its backup, and read it again.").format(
+            text = tr("{problem}\nRepair the file or restore it from a backup, then reload it.").format(
                 problem=item.problem[:500]
             )
-            pane.show_note(text, ((tr("Read Again"), "again"), (tr("Take out of the Library"), "close")))
+            pane.show_note(text, ((tr("Reload"), "again"), (tr("Remove from Library"), "close")))
         elif item.state == "closed":
-            pane.show_note(tr("This palette is not read yet."), ((tr("Read It"), "again"),))
+            pane.show_note(tr("This palette is not loaded."), ((tr("Open Palette"), "again"),))
         elif pane.model.rowCount():
             pane.show_note("")
         elif len(self._desk.library.rows(item.key)) == 0:
             text = tr(
-                "This palette is empty. Drop paints here, paste colours, or take the paint being edited."
+                "This palette is empty. Drop paints here, paste colours, or add the paint from Designer."
             )
-            pane.show_note(text, ((tr("Add Paints…"), "add"), (tr("Take the Paint Being Edited"), "take")))
+            pane.show_note(text, ((tr("Add Paints…"), "add"), (tr("Add Paint from Designer"), "take")))
         elif state.is_narrowed or state.near is not None:
-            text = tr("No swatch fits the search and the filters.")
-            pane.show_note(text, ((tr("Let All Pass"), "clear"),))
+            text = tr("No swatch matches the search and filters.")
+            pane.show_note(text, ((tr("Clear Filters"), "clear"),))
         else:
-            pane.show_note(tr("Nothing is in this group yet. Drop swatches here."))
+            pane.show_note(tr("This group is empty. Drop swatches here."))
 
     def _show_counts(self) -> None:
         desk = self._desk

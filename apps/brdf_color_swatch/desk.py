@@ -216,7 +216,7 @@ class Desk(QObject):
     # Edits.
 
     def edit(self, name: str, change: Edit, key: str | None = None) -> bool:
-        """Change a palette (that in front) in one step; a refusal is told, and nothing changes."""
+        """Change a palette (that in front) in one step; a refusal is reported, and nothing changes."""
         key = self.state.scope.palette if key is None else key
         return self.edit_many(name, {key: change})
 
@@ -230,7 +230,7 @@ class Desk(QObject):
                     return False
                 edits.append((key, change(palette)))
         except SuiteError as error:
-            self.library.fails(error, "edit", tr("The palette is as it was."))
+            self.library.fails(error, "edit", tr("The palette is unchanged."))
             return False
         self.library.settled.emit("edit")
         return self.library.edit(name, *edits)

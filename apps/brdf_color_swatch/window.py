@@ -58,12 +58,10 @@ class SwatchWindow(SuiteWindow):
         self.recent_menu = QMenu(tr("Open &Recent"), self)
         self.recent_menu.setToolTipsVisible(True)
         cells = self.status
-        self.count_cell = cells.cell("Swatches", tr("How many swatches are shown and selected"))
-        self.picture_cell = cells.cell(
-            "Pictures", tr("How many of the pictures that are seen are still to come")
-        )
-        self.note_cell = cells.cell("Note", tr("What there is to know of the colours shown"), elastic=True)
-        self.link_cell = cells.cell("Link", tr("Other programs of the suite that are open"), right=True)
+        self.count_cell = cells.cell("Swatches", tr("Swatches shown and selected"))
+        self.picture_cell = cells.cell("Pictures", tr("Visible pictures still pending"))
+        self.note_cell = cells.cell("Note", tr("Notes on the colours shown"), elastic=True)
+        self.link_cell = cells.cell("Link", tr("Connected programs of the suite"), right=True)
 
     def _picture(self, pane: int, row: int) -> object:
         return self.picture_of(pane, row)

@@ -37,7 +37,7 @@ COLOURS = {
 
 
 class ScriptedDialogs:
-    """Answers as told, and notes what was asked."""
+    """Gives scripted answers and records the questions."""
 
     def __init__(self) -> None:
         self.answer = Answer.DISCARD
@@ -130,7 +130,7 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
 
 @pytest.fixture
 def dialogs(lasting) -> ScriptedDialogs:
-    """Who answers the questions."""
+    """The scripted dialogs of the program."""
     return lasting[1]
 
 
@@ -183,7 +183,7 @@ def drop():
     def it(target, point, data: QMimeData, *, copies: bool = False) -> QDropEvent:
         keys = Qt.KeyboardModifier.ControlModifier if copies else Qt.KeyboardModifier.NoModifier
         actions, button = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
-        # Qt delivers a drop to whom it has entered, and to nobody else.
+        # Qt delivers a drop only to the widget that it has entered.
         QCoreApplication.sendEvent(target, QDragEnterEvent(point, actions, data, button, keys))
         event = QDropEvent(QPointF(point), actions, data, button, keys)
         QCoreApplication.sendEvent(target, event)

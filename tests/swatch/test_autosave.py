@@ -105,7 +105,7 @@ def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> N
     assert not recovery._file.exists()
 
 
-def test_a_disk_that_refuses_is_told_and_so_is_that_it_takes_again(kept, qtbot) -> None:
+def test_a_write_failure_and_its_end_are_reported(kept, qtbot) -> None:
     store, recovery, _tasks, failed = kept
     file, recovery._file = recovery._file, recovery._file.parent / "gone" / "x.recovery.json"
     store.set(replace(store.value, name="Changed"), "rename")

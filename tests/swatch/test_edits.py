@@ -86,7 +86,7 @@ def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
     assert {"Sunset", "Deep"} <= set(names(swatch))
     QGuiApplication.clipboard().setText("only words")
     command(swatch, "paste")
-    assert "holds no swatch" in swatch.window.messages.shown()["edit"].what
+    assert "contains no swatch" in swatch.window.messages.shown()["edit"].what
 
 
 def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> None:
@@ -223,7 +223,7 @@ def test_keys_alone_select_move_and_order(swatch, names, select, command) -> Non
     assert swatch.desk.selected == ()
 
 
-def test_a_refused_edit_changes_nothing_and_is_told(swatch, select) -> None:
+def test_a_refused_edit_changes_nothing_and_is_reported(swatch, select) -> None:
     before = swatch.desk.palette
     select(swatch, "Red")
     swatch.window.swatch.edited.emit("tags", ", ".join(f"t{number}" for number in range(60)))
@@ -231,7 +231,7 @@ def test_a_refused_edit_changes_nothing_and_is_told(swatch, select) -> None:
     assert "more than the 50 allowed" in swatch.window.messages.shown()["edit"].what
 
 
-def test_a_screen_reader_is_told_where_the_keys_have_come_to(swatch, select) -> None:
+def test_a_screen_reader_gets_the_current_swatch(swatch, select) -> None:
     grid = swatch.window.panes[0].grid
     select(swatch, "Silver")
     QTest.keyClick(grid, Qt.Key.Key_Right)

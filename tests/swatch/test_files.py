@@ -19,7 +19,7 @@ from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.files.palettes import read_palette
 
 
-def told(program, key: str) -> str:
+def message_text(program, key: str) -> str:
     """Return what a message says; empty where there is none."""
     message = program.window.messages.shown().get(key)
     return "" if message is None else message.what
@@ -61,7 +61,7 @@ def test_a_file_is_read_when_it_is_wanted_saved_and_read_again(
     assert load_palette(path).name == "Changed"
 
 
-def test_what_a_format_cannot_hold_is_told_before_it_is_written(
+def test_what_a_format_cannot_hold_is_listed_before_it_is_written(
     swatch, dialogs, tmp_path, qtbot, command
 ) -> None:
     dialogs.path = tmp_path / "out.gpl"
@@ -70,14 +70,14 @@ def test_what_a_format_cannot_hold_is_told_before_it_is_written(
     message = swatch.window.messages.shown()["export"]
     assert "45°" in message.todo
     assert not dialogs.path.exists()
-    press(swatch, "export", "Write It")
-    qtbot.waitUntil(lambda: dialogs.path.exists() and "Written" in told(swatch, "export"))
+    press(swatch, "export", "Export Anyway")
+    qtbot.waitUntil(lambda: dialogs.path.exists() and "Saved" in message_text(swatch, "export"))
     assert [entry.name for entry in read_palette(dialogs.path).palette] == [
         e.name for e in swatch.desk.palette
     ]
     dialogs.path = tmp_path / "out.xyz"
     command(swatch, "export")
-    qtbot.waitUntil(lambda: "names no palette format" in told(swatch, "export"))
+    qtbot.waitUntil(lambda: "names no palette format" in message_text(swatch, "export"))
 
 
 def test_what_is_selected_is_exported_alone(swatch, dialogs, tmp_path, qtbot, command, select) -> None:
@@ -113,7 +113,7 @@ def test_a_palette_of_another_program_is_imported_and_its_file_left_alone(
     assert swatch.library.palette(mine).name == "Mine"
 
 
-def test_a_damaged_file_is_told_and_read_again_once_it_is_repaired(swatch, tmp_path, qtbot, names) -> None:
+def test_a_damaged_file_is_reported_and_reloads_once_repaired(swatch, tmp_path, qtbot, names) -> None:
     path = tmp_path / "bad.brdfpalette"
     path.write_text('{"format": "brdfpalette", "version": 2, "entries": [{]}')
     swatch.window.open_asked.emit(path)
@@ -129,7 +129,7 @@ def test_a_damaged_file_is_told_and_read_again_once_it_is_repaired(swatch, tmp_p
     assert f"open {key}" not in swatch.window.messages.shown()
 
 
-def test_a_paint_that_nobody_measured_is_worked_out_beside_the_window(swatch, qtbot, names) -> None:
+def test_readings_of_an_unmeasured_paint_are_computed_in_the_background(swatch, qtbot, names) -> None:
     lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
     swatch.desk.edit("Add", lambda palette: replace(palette, entries=(*palette.entries, lobes)))
     place = swatch.desk.palette.by_id["lobes"]
@@ -188,7 +188,7 @@ def test_an_empty_window_offers_what_to_do(swatch, qtbot, key: str) -> None:
         return
     button = pane.findChild(QPushButton, f"note_{key}")
     button.click()
-    assert swatch.desk.palette.name in ("Untitled", "Shipped Paints")
+    assert swatch.desk.palette.name in ("Untitled", "Sample Paints")
     assert ("empty" in pane.note) is (key == "new")
 
 

@@ -49,7 +49,7 @@ def test_a_paint_is_offered_to_designer_and_shown_to_the_others(
     command(swatch, "to_viewer")
     qtbot.waitUntil(lambda: any(topic == "paint" and value["name"] == "Blue" for topic, value in heard))
     assert part.started == [["-P", "-m", "brdf_viewer"]]
-    assert "Viewer is being started" in swatch.window.messages.shown()["send"].what
+    assert "Starting Viewer" in swatch.window.messages.shown()["send"].what
 
 
 def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, command, names, qtbot) -> None:
@@ -65,7 +65,7 @@ def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, comm
     assert names(swatch)[:2] == ["Fresh", "Blue"]
 
 
-def test_a_paint_that_the_link_cannot_carry_is_told(swatch, part, select, command) -> None:
+def test_a_paint_that_the_link_cannot_carry_is_reported(swatch, part, select, command) -> None:
     lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
     swatch.desk.edit("Add", lambda palette: type(palette)("L", (lobes,)))
     select(swatch, "Lobes")

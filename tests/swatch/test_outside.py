@@ -25,7 +25,7 @@ def shared(swatch, tmp_path, qtbot):
 
     def write(change) -> None:
         save_palette(change(load_palette(path)), path)
-        # What the system tells of the file is heard by the watch; that it is heard is its own test.
+        # The watch receives the notification of the system; a test of its own checks that.
         swatch.library.item(key).palette.watch.changed.emit(str(path))
 
     return key, path, write

@@ -78,7 +78,7 @@ def test_a_process_draws_what_is_wanted_and_the_disk_keeps_it(made, qtbot) -> No
     middle = picture.toImage().pixelColor(20, 20)
     assert middle.red() > middle.blue() + 50
     assert not first.is_stale(RED)
-    # The next run finds them: a process that is none would tell that it cannot draw.
+    # The next run finds them: a command that does not exist would report that it cannot render.
     second = made("/nonexistent/program")
     second.want([RED, BLUE])
     qtbot.waitUntil(lambda: second.waiting == 0)
@@ -100,20 +100,20 @@ def test_a_new_size_scales_what_is_kept_and_an_old_picture_stays_meanwhile(made,
     assert pictures.is_stale(RED)
 
 
-def test_where_nothing_can_be_drawn_it_is_told_once(made, qtbot) -> None:
+def test_failure_to_render_is_reported_once(made, qtbot) -> None:
     pictures = made("/nonexistent/program")
-    with qtbot.waitSignal(pictures.unavailable) as told:
+    with qtbot.waitSignal(pictures.unavailable) as reported:
         pictures.want([RED])
-    assert "cannot be drawn" in told.args[0]
+    assert "cannot be rendered" in reported.args[0]
     assert pictures.waiting == 0
     assert not pictures.is_stale(RED)
 
 
 def test_a_process_that_dies_over_everything_is_given_up(made, qtbot) -> None:
     pictures = made(sys.executable, "-c", "input()")
-    with qtbot.waitSignal(pictures.unavailable) as told:
+    with qtbot.waitSignal(pictures.unavailable) as reported:
         pictures.want([some(f"p{number}") for number in range(5)])
-    assert "again and again" in told.args[0]
+    assert "ended repeatedly" in reported.args[0]
 
 
 def test_a_paint_over_which_the_process_dies_costs_no_other_its_picture(made, qtbot) -> None:
@@ -123,15 +123,15 @@ def test_a_paint_over_which_the_process_dies_costs_no_other_its_picture(made, qt
     qtbot.waitUntil(lambda: pictures.waiting == 0)
     assert pictures.problem == ""
     assert all(pictures.picture(entry) is not None for entry in good)
-    assert all("ended over this paint" in pictures.refusal(entry) for entry in bad)
+    assert all("ended while rendering this paint" in pictures.refusal(entry) for entry in bad)
 
 
 def test_what_cannot_be_drawn_in_one_light_is_tried_in_another(made, qtbot) -> None:
     pictures = made(*PROCESS)
     pictures.set_look("flop_strip", "nowhere", 40, 1.0)
-    with qtbot.waitSignal(pictures.unavailable) as told:
+    with qtbot.waitSignal(pictures.unavailable) as reported:
         pictures.want([RED])
-    assert told.args[0] == "no such light"
+    assert reported.args[0] == "no such light"
     pictures.set_look("flop_strip", "nowhere", 64, 1.0)
     assert pictures.problem == "no such light"
     pictures.set_look("panel", "overcast", 40, 1.0)

@@ -17,7 +17,7 @@ def test_typing_narrows_and_escape_shows_all_again(swatch, names, qtbot) -> None
     QTest.keyClicks(search, " C1")
     qtbot.waitUntil(lambda: names(swatch) == ["Orange"])
     QTest.keyClicks(search, "zzz")
-    qtbot.waitUntil(lambda: "No swatch fits" in swatch.window.panes[0].note)
+    qtbot.waitUntil(lambda: "No swatch matches" in swatch.window.panes[0].note)
     QTest.keyClick(search, Qt.Key.Key_Escape)
     assert len(names(swatch)) == 6
 
@@ -94,7 +94,7 @@ def test_duplicates_stand_together_under_what_they_differ_by(swatch, names, sele
     command(swatch, "duplicate")
     swatch.window.filters.duplicates.click()
     assert names(swatch) == ["Blue", "Blue"]
-    assert "2 alike" in swatch.desk.shown[0].parts[0].title
+    assert "2 similar" in swatch.desk.shown[0].parts[0].title
 
 
 def test_long_work_is_done_beside_the_window(swatch, names, monkeypatch, qtbot) -> None:

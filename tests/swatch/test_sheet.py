@@ -1,4 +1,4 @@
-"""Contact sheets from the window: what is shown goes in, page by page on paper, and what fails is told."""
+"""Contact sheets from the window: what is shown goes in, page by page on paper, and failures are reported."""
 
 from __future__ import annotations
 

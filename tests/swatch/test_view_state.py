@@ -1,4 +1,4 @@
-"""The look: remembered between runs, what is damaged of it as at a first start, and what was told of the one before."""
+"""The look: remembered between runs, what is damaged of it as at a first start, and messages about the previous one."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
     assert swatch.desk.look == Look(as_list=True)
 
 
-def test_what_cannot_be_drawn_is_told_until_another_form_is_shown(swatch, qtbot) -> None:
+def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
     part = next(part for part in swatch.parts if hasattr(part, "pictures"))
     qtbot.waitUntil(lambda: part._begun)
     part.pictures._give_up("no driver")

@@ -88,7 +88,7 @@ def test_the_map_takes_its_room_from_the_swatches_and_gives_it_back(
         qtbot.waitUntil(lambda: [dock.width() for dock in docks] == before)
 
 
-def test_one_swatch_is_told_in_the_singular(swatch: ColorSwatch) -> None:
+def test_one_swatch_is_counted_in_the_singular(swatch: ColorSwatch) -> None:
     swatch.desk.edit("Keep one", lambda palette: replace(palette, entries=palette.entries[:1], groups=()))
     texts = [label.text() for label in swatch.window.panes[0].head.findChildren(QLabel)]
     assert "1 swatch" in texts

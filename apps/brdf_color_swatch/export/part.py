@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     # With it come the parsers of every format, which a start need not wait for.
     from brdf_suite.files.palettes.format import PaletteFormat
 
-_MOST_TOLD = 8
+_MOST_LISTED = 8
 _KEY = "export"
 _USUAL = ".ase"
 
@@ -41,10 +41,10 @@ class ExportPart:
         self._desk, self._window = desk, window
         self._all = window.add_command(
             "file", mark("&Export Palette…"), "Ctrl+Shift+E", self.export_all, "export", icon="export",
-            tip=mark("Write the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
+            tip=mark("Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
         )  # fmt: skip
         self._some = window.add_command(
-            "file", mark("Export What Is Se&lected…"), None, self.export_selected, "export_selected"
+            "file", mark("Export Se&lection…"), None, self.export_selected, "export_selected"
         )
         desk.selection_changed.connect(lambda _pane: self._enable())
         desk.shown_changed.connect(lambda _pane: self._enable())
@@ -67,7 +67,7 @@ class ExportPart:
             self.export(replace(palette, entries=kept, groups=groups))
 
     def export(self, palette: Palette) -> None:
-        """Ask for a file; what its format cannot hold is told, and only then is it written."""
+        """Ask for a file; list what its format cannot store, and write it after confirmation."""
         from brdf_suite.files.palettes import FORMATS
 
         choices = choices_of(FORMATS, _USUAL)
@@ -98,7 +98,7 @@ class ExportPart:
             request,
             done,
             lambda error: self._window.show_message(
-                message_of(error, _KEY, todo=tr("Nothing was written; choose another name or format."))
+                message_of(error, _KEY, todo=tr("Nothing was written. Choose another name or format."))
             ),
         )
 
@@ -106,17 +106,17 @@ class ExportPart:
         if not lost:
             self._write(request)
             return
-        more = len(lost) - _MOST_TOLD
-        lines = [*lost[:_MOST_TOLD], *([tr("{count} more").format(count=more)] if more > 0 else [])]
+        more = len(lost) - _MOST_LISTED
+        lines = [*lost[:_MOST_LISTED], *([tr("{count} more").format(count=more)] if more > 0 else [])]
         self._window.show_message(
             Message(
                 _KEY,
-                tr("“{name}” cannot hold all of the palette:").format(name=request.path.name),
+                tr("“{name}” cannot store everything in the palette:").format(name=request.path.name),
                 where=str(request.path),
                 todo="\n".join(lines),
                 severity="warning",
                 actions=(
-                    (tr("Write It"), lambda: self._write(request)),
+                    (tr("Export Anyway"), lambda: self._write(request)),
                     (tr("Another Format…"), lambda: self.export(request.palette)),
                 ),
             )
@@ -128,7 +128,7 @@ class ExportPart:
 
     def _written(self, request: _Request) -> None:
         self._window.show_message(
-            Message(_KEY, tr("Written: {name}").format(name=request.path.name), where=str(request.path))
+            Message(_KEY, tr("Saved: {name}").format(name=request.path.name), where=str(request.path))
         )
 
     def _enable(self) -> None:
@@ -153,5 +153,7 @@ def _exported(request: _Request, progress: Progress) -> tuple[str, ...]:
     if request.write:
         return write_palette(request.palette, request.path, known).losses
     if known.write is None:
-        raise SuiteError(tr("{format} is only read here.").format(format=known.title))
+        raise SuiteError(
+            tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
+        )
     return losses(request.palette, known, request.path)

@@ -81,14 +81,16 @@ def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
                 if process.returncode not in (0, 1) or not path.exists():
                     said.seek(0)
                     words_said = said.read().decode("utf-8", "replace").strip().splitlines()
-                    raise SuiteError(words_said[-1] if words_said else tr("The sheet could not be drawn."))
+                    raise SuiteError(
+                        words_said[-1] if words_said else tr("The contact sheet could not be rendered.")
+                    )
     return tuple(path for _, path in request.pages)
 
 
 def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
-    """Draw pages whose files nobody wants, and return their content; errors as :func:`run_sheets`.
+    """Render pages and return the content of their files; errors as :func:`run_sheets`.
 
-    Whichever way it ends, nothing of them stays on the disk.
+    The files are temporary and are removed in any case.
     """
     with tempfile.TemporaryDirectory(prefix="brdf-print-") as folder:
         pages = tuple((palette, Path(folder) / path.name) for palette, path in request.pages)
@@ -102,7 +104,7 @@ class SheetPart:
         self._desk, self._window = desk, window
         self._sheet = window.add_command(
             "file", mark("Contact S&heet…"), None, self.export, "sheet",
-            tip=mark("Write what is shown as a sheet with figures: PDF or PNG"),
+            tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
         )  # fmt: skip
         self._print = window.add_command(
             "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
@@ -176,7 +178,7 @@ class SheetPart:
         assert isinstance(printer, QPrinter)
         painter = QPainter()
         if not painter.begin(printer):
-            self._failed(SuiteError(tr("The printer does not answer.")))
+            self._failed(SuiteError(tr("The printer did not respond. Check it and print again.")))
             return
         for number, page in enumerate(pages):
             if number:
@@ -206,14 +208,12 @@ class SheetPart:
 
     def _show(self, share: float, what: str) -> None:
         text = (
-            tr("Drawing the contact sheet: {name}").format(name=what)
-            if what
-            else tr("Drawing the contact sheet")
+            tr("Rendering contact sheet: {name}").format(name=what) if what else tr("Rendering contact sheet")
         )
         self._window.progress.set_job(_KEY, share, text, lambda: self._desk.library.tasks.cancel(_KEY))
 
     def _written(self, path: Path) -> None:
-        self._done(tr("Written: {name}").format(name=path.name), str(path))
+        self._done(tr("Saved: {name}").format(name=path.name), str(path))
 
     def _done(self, what: str, where: str) -> None:
         self._window.progress.end_job(_KEY)
@@ -221,7 +221,7 @@ class SheetPart:
 
     def _failed(self, error: Exception) -> None:
         self._window.progress.end_job(_KEY)
-        self._window.show_message(message_of(error, _KEY, todo=tr("The palette is as it was.")))
+        self._window.show_message(message_of(error, _KEY, todo=tr("The palette is unchanged.")))
 
     def _enable(self) -> None:
         there = bool(self._desk.shown[self._desk.front].places)

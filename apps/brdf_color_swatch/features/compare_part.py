@@ -22,11 +22,11 @@ _HEADS = (mark("Angle"), mark("ΔE00"), mark("ΔL*"), mark("Δa*"), mark("Δb*")
 _TIPS = (
     mark("Aspecular angle"),
     mark("Colour difference CIEDE2000"),
-    mark("Lightness of the second less that of the first"),
-    mark("Red–green of the second less that of the first"),
-    mark("Yellow–blue of the second less that of the first"),
-    mark("Chroma of the second less that of the first"),
-    mark("Hue angle of the second less that of the first, degrees"),
+    mark("Lightness difference, second minus first"),
+    mark("Red–green difference, second minus first"),
+    mark("Yellow–blue difference, second minus first"),
+    mark("Chroma difference, second minus first"),
+    mark("Hue angle difference in degrees, second minus first"),
 )
 
 
@@ -38,11 +38,11 @@ class _Pair(QWidget):
         self._codes = np.zeros((2, 0, 3), np.uint8)
         self.setMinimumHeight(96)
 
-    def show_codes(self, codes: np.ndarray, told: str) -> None:
+    def show_codes(self, codes: np.ndarray, description: str) -> None:
         self._codes = codes
-        self.setToolTip(plain_tip(told))
+        self.setToolTip(plain_tip(description))
         self.setAccessibleName(tr("Both paints at each angle"))
-        self.setAccessibleDescription(told)
+        self.setAccessibleDescription(description)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -96,7 +96,7 @@ class ComparePanel(QWidget):
         for widget in (self.pair, self.table, self.figures):
             widget.setVisible(two)
         if not two:
-            self.names.setText(tr("Select two swatches to compare them; in two panes, one in each."))
+            self.names.setText(tr("Select two swatches to compare, or one in each of two panes."))
             return
         columns = Columns.of(entries)
         lab = columns.main
@@ -105,7 +105,7 @@ class ComparePanel(QWidget):
         differences = delta_e_2000(lab[0], lab[1])
         lch = lab_to_lch(lab)
         self.table.setRowCount(len(ANGLES_DEG))
-        told = []
+        lines = []
         for row, angle in enumerate(ANGLES_DEG):
             turn = (lch[1, row, 2] - lch[0, row, 2] + 180.0) % 360.0 - 180.0
             values = [
@@ -115,24 +115,24 @@ class ComparePanel(QWidget):
                 f"{lch[1, row, 1] - lch[0, row, 1]:+.1f}",
                 f"{turn:+.0f}°" if min(lch[:, row, 1]) >= 1.0 else "–",
             ]
-            told.append(f"{values[0]} ΔE00 {values[1]}")
+            lines.append(f"{values[0]} ΔE00 {values[1]}")
             for column, value in enumerate(values):
                 item = QTableWidgetItem(value.replace("-", "−").replace("nan", "–").replace("+–", "–"))
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.table.setItem(row, column, item)
-        self.pair.show_codes(codes_of(lab), "; ".join(told))
+        self.pair.show_codes(codes_of(lab), "; ".join(lines))
         height = self.table.horizontalHeader().sizeHint().height() + 2
         self.table.setFixedHeight(height + sum(self.table.rowHeight(row) for row in range(len(ANGLES_DEG))))
         figures = []
         if np.isfinite(differences).any():
             mean, worst = f"{np.nanmean(differences):.2f}", f"{np.nanmax(differences):.2f}"
             figures.append(tr("Mean ΔE00 {mean}, worst {worst}").format(mean=mean, worst=worst))
-        flops = [_told(flop) for flop in columns.flop]
+        flops = [_format_figure(flop) for flop in columns.flop]
         figures.append(tr("Flop {first} and {second}").format(first=flops[0], second=flops[1]))
         if np.isfinite(columns.gloss).any():
             figures.append(
                 tr("Gloss 20°: {first} and {second} GU").format(
-                    first=_told(columns.gloss[0]), second=_told(columns.gloss[1])
+                    first=_format_figure(columns.gloss[0]), second=_format_figure(columns.gloss[1])
                 )
             )
         self.figures.setText("\n".join(figures))
@@ -179,5 +179,5 @@ class ComparePart:
             self.panel.show_entries(pair)
 
 
-def _told(value: float) -> str:
+def _format_figure(value: float) -> str:
     return f"{value:.1f}" if np.isfinite(value) else "–"

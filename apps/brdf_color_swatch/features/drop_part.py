@@ -29,12 +29,12 @@ class DropPart:
         add = window.add_command
         window.menu("edit").addSeparator()
         self._of_selected = [
-            add("edit", mark("Move &Before the One Above"), "Alt+Left", lambda: self.step(-1), "earlier"),
-            add("edit", mark("Move Be&hind the One Below"), "Alt+Right", lambda: self.step(1), "later"),
+            add("edit", mark("Move Up"), "Alt+Left", lambda: self.step(-1), "earlier"),
+            add("edit", mark("Move Do&wn"), "Alt+Right", lambda: self.step(1), "later"),
         ]
         self._fix_order = add(
-            "edit", mark("Keep the Order that Is S&hown"), None, self.keep_order, "keep_order",
-            tip=mark("Makes the order that is shown the palette's own"),
+            "edit", mark("Appl&y Current Sort"), None, self.keep_order, "keep_order",
+            tip=mark("Make the current sort the palette order"),
         )  # fmt: skip
         window.tree.dropped.connect(self.drop_on_scope)
         for pane in window.panes:
@@ -50,7 +50,7 @@ class DropPart:
         """Make the order that is shown the palette's own."""
         shown = self._desk.shown[self._desk.front]
         ids = [shown.rows.ids[place] for place in shown.places]
-        if self._desk.edit(tr("Keep an order"), lambda palette: edits.reorder_entries(palette, ids)):
+        if self._desk.edit(tr("Apply current sort"), lambda palette: edits.reorder_entries(palette, ids)):
             self._desk.set_state(replace(self._desk.state, sort="own", descending=False))
 
     def step(self, by: int) -> None:
@@ -112,7 +112,7 @@ class DropPart:
 
     def _drop(self, event: QDropEvent, scope: Scope, group: GroupPath | None, before: str | None) -> None:
         moves = _moves(event)
-        # The palettes are changed here, both in one step: whoever began the drag has nothing to remove.
+        # The palettes are changed here, both in one step: the source of the drag has nothing to remove.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         self._drop_data(event.mimeData(), scope, group, before, moves=moves)
@@ -124,7 +124,7 @@ class DropPart:
         try:
             carried = taken(data)
         except SuiteError as error:
-            desk.library.fails(error, "edit", tr("The palette is as it was."))
+            desk.library.fails(error, "edit", tr("The palette is unchanged."))
             return
         for path in carried.files:
             self._window.open_asked.emit(path)

@@ -96,15 +96,15 @@ class EditPart:
         try:
             carried = taken(QGuiApplication.clipboard().mimeData())
         except SuiteError as error:
-            self._desk.library.fails(error, "edit", tr("The palette is as it was."))
+            self._desk.library.fails(error, "edit", tr("The palette is unchanged."))
             return
         for path in carried.files:
             self._window.open_asked.emit(path)
         if not carried.entries:
             if not carried.files:
                 self._desk.library.fails(
-                    SuiteError(tr("The clipboard holds no swatch, paint or colour.")), "edit",
-                    tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* numbers."),
+                    SuiteError(tr("The clipboard contains no swatch, paint or colour.")), "edit",
+                    tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* values."),
                 )  # fmt: skip
             return
         if self._desk.palette is None:
@@ -193,7 +193,7 @@ class EditPart:
                     lambda palette: dated(edits.rename_entry(palette, id_, text), [id_]),
                 )
         else:
-            self._change(tr("Change the code"), [id_], lambda entry: replace(entry, code=text))
+            self._change(tr("Change code"), [id_], lambda entry: replace(entry, code=text))
 
     def write(self, key: str, text: str) -> None:
         """Write a field of the inspector into all that is selected."""
@@ -207,9 +207,9 @@ class EditPart:
                 lambda entry: replace(entry, content=replace(entry.content, name=text)),
             )
         elif key == "code":
-            self._change(tr("Change the code"), ids, lambda entry: replace(entry, code=text))
+            self._change(tr("Change code"), ids, lambda entry: replace(entry, code=text))
         elif key == "notes":
-            self._change(tr("Change the notes"), ids, lambda entry: replace(entry, notes=text))
+            self._change(tr("Change notes"), ids, lambda entry: replace(entry, notes=text))
         else:
             self._tag(ids, text)
 
@@ -218,7 +218,7 @@ class EditPart:
         drop = [word[1:].strip() for word in words if word.startswith("-")]
         add = [word.removeprefix("+").strip() for word in words if not word.startswith("-")]
         relative = len(ids) > 1 and all(word[0] in "+-" for word in words) and bool(words)
-        name = tr("Change the tags of {what}").format(what=count_words(len(ids)))
+        name = tr("Change tags of {what}").format(what=count_words(len(ids)))
         if relative:
             self._desk.edit(name, lambda palette: dated(edits.tag_entries(palette, ids, add, drop), ids))
         else:

@@ -22,12 +22,12 @@ class GroupPart:
         window.menu("edit").addSeparator()
         self._new_group = add(
             "edit", mark("New G&roup"), "Ctrl+G", self.new_group, "new_group", icon="folder-plus",
-            tip=mark("New group of what is selected"),
+            tip=mark("New group from selection"),
         )  # fmt: skip
         self._of_group = [
             add("edit", mark("Rena&me Group"), "Shift+F2", self.rename_group, "rename_group"),
             add("edit", mark("Dissol&ve Group"), "Ctrl+Shift+G", self.dissolve_group, "dissolve_group"),
-            add("edit", mark("Remo&ve Group with its Swatches"), None, self.remove_group, "remove_group"),
+            add("edit", mark("Remo&ve Group and Swatches"), None, self.remove_group, "remove_group"),
         ]
         window.add_library_button(self._new_group)
         window.palette_panel.edited.connect(self.write_palette)
@@ -44,7 +44,7 @@ class GroupPart:
         if key == "name":
             self.rename_scope(self._desk.state.scope, text)
             return
-        name = tr("Change the colour") if key == "colour" else tr("Change the notes")
+        name = tr("Change colour") if key == "colour" else tr("Change notes")
         if group:
             self._desk.edit(
                 name,
@@ -84,11 +84,11 @@ class GroupPart:
 
     def dissolve_group(self) -> None:
         """Take the group away; its swatches move to the group around it."""
-        self._drop_group(tr("Dissolve a group"), keep=True)
+        self._drop_group(tr("Dissolve group"), keep=True)
 
     def remove_group(self) -> None:
         """Take the group away, with its swatches."""
-        self._drop_group(tr("Remove a group"), keep=False)
+        self._drop_group(tr("Remove group"), keep=False)
 
     def _drop_group(self, name: str, *, keep: bool) -> None:
         path = self._desk.state.scope.group
@@ -97,7 +97,7 @@ class GroupPart:
 
     def rename_scope(self, scope: Scope, name: str) -> None:
         """Rename a palette, a group or a tag."""
-        told = tr("Rename to “{name}”").format(name=name[:40])
+        title = tr("Rename to “{name}”").format(name=name[:40])
         if scope.tag:
 
             def retag(entry: Entry) -> Entry:
@@ -110,15 +110,15 @@ class GroupPart:
                 if palette is not None
                 else []
             )
-            done = self._desk.edit(told, lambda old: edits.change_entries(old, ids, retag), scope.palette)
+            done = self._desk.edit(title, lambda old: edits.change_entries(old, ids, retag), scope.palette)
             new = replace(scope, tag=name)
         elif scope.group:
             done = self._desk.edit(
-                told, lambda old: edits.rename_group(old, scope.group, name), scope.palette
+                title, lambda old: edits.rename_group(old, scope.group, name), scope.palette
             )
             new = replace(scope, group=(*scope.group[:-1], name))
         else:
-            self._desk.edit(told, lambda old: replace(old, name=name), scope.palette)
+            self._desk.edit(title, lambda old: replace(old, name=name), scope.palette)
             return
         if done:
             for pane, state in enumerate(self._desk.states):
@@ -137,7 +137,7 @@ class GroupPart:
         to = (*onto.group, moved.group[-1])
         if to != moved.group:
             self._desk.edit(
-                tr("Move a group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
+                tr("Move group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
             )
 
     def _carry_group(self, moved: Scope, onto: Scope) -> None:
@@ -164,7 +164,7 @@ class GroupPart:
             return edits.add_entries(replace(palette, groups=(*palette.groups, *fresh)), entries)
 
         self._desk.edit_many(
-            tr("Move the group “{name}”").format(name=moved.group[-1][:40]),
+            tr("Move group “{name}”").format(name=moved.group[-1][:40]),
             {onto.palette: take, moved.palette: lambda palette: edits.remove_group(palette, moved.group)},
         )
 

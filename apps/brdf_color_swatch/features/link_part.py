@@ -49,11 +49,11 @@ class LinkPart:
             self._sends.append(action)
         window.menu("paint").addSeparator()
         self._take = add(
-            "paint", mark("&Take the Paint Being Edited"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
-            tip=mark("Put the paint that is edited in Designer into this palette"),
+            "paint", mark("&Add Paint from Designer"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
+            tip=mark("Add the paint being edited in Designer to this palette"),
         )  # fmt: skip
         self._near = add(
-            "paint", mark("Find the Nearest to the Paint Being &Edited"), None, self.find, "nearest_edited"
+            "paint", mark("Find Nearest to &Designer's Paint"), None, self.find, "nearest_edited"
         )
         window.toolbar.addAction(self._take)
         for pane in window.panes:
@@ -82,7 +82,7 @@ class LinkPart:
         paint = to_paint(entries[0].content)
         package, name, *_ = _PROGRAMS[role]
         if not isinstance(paint, Paint):
-            text = tr("“{paint}” is of Cook-Torrance lobes, and the live link carries designed paints.")
+            text = tr("“{paint}” consists of Cook-Torrance lobes; the live link sends designed paints only.")
             self._window.show_message(
                 Message(
                     "send",
@@ -106,7 +106,7 @@ class LinkPart:
                     Message(
                         "send",
                         tr("{program} could not be started.").format(program=name),
-                        todo=tr("Start it by hand; the paint goes to it then."),
+                        todo=tr("Start it manually; the paint is then sent to it."),
                         severity="warning",
                     )
                 )
@@ -114,7 +114,7 @@ class LinkPart:
             self._window.show_message(
                 Message(
                     "send",
-                    tr("{program} is being started with “{paint}”.").format(program=name, paint=paint.name),
+                    tr("Starting {program} with “{paint}”.").format(program=name, paint=paint.name),
                 )
             )
         else:
@@ -123,29 +123,29 @@ class LinkPart:
     def take(self) -> None:
         """Put the paint being edited into the palette in front."""
         if self._edited is None:
-            self._tell_none()
+            self._report_no_paint()
             return
         if self._desk.palette is None:
             self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
         entry = Entry(self._edited, id=new_id())
-        add_entries(self._desk, tr("Take “{paint}”").format(paint=entry.name[:40]), [entry])
+        add_entries(self._desk, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
 
     def find(self) -> None:
         """Order the pane by the difference to the paint being edited."""
         if self._edited is None:
-            self._tell_none()
+            self._report_no_paint()
             return
         from dataclasses import replace
 
         near: Near = near_of(Entry(self._edited, id="edited"))
         self._desk.set_state(replace(self._desk.state, near=near, duplicates=None, sort="nearest"))
 
-    def _tell_none(self) -> None:
+    def _report_no_paint(self) -> None:
         self._window.show_message(
             Message(
                 "take",
                 tr("No paint is being edited."),
-                todo=tr("Open Designer: the paint that it shows can be taken at once."),
+                todo=tr("Open a paint in Designer, then try again."),
             )
         )
 
@@ -163,10 +163,10 @@ class LinkPart:
             "swatch": "Color Swatch",
         }
         peers = self.link.peers
-        told = ", ".join(names.get(role, role) for role in peers)
-        text = tr("Linked: {programs}").format(programs=told) if told else tr("Not linked")
+        connected = ", ".join(names.get(role, role) for role in peers)
+        text = tr("Connected: {programs}").format(programs=connected) if connected else tr("Not connected")
         if self._edited is not None:
-            text = tr("{link} · edited: {paint}").format(link=text, paint=self._edited.name[:40])
+            text = tr("{link} · in Designer: {paint}").format(link=text, paint=self._edited.name[:40])
         self._window.link_cell.set(text)
 
     def _enable(self) -> None:

@@ -28,16 +28,16 @@ class NearPart:
         self._desk, self._window = desk, window
         add = window.add_command
         self._near = add(
-            "paint", mark("Find the &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",
-            tip=mark("Order the swatches by ΔE00 to the selected one, the mean over 15°, 45° and 110°"),
+            "paint", mark("Find &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",
+            tip=mark("Sort by mean ΔE00 over 15°, 45° and 110° to the selected swatch"),
         )  # fmt: skip
         self._other = add(
-            "paint", mark("Find the Nearest in the &Other Pane"), None, self.find_other, "nearest_other",
-            tip=mark("Order the other pane by ΔE00 to the swatch that is selected here"),
+            "paint", mark("Find Nearest in &Other Pane"), None, self.find_other, "nearest_other",
+            tip=mark("Sort the other pane by mean ΔE00 to the swatch selected here"),
         )  # fmt: skip
         self._clipboard = add(
-            "paint", mark("Find the Nearest to the Clip&board"), None, self.find_clipboard, "nearest_clipboard",
-            tip=mark("Order by ΔE00 to the paint, colour or L*a*b* numbers on the clipboard"),
+            "paint", mark("Find Nearest to Clip&board"), None, self.find_clipboard, "nearest_clipboard",
+            tip=mark("Sort by mean ΔE00 to the paint, colour or L*a*b* values on the clipboard"),
         )  # fmt: skip
         window.menu("paint").addSeparator()
         window.toolbar.addAction(self._near)
@@ -67,9 +67,9 @@ class NearPart:
         try:
             carried = taken(QGuiApplication.clipboard().mimeData())
             if not carried.entries:
-                raise SuiteError(tr("The clipboard holds no swatch, paint or colour."))
+                raise SuiteError(tr("The clipboard contains no swatch, paint or colour."))
         except SuiteError as error:
-            self._desk.library.fails(error, "edit", tr("What is shown is as it was."))
+            self._desk.library.fails(error, "edit", tr("The order is unchanged."))
             return
         self.find_near(near_of(carried.entries[0]))
 

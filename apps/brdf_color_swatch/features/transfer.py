@@ -153,7 +153,7 @@ def _flat(line: str, match: re.Match[str], model: str, values: tuple[float, ...]
 def _whole(content: bytes) -> Carried:
     value = _json(content)
     if not isinstance(value, dict) or not {"owner", "source", "palette"} <= set(value):
-        raise SuiteError("The clipboard says that it holds swatches, and it does not.")
+        raise SuiteError("The swatches on the clipboard are damaged.")
     palette = palette_from_json(value["palette"], "the clipboard")
     return Carried(palette.entries, (), str(value["source"]), str(value["owner"]))
 
@@ -172,7 +172,7 @@ def _json(content: bytes) -> object:
     try:
         return json.loads(content.decode("utf-8"))
     except (ValueError, RecursionError) as error:
-        raise SuiteError(f"The clipboard holds a text that is no paint ({error}).") from error
+        raise SuiteError(f"The text on the clipboard is not a valid paint ({error}).") from error
 
 
 def hexes_of(lab: Sequence[Sequence[float]]) -> list[str]:

@@ -12,10 +12,10 @@ from brdf_color_swatch.grid.view_state import SIZES
 from brdf_color_swatch.window import SwatchWindow
 
 _FORMS = (
-    ("sphere", mark("As &Spheres")),
-    ("panel", mark("As Curved &Panels")),
-    ("flop_strip", mark("As &Flop Strips")),
-    ("chips", mark("As Flat &Chips")),
+    ("sphere", mark("Show as &Spheres")),
+    ("panel", mark("Show as Curved &Panels")),
+    ("flop_strip", mark("Show as &Flop Strips")),
+    ("chips", mark("Show as Flat &Chips")),
 )
 _STEP = 1.25
 
@@ -37,7 +37,7 @@ class ViewPart:
                 lambda key=key: desk.set_look(form=key, as_list=False),
                 f"form_{key}_command",
             )
-        self._list = add("view", mark("As a &List"), "Ctrl+L", self._toggle_list, "list")
+        self._list = add("view", mark("Show as &List"), "Ctrl+L", self._toggle_list, "list")
         self._list.setCheckable(True)
         view.addSeparator()
         add(
@@ -56,10 +56,10 @@ class ViewPart:
             "smaller",
             icon="magnifying-glass-minus",
         )
-        add("view", mark("Search &Text"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
+        add("view", mark("Searc&h"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
         add(
             "view",
-            mark("Let &All Pass"),
+            mark("Clear Filte&rs"),
             "Ctrl+Backspace",
             lambda: desk.set_state(desk.state.cleared()),
             "clear",

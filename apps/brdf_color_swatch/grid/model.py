@@ -32,12 +32,12 @@ _TITLES = {
     "date": mark("Date"),
 }
 _TIPS = {
-    "name": mark("Name of the paint; F2 renames it"),
-    "code": mark("The maker's or your own code"),
+    "name": mark("Name of the paint (rename: F2)"),
+    "code": mark("Manufacturer's code or your own"),
     "gloss": mark("Gloss at 20° in gloss units (GU), coat and base together"),
     "flop": mark("Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour"),
-    "tags": mark("Words to search by"),
-    "date": mark("When it was last changed, year-month-day"),
+    "tags": mark("Search terms"),
+    "date": mark("Date of the last change (year-month-day)"),
 }
 NAME, CODE = 0, 1
 TAGS, DATE = SORT_KEYS.index("tags"), SORT_KEYS.index("date")
@@ -143,7 +143,7 @@ class SwatchModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole and key not in ("name", "code", "tags", "date"):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ToolTipRole:
-            return plain_tip(rows.told(place, self.shown.figure.get(place)))
+            return plain_tip(rows.describe(place, self.shown.figure.get(place)))
         if role == Qt.ItemDataRole.AccessibleTextRole:
             return rows.spoken(place)
         if role == ID_ROLE:

@@ -62,7 +62,7 @@ def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, 
     parts: list[Part] = []
     for path, inside in members.items():
         if inside:
-            title = group_title(path) if path else (tr("In no group") if len(members) > 1 else "")
+            title = group_title(path) if path else (tr("Ungrouped") if len(members) > 1 else "")
             parts.append(Part(title, len(order), len(inside)))
             order.extend(inside)
     return order, tuple(parts)
@@ -87,9 +87,9 @@ def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Prog
         if len(members) < 2:
             continue
         if math.isnan(group.widest):  # not worked out of a group that large
-            title = tr("{count} alike").format(count=len(members))
+            title = tr("{count} similar").format(count=len(members))
         else:
-            title = tr("{count} alike, up to ΔE00 {widest} apart").format(
+            title = tr("{count} similar, differences up to ΔE00 {widest}").format(
                 count=len(members), widest=f"{group.widest:.2f}"
             )
         if group.chained:

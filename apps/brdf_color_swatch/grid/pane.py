@@ -106,7 +106,7 @@ class Pane(QFrame):
         self.grid.verticalScrollBar().setValue(top)
         self.list.verticalScrollBar().setValue(top_list)
         self._quiet = False
-        self._tell_selected()
+        self._report_selected()
 
     def show_note(self, text: str, actions: tuple[tuple[str, str], ...] = (), *, busy: bool = False) -> None:
         """Show a word instead of swatches, with buttons (text, key); empty text shows the swatches."""
@@ -201,15 +201,15 @@ class Pane(QFrame):
         self.head.setMinimumHeight(30)
         self._mark = PlainLabel("▸")
         self._mark.setObjectName("front_mark")
-        self._mark.setToolTip(tr("The pane that is worked in"))
+        self._mark.setToolTip(tr("Active pane"))
         self._title = ElidedLabel()
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
         self._close = QToolButton()
         self._close.setIcon(icon("x"))
         self._close.setAutoRaise(True)
-        self._close.setToolTip(tr("Close this pane"))
-        self._close.setAccessibleName(tr("Close this pane"))
+        self._close.setToolTip(tr("Close pane"))
+        self._close.setAccessibleName(tr("Close pane"))
         self._close.clicked.connect(self.close_asked)
         row.addWidget(self._mark)
         row.addWidget(self._title, 1)
@@ -251,7 +251,7 @@ class Pane(QFrame):
         self.grid.dropped.connect(self.dropped)
         self.grid.seen_changed.connect(self.seen_changed)
         self.grid.size_asked.connect(self.size_asked)
-        self.grid.selectionModel().selectionChanged.connect(lambda *_: self._tell_selected())
+        self.grid.selectionModel().selectionChanged.connect(lambda *_: self._report_selected())
         self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
         for view in (self.grid, self.list):
             view.activated.connect(self._open)
@@ -271,7 +271,7 @@ class Pane(QFrame):
             self.opened.emit(self.model.id_at(index.row()))
 
     def _speak(self, index: QModelIndex) -> None:
-        """Let a screen reader tell the swatch that the keys have come to: its name and its colour."""
+        """Describe the current swatch to a screen reader: its name and its colour."""
         if not index.isValid():
             return
         shown = self.model.shown
@@ -280,7 +280,7 @@ class Pane(QFrame):
         if self.grid.hasFocus() and QAccessible.isActive():
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
 
-    def _tell_selected(self) -> None:
+    def _report_selected(self) -> None:
         if not self._quiet:
             self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
 

@@ -125,7 +125,7 @@ class Rows:
         value = self.lab[place, ANGLES_DEG.index(float(angle)), "Lab".index(axis) if axis != "L" else 0]
         return _number(value, 1)
 
-    def told(self, place: int, delta_e: float | None = None) -> str:
+    def describe(self, place: int, delta_e: float | None = None) -> str:
         """Return the tool tip of a row: figures with their units."""
         entry = self.entries[place]
         lines = [self.name(place)[:200]]
@@ -147,7 +147,7 @@ class Rows:
             if gloss:
                 lines.append(tr("Gloss 20°: {gloss} GU").format(gloss=gloss))
         if delta_e is not None:
-            lines.append(tr("ΔE00 to what is searched for: {value}").format(value=f"{delta_e:.2f}"))
+            lines.append(tr("ΔE00 to the search target: {value}").format(value=f"{delta_e:.2f}"))
         if entry.tags:
             lines.append(tr("Tags: {tags}").format(tags=", ".join(entry.tags)))
         if entry.group:

@@ -41,7 +41,7 @@ class LibraryBase(QObject):
     palette_changed(key)
         What a palette holds is something else now; its rows are there.
     message(Message), settled(str)
-        Something to tell the user; the key of what was told is no longer so.
+        A message for the user; the key of a message that no longer holds.
     changed_outside(key)
         The file of an open palette holds something that neither this program wrote nor read.
     """
@@ -238,5 +238,5 @@ class LibraryBase(QObject):
         return self._any_files().recent()
 
     def fails(self, error: SuiteError, key: str, todo: str = "") -> None:
-        """Tell the user of an error."""
+        """Report an error to the user."""
         self.message.emit(message_of(error, key, todo=todo))

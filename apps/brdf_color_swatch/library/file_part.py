@@ -36,7 +36,7 @@ def new_palette() -> Palette:
 def shipped_palette() -> Palette:
     """Return the paints that come with the suite as a palette."""
     entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
-    return Palette(tr("Shipped Paints"), tuple(entries))
+    return Palette(tr("Sample Paints"), tuple(entries))
 
 
 class FilePart:
@@ -49,7 +49,7 @@ class FilePart:
         new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
         opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
         window.menu("file").addMenu(window.recent_menu)
-        add("file", mark("Open the S&hipped Paints"), None, self.open_shipped, "shipped")
+        add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
         window.menu("file").addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
@@ -151,10 +151,10 @@ class FilePart:
     def _add_paint(self, paint: AnyPaint) -> None:
         if self._desk.palette is None:
             self.new()
-        add_entries(self._desk, tr("Add a paint"), [Entry(paint, id=new_id())])
+        add_entries(self._desk, tr("Add paint"), [Entry(paint, id=new_id())])
 
     def _not_added(self, error: Exception) -> None:
-        self._desk.library.fails(error, "open", tr("The palette is as it was."))
+        self._desk.library.fails(error, "open", tr("The palette is unchanged."))
 
     def _clear_recent(self) -> None:
         from brdf_qt.program.settings import settings

@@ -74,9 +74,11 @@ class Library(LibraryBase):
             self.message.emit(
                 Message(
                     f"open {key}",
-                    tr("“{name}” was read; {count} things to know about it.").format(
-                        name=read.path.name, count=len(read.notices)
-                    ),
+                    (
+                        tr("“{name}” imported with 1 note.")
+                        if len(read.notices) == 1
+                        else tr("“{name}” imported with {count} notes.")
+                    ).format(name=read.path.name, count=len(read.notices)),
                     todo="\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else ""),
                 )
             )
@@ -95,7 +97,7 @@ class Library(LibraryBase):
         item.state, item.problem = "wrong", str(error)
         item.waiting.clear()
         self.items_changed.emit()
-        todo = tr("The library keeps its place; nothing else has changed.")
+        todo = tr("The palette stays in the library; nothing else has changed.")
         self.message.emit(message_of(error, f"open {key}", todo=todo))
 
     def ask_open(self, path: Path | None = None) -> str | None:
@@ -160,7 +162,7 @@ class Library(LibraryBase):
             item.palette.store.path,
             then,
             lambda error: self.message.emit(
-                message_of(error, f"outside {key}", todo=tr("The palette that is open is unchanged."))
+                message_of(error, f"outside {key}", todo=tr("The open palette is unchanged."))
             ),
         )
 
@@ -203,9 +205,9 @@ class Library(LibraryBase):
         for task in ("read", "again", "merge", "columns"):
             self.tasks.cancel(f"{task} {key}")
         del self._items[key]
-        for told in ("open", "outside"):
-            # Nobody can be asked about a palette that is gone.
-            self.settled.emit(f"{told} {key}")
+        for topic in ("open", "outside"):
+            # Messages about a closed palette are dismissed.
+            self.settled.emit(f"{topic} {key}")
         self.items_changed.emit()
         self.remember()
         return True
@@ -220,7 +222,7 @@ class Library(LibraryBase):
         return True
 
     def keep_unsaved(self) -> None:
-        """Write unsaved work for the next start, and end the threads; for a program that is told to end."""
+        """Write unsaved work for the next start, and end the threads; for a program that has to quit."""
         for item in self.items:
             if item.palette is not None:
                 item.palette.recovery.close(keep=True)

@@ -1,4 +1,4 @@
-"""A palette's file that another program has written: noticed, told, and read or merged where the user says so."""
+"""A palette's file that another program has written: noticed, reported, and reloaded or merged at the user's choice."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.progress import Progress
 
-_MOST_TOLD = 6
+_MOST_LISTED = 6
 
 
 class OutsidePart:
@@ -31,11 +31,11 @@ class OutsidePart:
             lambda: self._desk.library.read_again(key, lambda read: self._reload(key, read)),
         )
         if item.palette.store.is_clean:
-            todo = tr("Reload shows what the file holds now; Undo brings this back.")
+            todo = tr("Reload loads the current file. It can be undone.")
             actions = (reload_it, (tr("Keep Mine"), lambda: None))
         else:
             todo = tr(
-                "Your changes are not saved. Merge keeps both; Reload takes the file's. Either can be undone."
+                "You have unsaved changes. Merge combines both versions; Reload discards yours. Both can be undone."
             )
             merge = (
                 tr("Merge"),
@@ -75,18 +75,21 @@ class OutsidePart:
             # An edit came while it was merged: it is merged as well.
             self._merge(key, read)
             return
-        self._desk.library.take_outside(key, merged.palette, read, tr("Merge with the file"))
-        told = [*merged.conflicts, *merged.taken]
-        if not told:
+        self._desk.library.take_outside(key, merged.palette, read, tr("Merge with file"))
+        changes = [*merged.conflicts, *merged.taken]
+        if not changes:
             return
-        more = len(told) - _MOST_TOLD
-        lines = told[:_MOST_TOLD] + ([tr("{count} more").format(count=more)] if more > 0 else [])
+        more = len(changes) - _MOST_LISTED
+        lines = changes[:_MOST_LISTED] + ([tr("{count} more").format(count=more)] if more > 0 else [])
         if merged.conflicts:
-            what = tr(
-                "The file was merged; {count} of your changes met others of the same thing, and stay."
-            ).format(count=len(merged.conflicts))
+            count = len(merged.conflicts)
+            what = (
+                tr("File merged with 1 conflict; your version was kept.")
+                if count == 1
+                else tr("File merged with {count} conflicts; your version was kept.").format(count=count)
+            )
         else:
-            what = tr("The file was merged with your changes.")
+            what = tr("File merged with your changes.")
         self._window.show_message(
             Message(
                 "merged",

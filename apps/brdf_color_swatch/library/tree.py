@@ -239,11 +239,11 @@ def _line_of(item: Item) -> _Line:
     scope = Scope(item.key)
     palette = item.palette.store.value if item.palette is not None else None
     signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
-    tip = str(item.path) if item.path is not None else tr("Not in a file yet")
+    tip = str(item.path) if item.path is not None else tr("Not saved to a file")
     if item.state == "wrong":
         tip = item.problem
     elif item.state == "closed":
-        tip = tr("{file}\nNot read yet; choose it to read it.").format(file=tip)
+        tip = tr("{file}\nNot loaded; select it to load it.").format(file=tip)
     title = item.title[:200]
     if palette is None:
         return _Line(scope, title, tip, "", signs[item.state])
@@ -279,7 +279,7 @@ def _line_of(item: Item) -> _Line:
         )
         children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
     mark = "" if item.is_clean else " •"
-    tip = tip if item.is_clean else tr("{file}\nThere are changes that are not saved.").format(file=tip)
+    tip = tip if item.is_clean else tr("{file}\nUnsaved changes.").format(file=tip)
     return _Line(scope, _counted(title, len(palette)) + mark, tip, palette.colour, "palette", children)
 
 

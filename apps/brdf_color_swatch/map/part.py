@@ -29,11 +29,11 @@ _HANDLES_PX = 24
 _KINDS = {
     "space": (
         mark("a* b* L*"),
-        mark("Every swatch in three dimensions; left drag turns, Ctrl and left drag selects"),
+        mark("All swatches in three dimensions. Left drag rotates, Ctrl+left drag selects"),
     ),
-    "flop": (mark("Flop over L*"), mark("Flop index over the lightness at 45°; left drag selects")),
-    "ab": (mark("a* b*"), mark("b* over a* at 45°; left drag selects")),
-    "gloss": (mark("Gloss over flop"), mark("Gloss at 20° over the flop index; left drag selects")),
+    "flop": (mark("Flop over L*"), mark("Flop index over lightness at 45°. Left drag selects")),
+    "ab": (mark("a* b*"), mark("b* over a* at 45°. Left drag selects")),
+    "gloss": (mark("Gloss over flop"), mark("Gloss at 20° over flop index. Left drag selects")),
 }
 
 
@@ -58,7 +58,7 @@ class MapPart:
         head.setSpacing(4)
         self.kinds = QuietComboBox()
         self.kinds.setObjectName("map_kind")
-        self.kinds.setAccessibleName(tr("Kind of map"))
+        self.kinds.setAccessibleName(tr("Type of map"))
         for place, (key, (title, tip)) in enumerate(_KINDS.items()):
             self.kinds.addItem(tr(title), key)
             self.kinds.setItemData(place, tr(tip), Qt.ItemDataRole.ToolTipRole)
@@ -67,7 +67,7 @@ class MapPart:
         self.lasso = ChoiceButton(tr("Lasso"))
         self.lasso.setObjectName("map_lasso")
         self.lasso.setToolTip(
-            tr("Left drag draws around swatches: Ctrl adds to the selection, Alt takes away")
+            tr("Left drag selects swatches with a lasso. Ctrl adds to the selection, Alt removes")
         )
         self.lasso.toggled.connect(self._set_lasso)
         head.addStretch(1)
@@ -82,7 +82,7 @@ class MapPart:
         box.addWidget(self.stack, 1)
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
-            "view", mark("&Map of the Colours"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
+            "view", mark("Colour &Map"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
         )
         self.action.setCheckable(True)
         window.toolbar.addAction(self.action)
@@ -91,7 +91,7 @@ class MapPart:
         desk.shown_changed.connect(lambda _pane: self._later())
         desk.front_changed.connect(self._later)
         desk.selection_changed.connect(lambda _pane: self._show_chosen())
-        window.add_command("view", mark("Fra&me the Map"), "F", self.frame, "frame_map")
+        window.add_command("view", mark("Fra&me All in Map"), "F", self.frame, "frame_map")
         self._points: MapPoints | None = None
 
     @property
@@ -181,7 +181,7 @@ class MapPart:
         self._points = points
         self.lasso.setEnabled(self.kind == "space")
         if not len(points):
-            self._tell(tr("The map shows the swatches of the pane; there are none."))
+            self._show_note(tr("No swatches to show."))
             return
         if self.kind == "space":
             view = self._space()
@@ -194,7 +194,7 @@ class MapPart:
         self.stack.setCurrentWidget(view)
         self._show_chosen()
 
-    def _tell(self, text: str) -> None:
+    def _show_note(self, text: str) -> None:
         self._note.setText(text)
         self.stack.setCurrentWidget(self._note)
 
@@ -211,8 +211,10 @@ class MapPart:
     def _space(self) -> SpaceMap | None:
         if self.space is None:
             if QGuiApplication.platformName() in ("offscreen", "minimal") or not _has_gl():
-                self._tell(
-                    tr("The map in three dimensions needs OpenGL, and there is none here. The planes work.")
+                self._show_note(
+                    tr(
+                        "The three-dimensional map needs OpenGL, which is not available here. Use one of the planes."
+                    )
                 )
                 return None
             from brdf_color_swatch.map.space import SpaceMap

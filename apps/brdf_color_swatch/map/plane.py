@@ -139,7 +139,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.addItem(self.cloud)
         self.setMenuEnabled(False)
         self.hideButtons()
-        self.setAccessibleName(tr("Map of the swatches in two dimensions"))
+        self.setAccessibleName(tr("Two-dimensional colour map"))
         self.getViewBox().setMouseEnabled(x=True, y=True)
         self.viewport().installEventFilter(self)
         self.viewport().setMouseTracking(True)
@@ -202,7 +202,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             self.viewport().update()
             return True
         if kind == QEvent.Type.MouseMove and not event.buttons():
-            self._tell(event)
+            self._show_name(event)
         if kind == QEvent.Type.MouseButtonRelease and self._line.is_drawn:
             self._close(event)
             return True
@@ -222,7 +222,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             ids = tuple(self._points.ids[place] for place in np.flatnonzero(inside(at, points)))
         self.chosen.emit(ids, mode_of(event))
 
-    def _tell(self, event: QMouseEvent) -> None:
+    def _show_name(self, event: QMouseEvent) -> None:
         if self._points is None:
             return
         found = nearest(self.pixels(), (event.position().x(), event.position().y()))

@@ -60,7 +60,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAccessibleName(tr("Map of the swatches in three dimensions"))
+        self.setAccessibleName(tr("Three-dimensional colour map"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.lasso = False

@@ -193,7 +193,7 @@ class RangeField(QWidget):
         self.track = _Track(*ends, step, colour_at, wraps=wraps)
         self.track.setAccessibleName(name)
         self.track.setToolTip(
-            plain_tip(f"{tip}\n{tr('Space takes the other end, a double click lets all pass.')}".strip())
+            plain_tip(f"{tip}\n{tr('Space switches the handle; double-click clears the filter.')}".strip())
         )
         self._wraps = wraps
         label = PlainLabel(name)

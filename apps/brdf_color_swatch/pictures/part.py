@@ -31,7 +31,7 @@ class PicturePart:
         desk.shown_changed.connect(lambda _pane: self._see())
         desk.look_changed.connect(self._relook)
         self.pictures.arrived.connect(self._arrived)
-        self.pictures.waiting_changed.connect(self._tell)
+        self.pictures.waiting_changed.connect(self._show_pending)
         self.pictures.unavailable.connect(self._unavailable)
 
     def begin_part(self) -> None:
@@ -93,10 +93,10 @@ class PicturePart:
                 rows = [row for row in pane.grid.seen() if pane.model.id_at(row) in ids]
                 pane.grid.refresh_rows(rows)
 
-    def _tell(self, count: int) -> None:
+    def _show_pending(self, count: int) -> None:
         cell = self._window.picture_cell
         cell.set(
-            tr("{count} pictures to come").format(count=count) if count else "",
+            tr("{count} pictures pending").format(count=count) if count else "",
             state="stale" if count else "fresh",
         )
 
@@ -106,9 +106,9 @@ class PicturePart:
         self._window.show_message(
             Message(
                 "pictures",
-                tr("The pictures of the paints cannot be drawn here."),
+                tr("The swatches cannot be rendered here."),
                 where=why,
-                todo=tr("The measured colours stand for them; all else works."),
+                todo=tr("Measured colours are shown instead; everything else works."),
                 severity="warning",
             )
         )

@@ -1,7 +1,7 @@
 """Pictures of swatches: from memory, from the disk, or drawn in a process of its own; only those that are seen.
 
-Whoever paints asks for what it paints; what is not there is looked for on the disk by a thread, and what is not there
-either is drawn by :mod:`brdf_suite.palettes.swatches.process`, newest wishes first. Nothing of it waits in the window.
+A view requests the pictures that it paints. Missing ones are looked up on the disk by a thread; those not stored there
+are rendered by :mod:`brdf_suite.palettes.swatches.process`, newest requests first. The window never waits for them.
 
 A paint over which that process dies is found by asking for one at a time, and is refused alone. That nothing can be
 drawn is a verdict on a form in a light, and another form or light is tried anew.
@@ -85,11 +85,11 @@ class Pictures(QObject):
         self._asked: set[str] = set()
         self._looking = self._closed = False
         self._deaths = self._number = 0
-        self._told = ""
+        self._problem = ""
         self._waiting = 0
         self._fresh: set[str] = set()
         self._pump_timer = QTimer(self, singleShot=True, interval=0, timeout=self._pump)
-        self._tell_timer = QTimer(self, singleShot=True, interval=16, timeout=self._tell)
+        self._arrival_timer = QTimer(self, singleShot=True, interval=16, timeout=self._emit_arrived)
         self._lines_timer = QTimer(self, singleShot=True, interval=0, timeout=self._read)
 
     # What is asked.
@@ -106,7 +106,7 @@ class Pictures(QObject):
         if look == self._look and size == self._shown_size:
             return
         if self._look is None or (look.form, look.environment) != (self._look.form, self._look.environment):
-            self._told, self._deaths = "", 0
+            self._problem, self._deaths = "", 0
         if look != self._look:
             self._keys.clear()
             self._not_stored.clear()
@@ -132,9 +132,9 @@ class Pictures(QObject):
     def is_stale(self, entry: Entry) -> bool:
         """Whether the picture is still to come."""
         if self._look is None:
-            return not self._told
+            return not self._problem
         key = self._key(entry)
-        return key not in self._kept and key not in self._refused and not self._told
+        return key not in self._kept and key not in self._refused and not self._problem
 
     def refusal(self, entry: Entry) -> str:
         """Return why there is no picture of an entry; empty where there is or may be one."""
@@ -142,7 +142,7 @@ class Pictures(QObject):
 
     def want(self, entries: Iterable[Entry]) -> None:
         """Have pictures of these, the first ones first; older wishes are forgotten."""
-        if self._look is None or self._closed or self._told:
+        if self._look is None or self._closed or self._problem:
             return
         self._wanted = {}
         self._ids = {}
@@ -157,17 +157,17 @@ class Pictures(QObject):
     @property
     def waiting(self) -> int:
         """How many of the wanted pictures are still to come."""
-        return 0 if self._told or self._closed else len(self._wanted)
+        return 0 if self._problem or self._closed else len(self._wanted)
 
     @property
     def problem(self) -> str:
-        """What :attr:`unavailable` told; empty while pictures can be drawn."""
-        return self._told
+        """The text of :attr:`unavailable`; empty while pictures can be drawn."""
+        return self._problem
 
     def close(self) -> None:
         """End process and thread; nothing is drawn any more."""
         self._closed = True
-        for timer in (self._pump_timer, self._tell_timer, self._lines_timer):
+        for timer in (self._pump_timer, self._arrival_timer, self._lines_timer):
             timer.stop()
         self._tasks.stop()
         if self._store is not None:
@@ -193,7 +193,7 @@ class Pictures(QObject):
         return key
 
     def _pump(self) -> None:
-        if self._closed or self._told or self._look is None:
+        if self._closed or self._problem or self._look is None:
             return
         if not self._looking:
             keys = [key for key in self._wanted if key not in self._not_stored][:_LOOKED_UP]
@@ -229,7 +229,7 @@ class Pictures(QObject):
         self._pump()
 
     def _not_found(self, error: Exception) -> None:
-        # The store itself tells of no error that matters; whatever this is, pictures are drawn all the same.
+        # The store reports no error that matters; whatever this is, the pictures are rendered instead.
         log.error("The pictures on the disk cannot be looked through.", exc_info=error)
         self._looking = False
         self._not_stored.update(self._wanted)
@@ -286,7 +286,7 @@ class Pictures(QObject):
         self._refused[key] = why
         self._wanted.pop(key, None)
         self._fresh.update(self._ids.get(key, ()))
-        self._tell_timer.start()
+        self._arrival_timer.start()
 
     def _keep(self, key: str, data: bytes, size: int) -> None:
         image = QImage(data, size, size, 3 * size, QImage.Format.Format_RGB888)
@@ -313,10 +313,10 @@ class Pictures(QObject):
             while len(self._last) > 600:
                 self._last.popitem(last=False)
         self._fresh.update(self._ids.get(key, ()))
-        if not self._tell_timer.isActive():
-            self._tell_timer.start()
+        if not self._arrival_timer.isActive():
+            self._arrival_timer.start()
 
-    def _tell(self) -> None:
+    def _emit_arrived(self) -> None:
         fresh, self._fresh = self._fresh, set()
         self._note_waiting()
         if fresh:
@@ -330,33 +330,33 @@ class Pictures(QObject):
     # The process.
 
     def _ended(self, *_: object) -> None:
-        if self._closed or self._told:
+        if self._closed or self._problem:
             return
         while self._process.canReadLine():
             self._take(json.loads(self._process.readLine().data()))
-        if self._told:
+        if self._problem:
             return
         unanswered = {key for key in self._asked if key not in self._kept and key not in self._refused}
         self._asked.clear()
         if unanswered:
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The process that draws the pictures ended again and again."))
+                self._give_up(tr("The rendering process ended repeatedly. Choose another form or light."))
                 return
             if unanswered <= self._suspects:
                 for key in unanswered:
-                    self._refuse(key, tr("The process that draws the pictures ended over this paint."))
+                    self._refuse(key, tr("The rendering process ended while rendering this paint."))
             self._suspects.update(unanswered)
         self._pump_timer.start()
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
             self._give_up(
-                tr("The pictures cannot be drawn: {reason}.").format(reason=self._process.errorString())
+                tr("The swatches cannot be rendered: {reason}.").format(reason=self._process.errorString())
             )
 
     def _give_up(self, why: str) -> None:
-        self._told = why
+        self._problem = why
         self._wanted.clear()
         self._asked.clear()
         self._note_waiting()
