@@ -31,7 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         program.window.resize(*options.size)
         program.window.fit_inspector()
     look = {"form": options.form, "size": options.swatch_size, "as_list": options.list or None}
-    program.desk.set_look(**{key: value for key, value in look.items() if value is not None})
+    program.session.set_look(**{key: value for key, value in look.items() if value is not None})
     for name in options.palettes:
         program.open(name)
     _when_ready(app, program, options)

@@ -1,4 +1,4 @@
-"""Puts Color Swatch together: library, desk, window, parts, pictures, link."""
+"""Puts Color Swatch together: library, session, window, parts, pictures, link."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
 from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.file_part import new_palette
 from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.parts import build_parts
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import (
@@ -57,17 +57,17 @@ class ColorSwatch:
         lights = resource_names("environments", ".exr")
         self.window = SwatchWindow(lights)
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
-        self.desk = Desk(self.library, self.window)
-        self.desk.recall()
-        self.controller = Controller(self.desk, self.window, self.window)
-        self.parts = build_parts(self.desk, self.window)
+        self.session = PaletteSession(self.library, self.window)
+        self.session.recall()
+        self.controller = Controller(self.session, self.window, self.window)
+        self.parts = build_parts(self.session, self.window)
         next(
             part for part in self.parts if isinstance(part, ViewPart)
         ).show_second = self.controller.show_second
         self.window.complete()
         self.controller.start()
         self._closed = False
-        self.window.close_asked.connect(self._may_close)
+        self.window.close_requested.connect(self._may_close)
         self.window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         app = QCoreApplication.instance()
         if app is not None:
@@ -92,25 +92,25 @@ class ColorSwatch:
         if name == "shipped":
             self.part("open_shipped")()
         else:
-            self.window.open_asked.emit(Path(name))
+            self.window.open_requested.emit(Path(name))
 
     def do(self, action: str) -> bool:
         """Do what a script asks for: ``search=TEXT`` and the like, or a command by its key; False: none such."""
         from dataclasses import replace
 
         key, _, value = action.partition("=")
-        desk = self.desk
+        session = self.session
         if key == "search":
-            desk.set_state(replace(desk.state, text=value))
+            session.set_state(replace(session.state, text=value))
         elif key == "sort":
-            desk.set_state(replace(desk.state, sort=value))
+            session.set_state(replace(session.state, sort=value))
         elif key == "palette":
-            desk.show_scope(Scope(self.library.items[int(value)].key))
+            session.show_scope(Scope(self.library.items[int(value)].key))
         elif key == "group":
-            desk.show_scope(replace(desk.state.scope, group=tuple(value.split("/")) if value else ()))
+            session.show_scope(replace(session.state.scope, group=tuple(value.split("/")) if value else ()))
         elif key == "select":
-            pane = self.window.panes[desk.front]
-            desk.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
+            pane = self.window.panes[session.front]
+            session.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
         elif key == "section":
             self.window.section(value).set_open(True)
         elif value:
@@ -173,7 +173,7 @@ class ColorSwatch:
         # The newest was worked at last, and is shown.
         for item in reversed(found):
             key = self.library.recover(item)
-        self.desk.show_scope(Scope(key))
+        self.session.show_scope(Scope(key))
 
 
 def _name(item: Recovered[Palette]) -> str:

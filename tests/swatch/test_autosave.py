@@ -44,7 +44,7 @@ def test_unsaved_work_is_written_by_a_thread_and_found_again(kept, qtbot) -> Non
 def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> None:
     store, recovery, tasks, failed = kept
     gates, begun = [Event(), Event()], []
-    real = autosave._encoded
+    real = autosave._encode_autosave
 
     def held(request, progress) -> bytes:
         begun.append(request[1].name)
@@ -55,9 +55,9 @@ def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> No
         store.set(replace(store.value, name=name), "rename")
         # As the second's timer does, which shall not do so by itself here.
         recovery._timer.stop()
-        recovery._write_beside()
+        recovery._write_in_background()
 
-    monkeypatch.setattr(autosave, "_encoded", held)
+    monkeypatch.setattr(autosave, "_encode_autosave", held)
     for name in ("first", "second", "third"):
         edit(name)
     gates[0].set()
@@ -73,22 +73,22 @@ def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> No
 
 def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path, monkeypatch) -> None:
     store, recovery, tasks, _failed = kept
-    gate, real = Event(), autosave._encoded
+    gate, real = Event(), autosave._encode_autosave
 
     def held(request, progress) -> bytes:
         assert gate.wait(120)
         return real(request, progress)
 
-    monkeypatch.setattr(autosave, "_encoded", held)
+    monkeypatch.setattr(autosave, "_encode_autosave", held)
     written: list[bytes] = []
-    put = recovery._put
-    monkeypatch.setattr(recovery, "_put", lambda content: (written.append(content), put(content)))
+    put = recovery._write_encoded
+    monkeypatch.setattr(recovery, "_write_encoded", lambda content: (written.append(content), put(content)))
     store.set(replace(store.value, name="Old"), "rename")
-    recovery._write_beside()
+    recovery._write_in_background()
     store.mark_clean(tmp_path / "saved.brdfpalette")
     store.set(replace(store.value, name="New"), "rename")
     recovery._timer.stop()
-    recovery._write_beside()
+    recovery._write_in_background()
     gate.set()
     qtbot.waitUntil(lambda: not tasks.busy)
     assert len(written) == 1
@@ -98,7 +98,7 @@ def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path,
 def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> None:
     store, recovery, tasks, _failed = kept
     store.set(replace(store.value, name="Changed"), "rename")
-    recovery._write_beside()
+    recovery._write_in_background()
     assert tasks.busy
     store.mark_clean(tmp_path / "saved.brdfpalette")
     qtbot.waitUntil(lambda: not tasks.busy)

@@ -60,14 +60,14 @@ def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, comm
     assert "take" not in swatch.window.messages.shown()
     command(swatch, "take")
     assert "Fresh" in names(swatch)
-    assert swatch.desk.selected_entries[0].name == "Fresh"
+    assert swatch.session.selected_entries[0].name == "Fresh"
     command(swatch, "nearest_edited")
     assert names(swatch)[:2] == ["Fresh", "Blue"]
 
 
 def test_a_paint_that_the_link_cannot_carry_is_reported(swatch, part, select, command) -> None:
     lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
-    swatch.desk.edit("Add", lambda palette: type(palette)("L", (lobes,)))
+    swatch.session.edit("Add", lambda palette: type(palette)("L", (lobes,)))
     select(swatch, "Lobes")
     command(swatch, "to_lobes")
     assert "Cook-Torrance" in swatch.window.messages.shown()["send"].what

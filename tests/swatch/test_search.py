@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_color_swatch.grid import narrowing
+from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.view_state import Scope
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
@@ -58,10 +58,10 @@ def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
 )
 def test_orders_run_both_ways(swatch, names, key: str, first: str) -> None:
     pane = swatch.window.panes[0]
-    pane.sort_asked.emit(key, False)
+    pane.sort_requested.emit(key, False)
     up = names(swatch)
     assert up[0] == first or key == "tags"
-    pane.sort_asked.emit(key, True)
+    pane.sort_requested.emit(key, True)
     assert sorted(names(swatch)) == sorted(up)
     assert names(swatch) != up
 
@@ -79,14 +79,14 @@ def test_the_nearest_come_first_with_their_difference(swatch, names, select, com
     select(swatch, "Red")
     command(swatch, "nearest")
     assert names(swatch)[:2] == ["Red", "Orange"]
-    shown = swatch.desk.shown[0]
+    shown = swatch.session.shown[0]
     assert shown.figure[shown.places[0]] == pytest.approx(0.0, abs=1e-9)
     values = [shown.figure[place] for place in shown.places]
     assert values == sorted(values)
     assert "nearest to Red" in swatch.window.panes[0]._title.text()
     command(swatch, "clear")
-    assert swatch.desk.state.near is None
-    assert swatch.desk.state.sort == "own"
+    assert swatch.session.state.near is None
+    assert swatch.session.state.sort == "own"
 
 
 def test_duplicates_stand_together_under_what_they_differ_by(swatch, names, select, command) -> None:
@@ -94,15 +94,15 @@ def test_duplicates_stand_together_under_what_they_differ_by(swatch, names, sele
     command(swatch, "duplicate")
     swatch.window.filters.duplicates.click()
     assert names(swatch) == ["Blue", "Blue"]
-    assert "2 similar" in swatch.desk.shown[0].parts[0].title
+    assert "2 similar" in swatch.session.shown[0].parts[0].title
 
 
 def test_long_work_is_done_beside_the_window(swatch, names, monkeypatch, qtbot) -> None:
-    monkeypatch.setattr(narrowing, "_MANY", 0)
+    monkeypatch.setattr(filtering, "_MANY", 0)
     swatch.window.bar.sort_chosen.emit("hue")
-    assert swatch.desk.is_working(0)
+    assert swatch.session.is_working(0)
     assert names(swatch)[0] == "Silver"
-    qtbot.waitUntil(lambda: not swatch.desk.is_working(0))
+    qtbot.waitUntil(lambda: not swatch.session.is_working(0))
     assert names(swatch)[:2] == ["Black", "Silver"]
 
 
@@ -115,7 +115,7 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
     order = names(swatch)
     at = plane.pixels()[order.index("Blue")]
     QTest.mouseClick(plane.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(round(at[0]), round(at[1])))
-    assert swatch.desk.selected == ("blue",)
+    assert swatch.session.selected == ("blue",)
     wanted = [order.index("Red"), order.index("Silver")]
     points = plane.pixels()
     low = points[wanted].min(axis=0) - 6
@@ -132,7 +132,7 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
         if np.all(point > low) and np.all(point < high)
     ]
     assert {"red", "silver"} <= set(inside)
-    assert set(swatch.desk.selected) == set(inside)
+    assert set(swatch.session.selected) == set(inside)
     part.choose("space")
     assert "needs OpenGL" in part._note.text()
     part.toggle()
@@ -145,7 +145,7 @@ def test_two_selected_are_compared_also_one_in_each_pane(swatch, select, command
     assert part.panel.table.rowCount() == 3
     assert "Red" in part.panel.names.text()
     command(swatch, "two_panes")
-    swatch.desk.show_scope(Scope(swatch.desk.states[0].scope.palette), 1)
+    swatch.session.show_scope(Scope(swatch.session.states[0].scope.palette), 1)
     select(swatch, "Ice", pane=1)
     select(swatch, "Black", pane=0)
     assert [entry.name for entry in part.pair()] == ["Black", "Ice"]

@@ -72,7 +72,7 @@ def choices_of(formats: Sequence[PaletteFormat], usual: str) -> tuple[Choice, ..
     return tuple(lines)
 
 
-def named_by(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) -> Path:
+def with_ending(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) -> Path:
     """Return ``path`` with an ending of the chosen format: in the place of another format's, or behind the name.
 
     Where all formats were chosen, an ending stays as it is.

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.export.dialog import choices_of, named_by
+from brdf_color_swatch.export.dialog import choices_of, with_ending
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
@@ -37,8 +37,8 @@ class _Request:
 class ExportPart:
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
         self._all = window.add_command(
             "file", mark("&Export Palette…"), "Ctrl+Shift+E", self.export_all, "export", icon="export",
             tip=mark("Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
@@ -46,20 +46,20 @@ class ExportPart:
         self._some = window.add_command(
             "file", mark("Export Se&lection…"), None, self.export_selected, "export_selected"
         )
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     def export_all(self) -> None:
         """Ask for a file, and write the palette in front there."""
-        palette = self._desk.palette
+        palette = self._session.palette
         if palette is not None:
             self.export(palette)
 
     def export_selected(self) -> None:
         """Ask for a file, and write what is selected there."""
-        palette, chosen = self._desk.palette, set(self._desk.selected)
+        palette, chosen = self._session.palette, set(self._session.selected)
         if palette is not None and chosen:
             kept = tuple(entry for entry in palette.entries if entry.id in chosen)
             used = {entry.group[:depth] for entry in kept for depth in range(1, len(entry.group) + 1)}
@@ -71,13 +71,13 @@ class ExportPart:
         from brdf_suite.files.palettes import FORMATS
 
         choices = choices_of(FORMATS, _USUAL)
-        wanted, chosen = suggested_file(self._desk.item, palette.name, _USUAL), choices[0]
+        wanted, chosen = suggested_file(self._session.item, palette.name, _USUAL), choices[0]
         while True:
-            answer = self._desk.library.dialogs.export_path(wanted, choices, chosen)
+            answer = self._session.library.dialogs.export_path(wanted, choices, chosen)
             if answer is None:
                 return
             named, chosen = answer
-            wanted = named_by(named, chosen, FORMATS)
+            wanted = with_ending(named, chosen, FORMATS)
             # The dialog has asked about the file of its own name alone: about another that is there, it asks again.
             if wanted == named or not wanted.exists():
                 break
@@ -89,12 +89,12 @@ class ExportPart:
         ``form`` is the format; without it the ending of ``path`` says which it is.
         """
         request = _Request(palette, path.absolute(), form)
-        self._submit(request, lambda lost: self._looked(request, lost))
+        self._submit(request, lambda lost: self._on_losses(request, lost))
 
     def _submit(self, request: _Request, done: Any) -> None:
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             _KEY,
-            _exported,
+            _export_palette,
             request,
             done,
             lambda error: self._window.show_message(
@@ -102,7 +102,7 @@ class ExportPart:
             ),
         )
 
-    def _looked(self, request: _Request, lost: tuple[str, ...]) -> None:
+    def _on_losses(self, request: _Request, lost: tuple[str, ...]) -> None:
         if not lost:
             self._write(request)
             return
@@ -132,8 +132,8 @@ class ExportPart:
         )
 
     def _enable(self) -> None:
-        self._all.setEnabled(self._desk.palette is not None)
-        self._some.setEnabled(bool(self._desk.selected))
+        self._all.setEnabled(self._session.palette is not None)
+        self._some.setEnabled(bool(self._session.selected))
 
 
 def open_filters() -> str:
@@ -144,7 +144,7 @@ def open_filters() -> str:
     return tr("Palettes ({endings})").format(endings=every) + ";;" + tr("All files (*)")
 
 
-def _exported(request: _Request, progress: Progress) -> tuple[str, ...]:
+def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
     """Return what is lost; where it is asked for, write as well."""
     from brdf_suite.files.palettes import format_for, losses, write_palette
 

@@ -18,8 +18,8 @@ from brdf_qt.work.tasks import Work
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
@@ -100,8 +100,8 @@ def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
 class SheetPart:
     """Commands that make contact sheets of what the pane in front shows."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
         self._sheet = window.add_command(
             "file", mark("Contact S&heet…"), None, self.export, "sheet",
             tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
@@ -109,8 +109,8 @@ class SheetPart:
         self._print = window.add_command(
             "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
         )
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     @property
@@ -123,8 +123,8 @@ class SheetPart:
         shown = self.shown_palette()
         if shown is None:
             return
-        path = self._desk.library.dialogs.save_path(
-            suggested_file(self._desk.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
+        path = self._session.library.dialogs.save_path(
+            suggested_file(self._session.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
         )
         if path is not None:
             self.draw(shown, path.absolute())
@@ -135,15 +135,15 @@ class SheetPart:
 
     def shown_palette(self) -> Palette | None:
         """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
-        desk = self._desk
-        palette, shown = desk.palette, desk.shown[desk.front]
+        session = self._session
+        palette, shown = session.palette, session.shown[session.front]
         if palette is None or not shown.places:
             return None
-        chosen = set(desk.selected)
+        chosen = set(session.selected)
         entries = [shown.rows.entries[place] for place in shown.places]
         if len(chosen) > 1:
             entries = [entry for entry in entries if entry.id in chosen]
-        if not desk.state.keeps_order:
+        if not session.state.keeps_order:
             entries = [replace(entry, group=()) for entry in entries]
         return Palette(palette.name, tuple(entries), notes=palette.notes)
 
@@ -194,10 +194,10 @@ class SheetPart:
     def _submit(
         self, work: Work, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: Done
     ) -> None:
-        look = self._desk.look
+        look = self._session.look
         surface = look.form if look.form in ("sphere", "panel") else "panel"
         self._show(0.0, "")
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             _KEY,
             work,
             SheetRequest(pages, look.booth, surface, columns),
@@ -210,7 +210,7 @@ class SheetPart:
         text = (
             tr("Rendering contact sheet: {name}").format(name=what) if what else tr("Rendering contact sheet")
         )
-        self._window.progress.set_job(_KEY, share, text, lambda: self._desk.library.tasks.cancel(_KEY))
+        self._window.progress.set_job(_KEY, share, text, lambda: self._session.library.tasks.cancel(_KEY))
 
     def _written(self, path: Path) -> None:
         self._done(tr("Saved: {name}").format(name=path.name), str(path))
@@ -224,6 +224,6 @@ class SheetPart:
         self._window.show_message(message_of(error, _KEY, todo=tr("The palette is unchanged.")))
 
     def _enable(self) -> None:
-        there = bool(self._desk.shown[self._desk.front].places)
+        there = bool(self._session.shown[self._session.front].places)
         self._sheet.setEnabled(there)
         self._print.setEnabled(there)

@@ -9,9 +9,9 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.grid.columns import codes_of
 from brdf_color_swatch.grid.rows import ANGLES_DEG
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -141,28 +141,28 @@ class ComparePanel(QWidget):
 class ComparePart:
     """Keeps the panel in step with what is selected: two in one pane, or one in each."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
         self.panel = ComparePanel()
         self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
         self._command = window.add_command(
             "paint", mark("&Compare the Two Selected"), "Ctrl+Shift+C", self.compare, "compare", icon="scales"
         )
-        desk.selection_changed.connect(lambda _pane: self._show())
-        desk.shown_changed.connect(lambda _pane: self._show())
-        desk.front_changed.connect(self._show)
+        session.selection_changed.connect(lambda _pane: self._show())
+        session.shown_changed.connect(lambda _pane: self._show())
+        session.front_changed.connect(self._show)
         self.section.toggled.connect(lambda _open: self._show())
         self._show()
 
     def pair(self) -> list[Entry]:
         """Return the two entries that are compared; fewer where there are not two."""
-        chosen = self._desk.selected_entries
+        chosen = self._session.selected_entries
         if len(chosen) == 2 or not self._window.has_two_panes:
             return chosen if len(chosen) == 2 else []
-        left, right = self._desk.selected_in(0), self._desk.selected_in(1)
+        left, right = self._session.selected_in(0), self._session.selected_in(1)
         if len(left) == len(right) == 1:
             return [left[0], right[0]]
-        other = (right, left)[self._desk.front]
+        other = (right, left)[self._session.front]
         return other if len(other) == 2 and not chosen else []
 
     def compare(self) -> None:

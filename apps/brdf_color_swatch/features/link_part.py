@@ -11,10 +11,10 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
@@ -32,8 +32,8 @@ _PROGRAMS = {
 class LinkPart:
     """Commands of the live link."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
         self._edited: Paint | None = None
         self.link = LiveLink("swatch", parent=window)
         self.start_program = QProcess.startDetached
@@ -58,11 +58,11 @@ class LinkPart:
         window.toolbar.addAction(self._take)
         for pane in window.panes:
             pane.opened.connect(lambda _id: self.send("designer"))
-            pane.action_asked.connect(lambda key: self.take() if key == "take" else None)
+            pane.action_requested.connect(lambda key: self.take() if key == "take" else None)
         self.link.received.connect(self._received)
         self.link.peers_changed.connect(lambda _count: self._show_peers())
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
         self._show_peers()
 
@@ -76,7 +76,7 @@ class LinkPart:
 
     def send(self, role: str) -> None:
         """Send the selected paint to a program; it is started where it is not there."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if not entries:
             return
         paint = to_paint(entries[0].content)
@@ -125,10 +125,10 @@ class LinkPart:
         if self._edited is None:
             self._report_no_paint()
             return
-        if self._desk.palette is None:
-            self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
+        if self._session.palette is None:
+            self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
         entry = Entry(self._edited, id=new_id())
-        add_entries(self._desk, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
+        add_entries(self._session, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
 
     def find(self) -> None:
         """Order the pane by the difference to the paint being edited."""
@@ -138,7 +138,7 @@ class LinkPart:
         from dataclasses import replace
 
         near: Near = near_of(Entry(self._edited, id="edited"))
-        self._desk.set_state(replace(self._desk.state, near=near, duplicates=None, sort="nearest"))
+        self._session.set_state(replace(self._session.state, near=near, duplicates=None, sort="nearest"))
 
     def _report_no_paint(self) -> None:
         self._window.show_message(
@@ -170,6 +170,6 @@ class LinkPart:
         self._window.link_cell.set(text)
 
     def _enable(self) -> None:
-        one = bool(self._desk.selected)
+        one = bool(self._session.selected)
         for action in self._sends:
             action.setEnabled(one)

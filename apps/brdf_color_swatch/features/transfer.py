@@ -71,7 +71,7 @@ def can_take(data: QMimeData) -> bool:
     return any(data.hasFormat(kind) for kind in TAKEN)
 
 
-def taken(data: QMimeData) -> Carried:
+def read_data(data: QMimeData) -> Carried:
     """Return what a drag or the clipboard holds; nothing where it holds no colour.
 
     Raises
@@ -114,7 +114,7 @@ def entries_of_text(text: str) -> list[Entry]:
         value = _json(stripped.encode("utf-8"))
         if isinstance(value, dict) and value.get("format") == "brdfpalette":
             palette = palette_from_json(value, "the clipboard")
-            return [_renewed(entry) for entry in palette.entries]
+            return [_with_new_id(entry) for entry in palette.entries]
         return [_of_paint(value)]
     found = []
     for line in stripped.splitlines()[:_MOST_LINES]:
@@ -162,7 +162,7 @@ def _of_paint(value: object) -> Entry:
     return Entry(any_paint_from_json(value, "the clipboard"), id=new_id())
 
 
-def _renewed(entry: Entry) -> Entry:
+def _with_new_id(entry: Entry) -> Entry:
     from dataclasses import replace
 
     return replace(entry, id=new_id())

@@ -147,7 +147,7 @@ class SwatchGrid(GridView):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self.size_asked.emit(round(self.tiles.size * 1.15 ** (event.angleDelta().y() / 120.0)))
+            self.size_requested.emit(round(self.tiles.size * 1.15 ** (event.angleDelta().y() / 120.0)))
             event.accept()
             return
         super().wheelEvent(event)

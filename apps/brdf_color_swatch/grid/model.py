@@ -50,7 +50,7 @@ FLAGS = (
 
 
 @dataclass(frozen=True)
-class Shown:
+class VisibleRows:
     """What a pane shows: places in ``rows`` in their order, and the headings over them."""
 
     rows: Rows
@@ -61,23 +61,23 @@ class Shown:
 
 
 class SwatchModel(QAbstractTableModel):
-    """Rows of :class:`Shown`.
+    """Rows of :class:`VisibleRows`.
 
-    Signals: ``renamed(id, column, text)`` where the user has written a name or a code; ``sort_asked(key, descending)``
-    where a column's head was clicked.
+    Signals: ``renamed(id, column, text)`` when the user has edited a name or a code;
+    ``sort_requested(key, descending)`` when a column header was clicked.
     """
 
     renamed = Signal(str, str, str)
-    sort_asked = Signal(str, bool)
+    sort_requested = Signal(str, bool)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.shown = Shown(Rows.empty())
+        self.shown = VisibleRows(Rows.empty())
         self._by_id: dict[str, int] | None = None
         self.mime_types: tuple[str, ...] = ()
         self.mime_of: Any = None
 
-    def show(self, shown: Shown) -> None:
+    def show(self, shown: VisibleRows) -> None:
         """Show other swatches."""
         self.beginResetModel()
         self.shown = shown
@@ -145,7 +145,7 @@ class SwatchModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return plain_tip(rows.describe(place, self.shown.figure.get(place)))
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return rows.spoken(place)
+            return rows.describe_aloud(place)
         if role == ID_ROLE:
             return rows.ids[place]
         return None
@@ -160,7 +160,7 @@ class SwatchModel(QAbstractTableModel):
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         if column >= 0:
-            self.sort_asked.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
+            self.sort_requested.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
 
     # Drag and drop; what is dropped is taken by the pane.
 

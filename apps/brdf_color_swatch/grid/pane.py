@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 from brdf_color_swatch.features.transfer import TAKEN
 from brdf_color_swatch.grid.chip_delegate import ChipDelegate
 from brdf_color_swatch.grid.grid import SwatchGrid
-from brdf_color_swatch.grid.model import SORT_KEYS, Shown, SwatchModel
+from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile
 
 _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop": 56}
@@ -35,23 +35,24 @@ _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop"
 class Pane(QFrame):
     """Grid and list over one model and one selection.
 
-    Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
-    ``renamed(id, key, text)``, ``sort_asked(key, descending)``, ``dropped(event, row)``,
-    ``menu_asked(point)`` in screen coordinates,
-    ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
+    Signals: ``activated()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
+    ``renamed(id, key, text)``, ``sort_requested(key, descending)``, ``dropped(event, row)``,
+    ``menu_requested(point)`` in screen coordinates,
+    ``close_requested()``, ``action_requested(key)`` for a button of the empty page, ``seen_changed()``,
+    ``size_requested(size)``.
     """
 
-    worked_in = Signal()
+    activated = Signal()
     selected = Signal(object)
     opened = Signal(str)
     renamed = Signal(str, str, str)
-    sort_asked = Signal(str, bool)
+    sort_requested = Signal(str, bool)
     dropped = Signal(object, int)
-    menu_asked = Signal(QPoint)
-    close_asked = Signal()
-    action_asked = Signal(str)
+    menu_requested = Signal(QPoint)
+    close_requested = Signal()
+    action_requested = Signal(str)
     seen_changed = Signal()
-    size_asked = Signal(int)
+    size_requested = Signal(int)
 
     def __init__(
         self, number: int, picture_of: Callable[[int, int], object], parent: QWidget | None = None
@@ -88,7 +89,7 @@ class Pane(QFrame):
         place = shown.places[row]
         return shown.rows.tile(place, self._picture_of(self.number, row), shown.figure.get(place))
 
-    def show_shown(self, shown: Shown) -> None:
+    def show_rows(self, shown: VisibleRows) -> None:
         """Show these swatches; what was selected stays so where it is still there, and so does the place."""
         current = self.grid.currentIndex()
         key = self.model.id_at(current.row()) if current.isValid() else ""
@@ -121,7 +122,7 @@ class Pane(QFrame):
             for label, key in actions:
                 button = QPushButton(label)
                 button.setObjectName(f"note_{key}")
-                button.clicked.connect(lambda _=False, key=key: self.action_asked.emit(key))
+                button.clicked.connect(lambda _=False, key=key: self.action_requested.emit(key))
                 self._buttons.addWidget(button)
         self._noted = bool(text)
         self._turn()
@@ -210,7 +211,7 @@ class Pane(QFrame):
         self._close.setAutoRaise(True)
         self._close.setToolTip(tr("Close pane"))
         self._close.setAccessibleName(tr("Close pane"))
-        self._close.clicked.connect(self.close_asked)
+        self._close.clicked.connect(self.close_requested)
         row.addWidget(self._mark)
         row.addWidget(self._title, 1)
         row.addWidget(self._count)
@@ -247,17 +248,17 @@ class Pane(QFrame):
 
     def _join(self) -> None:
         self.model.renamed.connect(self.renamed)
-        self.model.sort_asked.connect(self.sort_asked)
+        self.model.sort_requested.connect(self.sort_requested)
         self.grid.dropped.connect(self.dropped)
         self.grid.seen_changed.connect(self.seen_changed)
-        self.grid.size_asked.connect(self.size_asked)
+        self.grid.size_requested.connect(self.size_requested)
         self.grid.selectionModel().selectionChanged.connect(lambda *_: self._report_selected())
         self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
         for view in (self.grid, self.list):
             view.activated.connect(self._open)
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             view.customContextMenuRequested.connect(
-                lambda point, view=view: self.menu_asked.emit(view.viewport().mapToGlobal(point))
+                lambda point, view=view: self.menu_requested.emit(view.viewport().mapToGlobal(point))
             )
             view.installEventFilter(self)
             view.viewport().installEventFilter(self)
@@ -275,7 +276,7 @@ class Pane(QFrame):
         if not index.isValid():
             return
         shown = self.model.shown
-        text = shown.rows.spoken(shown.places[index.row()])
+        text = shown.rows.describe_aloud(shown.places[index.row()])
         self.grid.setAccessibleDescription(text)
         if self.grid.hasFocus() and QAccessible.isActive():
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
@@ -286,7 +287,7 @@ class Pane(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):
-            self.worked_in.emit()
+            self.activated.emit()
         if event.type() == QEvent.Type.MouseButtonPress and watched in (
             self.head,
             self._mark,

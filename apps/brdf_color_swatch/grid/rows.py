@@ -154,7 +154,7 @@ class Rows:
             lines.append(tr("Group: {group}").format(group=group_title(entry.group)[:200]))
         return "\n".join(lines).replace("* -", "* −")
 
-    def spoken(self, place: int) -> str:
+    def describe_aloud(self, place: int) -> str:
         """Return what a screen reader says of a row."""
         lab = self.lab[place, 1]
         name = self.name(place)[:200]

@@ -63,12 +63,12 @@ class _NameDelegate(QStyledItemDelegate):
 class GridView(QAbstractItemView):
     """Swatches as tiles under headings.
 
-    ``tile_of(row)`` says what a tile shows; it is asked for those alone that are seen. Signals: ``size_asked(size)``
-    where Ctrl and the wheel ask for another; ``seen_changed()`` where other swatches are seen than before;
-    ``dropped(event, row)`` with the row before which it fell.
+    ``tile_of(row)`` returns the content of a tile; it is called for visible tiles only. Signals:
+    ``size_requested(size)`` on Ctrl+wheel; ``seen_changed()`` when other swatches become visible;
+    ``dropped(event, row)`` with the row before which the drop fell.
     """
 
-    size_asked = Signal(int)
+    size_requested = Signal(int)
     seen_changed = Signal()
     dropped = Signal(object, int)
 

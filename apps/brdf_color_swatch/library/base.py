@@ -20,7 +20,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.export.dialog import ExportDialogs
-from brdf_color_swatch.grid.columns import finished_rows, rows_of
+from brdf_color_swatch.grid.columns import finish_rows, rows_of
 from brdf_color_swatch.grid.rows import Rows
 from brdf_color_swatch.library.autosave import PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
@@ -149,14 +149,14 @@ class LibraryBase(QObject):
         store.changed.connect(lambda _old, new: self._changed(item, new))
         store.clean_changed.connect(lambda _clean: self.items_changed.emit())
         store.path_changed.connect(lambda new: self._moved(item, new))
-        watch.changed.connect(lambda _path: self._noticed(item))
+        watch.changed.connect(lambda _path: self._on_file_changed(item))
         watch.watch("" if path is None else str(path))
         self.items_changed.emit()
         self.palette_changed.emit(item.key)
         self._finish_rows(item)
         self.remember()
 
-    def _noticed(self, item: Item) -> None:
+    def _on_file_changed(self, item: Item) -> None:
         """Another program has written the file of a palette."""
 
     def _recovery(self, store: DocumentStore[Palette]) -> Recovery[Palette]:
@@ -199,7 +199,7 @@ class LibraryBase(QObject):
         rows = item.palette.rows
         if rows.columns.waiting.any():
             self.tasks.submit(
-                f"columns {item.key}", finished_rows, rows, lambda more: self._take_rows(item, rows, more),
+                f"columns {item.key}", finish_rows, rows, lambda more: self._take_rows(item, rows, more),
                 lambda error: self.message.emit(message_of(error, "columns")),
             )  # fmt: skip
 

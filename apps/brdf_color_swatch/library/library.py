@@ -1,4 +1,4 @@
-"""The library: palettes by their files, read when they are first wanted, watched, saved and closed."""
+"""The library: palettes by their files, read when they are first needed, watched, saved and closed."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ __all__ = ["Item", "Library"]
 class Library(LibraryBase):
     """What is done with the files of palettes."""
 
-    def want(self, key: str, then: Callable[[], None] | None = None) -> None:
+    def load(self, key: str, then: Callable[[], None] | None = None) -> None:
         """Read a palette where it is not read yet, and call ``then`` once it is there."""
         item = self._items[key]
         if item.palette is not None:
@@ -82,9 +82,9 @@ class Library(LibraryBase):
                     todo="\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else ""),
                 )
             )
-        self._let_go_on(item)
+        self._run_waiting(item)
 
-    def _let_go_on(self, item: Item) -> None:
+    def _run_waiting(self, item: Item) -> None:
         """Call those who wait for a palette that is there now."""
         waiting, item.waiting = item.waiting, []
         for then in waiting:
@@ -111,7 +111,7 @@ class Library(LibraryBase):
             if path is None:
                 return None
         key = self.add_path(path)
-        self.want(key)
+        self.load(key)
         return key
 
     def recover(self, found: Recovered[Palette]) -> str:
@@ -121,13 +121,13 @@ class Library(LibraryBase):
             item = Item(f"p{next(self._numbers)}", found.path, found.value.name)
             self._items[item.key] = item
         if item.palette is None:
-            # Its file may be being read for the pane that shows it; the work is what is wanted now.
+            # Its file may be being read for the pane that shows it; the recovered work replaces it.
             self.tasks.cancel(f"read {item.key}")
             self._fill(item, found.value, found.path, clean=False, stamp=found.stamp)
             assert item.palette is not None
             if item.palette.recovery.write():
                 item.palette.recovery.drop(found)
-            self._let_go_on(item)
+            self._run_waiting(item)
         else:
             # It is open, and perhaps changed: the recovered one comes as a step that can be undone.
             self.history.apply(tr("Recover unsaved work"), [(item.palette.store, found.value)])
@@ -142,7 +142,7 @@ class Library(LibraryBase):
         """Give unsaved work of an earlier run up."""
         self._finder.drop(found)
 
-    def _noticed(self, item: Item) -> None:
+    def _on_file_changed(self, item: Item) -> None:
         opened = item.palette
         if opened is None or opened.store.path is None:
             return
@@ -150,7 +150,7 @@ class Library(LibraryBase):
         if now is not None and (known is None or not known.same_content(now)):
             self.changed_outside.emit(item.key)
 
-    def read_again(self, key: str, then: Callable[[Read], None]) -> None:
+    def reread(self, key: str, then: Callable[[Read], None]) -> None:
         """Read the file of an open palette once more, in the background."""
         item = self._items.get(key)
         if item is None or item.palette is None or item.palette.store.path is None:
@@ -166,7 +166,7 @@ class Library(LibraryBase):
             ),
         )
 
-    def take_outside(self, key: str, value: Palette, read: Read, name: str) -> None:
+    def adopt_file(self, key: str, value: Palette, read: Read, name: str) -> None:
         """Take what the file holds now, or what it was merged to, as one step; it is no longer asked about."""
         item = self._items.get(key)
         if item is None or item.palette is None:

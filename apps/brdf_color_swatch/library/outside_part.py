@@ -5,8 +5,8 @@ from __future__ import annotations
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.library.reading import Read
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.progress import Progress
@@ -17,18 +17,18 @@ _MOST_LISTED = 6
 class OutsidePart:
     """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
-        desk.library.changed_outside.connect(self._offer)
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
+        session.library.changed_outside.connect(self._offer)
 
     def _offer(self, key: str) -> None:
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None or item.path is None:
             return
         what = tr("“{name}” was changed by another program.").format(name=item.path.name)
         reload_it = (
             tr("Reload"),
-            lambda: self._desk.library.read_again(key, lambda read: self._reload(key, read)),
+            lambda: self._session.library.reread(key, lambda read: self._reload(key, read)),
         )
         if item.palette.store.is_clean:
             todo = tr("Reload loads the current file. It can be undone.")
@@ -39,7 +39,7 @@ class OutsidePart:
             )
             merge = (
                 tr("Merge"),
-                lambda: self._desk.library.read_again(key, lambda read: self._merge(key, read)),
+                lambda: self._session.library.reread(key, lambda read: self._merge(key, read)),
             )
             actions = (merge, reload_it, (tr("Keep Mine"), lambda: None))
         self._window.show_message(
@@ -49,17 +49,17 @@ class OutsidePart:
         )
 
     def _reload(self, key: str, read: Read) -> None:
-        self._desk.library.take_outside(key, read.palette, read, tr("Reload from disk"))
+        self._session.library.adopt_file(key, read.palette, read, tr("Reload from disk"))
 
     def _merge(self, key: str, read: Read) -> None:
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None:
             return
         opened = item.palette
         mine = opened.store.value
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             f"merge {key}",
-            _merged,
+            _merge_palettes,
             (opened.base, mine, read.palette),
             lambda merged: self._take(key, mine, merged, read),
             lambda error: self._window.show_message(message_of(error, f"outside {key}")),
@@ -68,14 +68,14 @@ class OutsidePart:
     def _take(self, key: str, mine: Palette, merged: object, read: Read) -> None:
         from brdf_suite.palettes.merge import Merge
 
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None or not isinstance(merged, Merge):
             return
         if item.palette.store.value is not mine:
             # An edit came while it was merged: it is merged as well.
             self._merge(key, read)
             return
-        self._desk.library.take_outside(key, merged.palette, read, tr("Merge with file"))
+        self._session.library.adopt_file(key, merged.palette, read, tr("Merge with file"))
         changes = [*merged.conflicts, *merged.taken]
         if not changes:
             return
@@ -96,12 +96,12 @@ class OutsidePart:
                 what,
                 todo="\n".join(lines),
                 severity="warning" if merged.conflicts else "info",
-                actions=((tr("Undo"), self._desk.library.history.undo),),
+                actions=((tr("Undo"), self._session.library.history.undo),),
             )
         )
 
 
-def _merged(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
+def _merge_palettes(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
     from brdf_suite.palettes.merge import merge
 
     progress(0.0, "")

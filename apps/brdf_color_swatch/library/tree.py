@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, Q
 
 from brdf_color_swatch.features.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.library import Item
+from brdf_color_swatch.library.item import Item
 
 _SCOPE = Qt.ItemDataRole.UserRole
 _TAGS = Scope("", (), "\0tags")
@@ -43,15 +43,15 @@ class _Line:
 
 
 class LibraryTree(QTreeWidget):
-    """Signals: ``scope_chosen(scope)``, ``opened(scope)`` (Return or double click on a palette that is not read),
-    ``renamed(scope, name)``, ``dropped(event, scope)``, ``group_dropped(path, scope)``, ``menu_asked(scope, point)``.
+    """Signals: ``scope_chosen(scope)``, ``renamed(scope, name)``, ``dropped(event, scope)``,
+    ``group_dropped(path, scope)``, ``menu_requested(scope, point)``.
     """
 
     scope_chosen = Signal(object)
     renamed = Signal(object, str)
     dropped = Signal(object, object)
     group_dropped = Signal(object, object)
-    menu_asked = Signal(object, QPoint)
+    menu_requested = Signal(object, QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -87,7 +87,7 @@ class LibraryTree(QTreeWidget):
         top = self.verticalScrollBar().value()
         self.clear()
         for line in lines:
-            made = self._made(line)
+            made = self._build_item(line)
             self.addTopLevelItem(made)
             if line.scope not in known or line.scope in opened:
                 made.setExpanded(True)
@@ -123,7 +123,7 @@ class LibraryTree(QTreeWidget):
 
     # Lines.
 
-    def _made(self, line: _Line) -> QTreeWidgetItem:
+    def _build_item(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])
         item.setData(0, _SCOPE, line.scope)
         item.setToolTip(0, plain_tip(line.tip))
@@ -135,7 +135,7 @@ class LibraryTree(QTreeWidget):
             flags |= Qt.ItemFlag.ItemIsDragEnabled
         item.setFlags(flags)
         for child in line.children:
-            item.addChild(self._made(child))
+            item.addChild(self._build_item(child))
         return item
 
     def _all(self) -> list[QTreeWidgetItem]:
@@ -185,7 +185,7 @@ class LibraryTree(QTreeWidget):
     def _ask_menu(self, point: QPoint) -> None:
         item = self.itemAt(point)
         scope = self._scope(item) if item is not None else Scope()
-        self.menu_asked.emit(scope, self.viewport().mapToGlobal(point))
+        self.menu_requested.emit(scope, self.viewport().mapToGlobal(point))
 
     # Drops.
 
@@ -230,7 +230,7 @@ class LibraryTree(QTreeWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
         item = self.itemAt(event.position().toPoint())
-        # A click on what is chosen already goes back to all of it, where a search had narrowed another scope.
+        # A click on the current scope shows all of it again, also after a search in another scope.
         if item is not None and event.button() is Qt.MouseButton.LeftButton:
             self._choose(item)
 
@@ -261,7 +261,7 @@ def _line_of(item: Item) -> _Line:
         return tuple(
             _Line(
                 Scope(item.key, path),
-                _counted(path[-1] or tr("(no name)"), counts[path]),
+                _with_count(path[-1] or tr("(no name)"), counts[path]),
                 known[path].notes[:300],
                 known[path].colour,
                 "folder",
@@ -274,16 +274,16 @@ def _line_of(item: Item) -> _Line:
     children = groups(())
     if tags:
         under = tuple(
-            _Line(Scope(item.key, (), tag), _counted(tag, tags[tag]), "", "", "tag")
+            _Line(Scope(item.key, (), tag), _with_count(tag, tags[tag]), "", "", "tag")
             for tag in sorted(tags, key=str.casefold)
         )
         children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
     mark = "" if item.is_clean else " •"
     tip = tip if item.is_clean else tr("{file}\nUnsaved changes.").format(file=tip)
-    return _Line(scope, _counted(title, len(palette)) + mark, tip, palette.colour, "palette", children)
+    return _Line(scope, _with_count(title, len(palette)) + mark, tip, palette.colour, "palette", children)
 
 
-def _counted(name: str, count: int) -> str:
+def _with_count(name: str, count: int) -> str:
     return f"{name}  {count}"
 
 

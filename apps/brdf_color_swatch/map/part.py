@@ -13,8 +13,8 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.map.points import MapPoints
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 
 if TYPE_CHECKING:
@@ -40,8 +40,8 @@ _KINDS = {
 class MapPart:
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        self._session, self._window = session, window
         self.space: SpaceMap | None = None
         self.plane: PlaneMap | None = None
         self._built = False
@@ -88,9 +88,9 @@ class MapPart:
         window.toolbar.addAction(self.action)
         self.dock.visibilityChanged.connect(self._visible)
         self._soon = QTimer(window, singleShot=True, interval=0, timeout=self._show)
-        desk.shown_changed.connect(lambda _pane: self._later())
-        desk.front_changed.connect(self._later)
-        desk.selection_changed.connect(lambda _pane: self._show_chosen())
+        session.shown_changed.connect(lambda _pane: self._later())
+        session.front_changed.connect(self._later)
+        session.selection_changed.connect(lambda _pane: self._show_chosen())
         window.add_command("view", mark("Fra&me All in Map"), "F", self.frame, "frame_map")
         self._points: MapPoints | None = None
 
@@ -148,7 +148,7 @@ class MapPart:
         window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
         self._beside = library, inspector
 
-    def _give_back(self) -> None:
+    def _restore_widths(self) -> None:
         """Give the room of the panel back to the swatches, where Qt gives it to the inspector."""
         library, inspector = self._beside or (0, 0)
         self._beside = None
@@ -161,7 +161,7 @@ class MapPart:
     def _visible(self, shown: bool) -> None:
         self.action.setChecked(not self.dock.isHidden())
         if self.dock.isHidden() and self._beside is not None:
-            self._give_back()
+            self._restore_widths()
         if shown:
             self._later()
 
@@ -170,7 +170,7 @@ class MapPart:
             self._soon.start()
 
     def _show(self) -> None:
-        points = MapPoints.of(self._desk.shown[self._desk.front])
+        points = MapPoints.of(self._session.shown[self._session.front])
         # Until the user chooses: flat colours have no flop, and would lie in one line.
         self.kind = self.chosen_kind or ("ab" if points.are_flat else "flop")
         self.kinds.setCurrentIndex(self.kinds.findData(self.kind))
@@ -233,7 +233,7 @@ class MapPart:
     def _show_chosen(self) -> None:
         if self.dock.isHidden() or self._points is None:
             return
-        ids = set(self._desk.selected)
+        ids = set(self._session.selected)
         if self.kind == "space" and self.space is not None:
             self.space.show_chosen(ids)
         elif self.plane is not None:
@@ -241,15 +241,15 @@ class MapPart:
 
     def _chosen(self, ids: tuple[str, ...], mode: str) -> None:
         """Select what was chosen in the map, in the pane."""
-        before = self._desk.selected
+        before = self._session.selected
         if mode == "add":
             ids = tuple(dict.fromkeys((*before, *ids)))
         elif mode == "drop":
             ids = tuple(key for key in before if key not in set(ids))
-        pane = self._window.panes[self._desk.front]
+        pane = self._window.panes[self._session.front]
         if ids:
             focused = self._window.focusWidget()
-            self._desk.reveal(ids)
+            self._session.reveal(ids)
             if focused is not None:
                 focused.setFocus(Qt.FocusReason.OtherFocusReason)
         else:

@@ -41,7 +41,7 @@ class _Words(QWidget):
             ("+a*", (_REACH + 8, 0, 0)), ("−a*", (-_REACH - 8, 0, 0)), ("+b*", (0, _REACH + 8, 0)),
             ("−b*", (0, -_REACH - 8, 0)), ("L* 100", (0, 0, _TOP + 6)), ("L* 0", (0, 0, -6)),
         ]  # fmt: skip
-        at, _depth = self._view.projected(np.array([place for _, place in marks], float))
+        at, _depth = self._view.project(np.array([place for _, place in marks], float))
         for (text, _place), (x, y) in zip(marks, at, strict=True):
             if np.isfinite(x):
                 wide = painter.fontMetrics().horizontalAdvance(text)
@@ -148,7 +148,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         share = min(1.0, self.height() / max(1, self.width()))
         return 1.22 * _REACH / (math.tan(math.radians(0.5 * self.opts["fov"])) * max(0.2, share))
 
-    def projected(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return where points (n, 3) of a*, b*, L* are in this widget (n, 2), and how far away (n,)."""
         area = self.getViewport()
         matrix = self.projectionMatrix(area, area) * self.viewMatrix()
@@ -162,7 +162,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def pixels(self) -> tuple[np.ndarray, np.ndarray]:
         """Return where the swatches (n, 2) are in this widget, and how far away (n,)."""
         lab = self._points.lab if self._points is not None else np.zeros((0, 3))
-        return self.projected(lab[:, [1, 2, 0]])
+        return self.project(lab[:, [1, 2, 0]])
 
     # The mouse.
 

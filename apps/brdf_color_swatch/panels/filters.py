@@ -31,10 +31,10 @@ _FIELDS = {
 
 
 class FiltersPanel(QWidget):
-    """Signals: ``range_edited(key, low, high)``, ``duplicates_asked(tolerance or None)``, ``cleared()``."""
+    """Signals: ``range_edited(key, low, high)``, ``duplicates_requested(tolerance or None)``, ``cleared()``."""
 
     range_edited = Signal(str, float, float)
-    duplicates_asked = Signal(object)
+    duplicates_requested = Signal(object)
     cleared = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -66,8 +66,10 @@ class FiltersPanel(QWidget):
         self.clear.setObjectName("clear_filters")
         self.clear.clicked.connect(self.cleared)
         box.addWidget(self.clear, 0, Qt.AlignmentFlag.AlignRight)
-        self.duplicates.clicked.connect(lambda _on: self._ask())
-        self.tolerance.edited.connect(lambda _value: self._ask() if self.duplicates.isChecked() else None)
+        self.duplicates.clicked.connect(lambda _on: self._request_duplicates())
+        self.tolerance.edited.connect(
+            lambda _value: self._request_duplicates() if self.duplicates.isChecked() else None
+        )
 
     def show_state(self, state: PaneState) -> None:
         """Show what the pane in front lets pass."""
@@ -76,10 +78,10 @@ class FiltersPanel(QWidget):
         self.duplicates.setChecked(state.duplicates is not None)
         if state.duplicates is not None:
             self.tolerance.set_value(state.duplicates)
-        self.clear.setEnabled(bool(state.is_narrowed or state.near is not None))
+        self.clear.setEnabled(bool(state.is_filtered or state.near is not None))
 
-    def _ask(self) -> None:
-        self.duplicates_asked.emit(self.tolerance.value() if self.duplicates.isChecked() else None)
+    def _request_duplicates(self) -> None:
+        self.duplicates_requested.emit(self.tolerance.value() if self.duplicates.isChecked() else None)
 
 
 def _hue_colour(hue: float) -> QColor:

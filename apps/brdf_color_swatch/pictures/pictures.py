@@ -53,7 +53,7 @@ class Pictures(QObject):
     unavailable(text)
         Nothing can be drawn of this form in this light, and why. The readings stand for the pictures.
     waiting_changed(count)
-        How many of the wanted are still to come.
+        How many of the requested are still to come.
     """
 
     arrived = Signal(object)
@@ -80,10 +80,10 @@ class Pictures(QObject):
         self._refused: dict[str, str] = {}
         self._not_stored: set[str] = set()
         self._suspects: set[str] = set()
-        self._wanted: dict[str, Entry] = {}
+        self._pending: dict[str, Entry] = {}
         self._ids: dict[str, list[str]] = {}
-        self._asked: set[str] = set()
-        self._looking = self._closed = False
+        self._in_process: set[str] = set()
+        self._reading_store = self._closed = False
         self._deaths = self._number = 0
         self._problem = ""
         self._waiting = 0
@@ -111,9 +111,9 @@ class Pictures(QObject):
             self._keys.clear()
             self._not_stored.clear()
             self._suspects.clear()
-            self._wanted.clear()
+            self._pending.clear()
             self._look = look
-            self._asked.clear()
+            self._in_process.clear()
             self._number += 1
         self._shown_size = size
         self._pump_timer.start()
@@ -140,24 +140,24 @@ class Pictures(QObject):
         """Return why there is no picture of an entry; empty where there is or may be one."""
         return "" if self._look is None else self._refused.get(self._key(entry), "")
 
-    def want(self, entries: Iterable[Entry]) -> None:
-        """Have pictures of these, the first ones first; older wishes are forgotten."""
+    def request(self, entries: Iterable[Entry]) -> None:
+        """Request pictures of these entries, the first ones first; earlier requests are dropped."""
         if self._look is None or self._closed or self._problem:
             return
-        self._wanted = {}
+        self._pending = {}
         self._ids = {}
         for entry in entries:
             key = self._key(entry)
             self._ids.setdefault(key, []).append(entry.id)
             if key not in self._kept and key not in self._refused:
-                self._wanted.setdefault(key, entry)
+                self._pending.setdefault(key, entry)
         self._note_waiting()
         self._pump_timer.start()
 
     @property
     def waiting(self) -> int:
-        """How many of the wanted pictures are still to come."""
-        return 0 if self._problem or self._closed else len(self._wanted)
+        """How many of the requested pictures are still to come."""
+        return 0 if self._problem or self._closed else len(self._pending)
 
     @property
     def problem(self) -> str:
@@ -195,18 +195,18 @@ class Pictures(QObject):
     def _pump(self) -> None:
         if self._closed or self._problem or self._look is None:
             return
-        if not self._looking:
-            keys = [key for key in self._wanted if key not in self._not_stored][:_LOOKED_UP]
+        if not self._reading_store:
+            keys = [key for key in self._pending if key not in self._not_stored][:_LOOKED_UP]
             if keys:
-                self._looking = True
+                self._reading_store = True
                 self._tasks.submit("store", self._look_up, tuple(keys), self._found, self._not_found)
-        if not self._asked:
-            ready = [(key, one) for key, one in self._wanted.items() if key in self._not_stored]
+        if not self._in_process:
+            ready = [(key, one) for key, one in self._pending.items() if key in self._not_stored]
             # Over one of these the process has died: alone it is known which.
             alone = [pair for pair in ready if pair[0] in self._suspects][:1]
             batch = alone or ready[:_BATCH]
             if batch:
-                self._ask(batch)
+                self._send_request(batch)
 
     def _look_up(
         self, keys: tuple[str, ...], _progress: Progress
@@ -218,7 +218,7 @@ class Pictures(QObject):
         return keys, self._store.get(keys)
 
     def _found(self, answer: tuple[tuple[str, ...], dict[str, np.ndarray]]) -> None:
-        self._looking = False
+        self._reading_store = False
         keys, pictures = answer
         for key in keys:
             if key in pictures:
@@ -231,11 +231,11 @@ class Pictures(QObject):
     def _not_found(self, error: Exception) -> None:
         # The store reports no error that matters; whatever this is, the pictures are rendered instead.
         log.error("The pictures on the disk cannot be looked through.", exc_info=error)
-        self._looking = False
-        self._not_stored.update(self._wanted)
+        self._reading_store = False
+        self._not_stored.update(self._pending)
         self._pump()
 
-    def _ask(self, batch: list[tuple[str, Entry]]) -> None:
+    def _send_request(self, batch: list[tuple[str, Entry]]) -> None:
         from brdf_suite.documents.palette_store import entry_to_json
 
         items = []
@@ -244,7 +244,7 @@ class Pictures(QObject):
             items.append(
                 {"key": key, **{name: content[name] for name in ("paint", "flat") if name in content}}
             )
-        self._asked = {key for key, _ in batch}
+        self._in_process = {key for key, _ in batch}
         request = {"id": self._number, "look": self._look.to_json(), "items": items}
         if self._process.state() == QProcess.ProcessState.NotRunning:
             self._process.start(self._program[0], self._program[1:])
@@ -261,11 +261,11 @@ class Pictures(QObject):
     def _take(self, answer: dict[str, Any]) -> None:
         key = str(answer.get("key", ""))
         if "picture" in answer:
-            self._lives(key)
+            self._mark_alive(key)
             data = base64.b64decode(answer["picture"])
             self._keep(key, data, round((len(data) / 3) ** 0.5))
         elif "refused" in answer:
-            self._lives(key)
+            self._mark_alive(key)
             if "fault" in answer:
                 log.error("A picture could not be drawn.\n%s", answer["fault"])
             self._refuse(key, str(answer["refused"]))
@@ -275,16 +275,16 @@ class Pictures(QObject):
         elif "failed" in answer or "unavailable" in answer:
             self._give_up(str(answer.get("failed") or answer.get("unavailable")))
         elif "done" in answer:
-            self._asked.clear()
+            self._in_process.clear()
             self._pump()
 
-    def _lives(self, key: str) -> None:
+    def _mark_alive(self, key: str) -> None:
         self._deaths = 0
         self._suspects.discard(key)
 
     def _refuse(self, key: str, why: str) -> None:
         self._refused[key] = why
-        self._wanted.pop(key, None)
+        self._pending.pop(key, None)
         self._fresh.update(self._ids.get(key, ()))
         self._arrival_timer.start()
 
@@ -307,7 +307,7 @@ class Pictures(QObject):
         self._bytes += _bytes(pixmap)
         while self._bytes > MOST_BYTES and len(self._kept) > 1:
             self._bytes -= _bytes(self._kept.popitem(last=False)[1])
-        entry = self._wanted.pop(key, None)
+        entry = self._pending.pop(key, None)
         if entry is not None:
             self._last[id(entry.content)] = (entry.content, pixmap)
             while len(self._last) > 600:
@@ -336,8 +336,8 @@ class Pictures(QObject):
             self._take(json.loads(self._process.readLine().data()))
         if self._problem:
             return
-        unanswered = {key for key in self._asked if key not in self._kept and key not in self._refused}
-        self._asked.clear()
+        unanswered = {key for key in self._in_process if key not in self._kept and key not in self._refused}
+        self._in_process.clear()
         if unanswered:
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
@@ -357,8 +357,8 @@ class Pictures(QObject):
 
     def _give_up(self, why: str) -> None:
         self._problem = why
-        self._wanted.clear()
-        self._asked.clear()
+        self._pending.clear()
+        self._in_process.clear()
         self._note_waiting()
         self.unavailable.emit(why)
 
