@@ -20,6 +20,7 @@ from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.file_part import new_palette
 from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.unsaved import UnsavedWork
 from brdf_color_swatch.parts import build_parts
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -57,6 +58,7 @@ class ColorSwatch:
         lights = resource_names("environments", ".exr")
         self.window = SwatchWindow(lights)
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
+        self.unsaved = UnsavedWork(self.library)
         self.session = PaletteSession(self.library, self.window)
         self.session.recall()
         self.controller = Controller(self.session, self.window, self.window)
@@ -85,7 +87,7 @@ class ColorSwatch:
             begin = getattr(part, "begin_part", None)
             if begin is not None:
                 begin()
-        self._offer_recovery()
+        self.offer_recovery()
 
     def open(self, name: str) -> None:
         """Open a file, or with ``shipped`` the paints that come with the suite."""
@@ -138,6 +140,7 @@ class ColorSwatch:
             end = getattr(part, "close_part", None)
             if end is not None:
                 end()
+        self.unsaved.close()
         self.library.keep_unsaved()
 
     def _may_close(self, question: QCloseEvent) -> None:
@@ -150,8 +153,9 @@ class ColorSwatch:
     def _autosave_failed(self, error: BaseException) -> None:
         error_relay().report(error, "autosave")
 
-    def _offer_recovery(self) -> None:
-        found = self.library.unsaved_work()
+    def offer_recovery(self) -> None:
+        """Show a message with the unsaved work of earlier runs; nothing where there is none."""
+        found = self.unsaved.find()
         if not found:
             return
         names = [tr("“{name}”").format(name=_name(item)) for item in found]
@@ -164,15 +168,19 @@ class ColorSwatch:
         todo = tr("Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.")
         actions = (
             (tr("Recover"), lambda: self._recover(found)),
-            (tr("Discard"), lambda: [self.library.drop_recovered(item) for item in found] and None),
+            (tr("Discard"), lambda: self._discard(found)),
         )
         self.window.show_message(Message("recovery", what, todo=todo, actions=actions))
+
+    def _discard(self, found: list[Recovered[Palette]]) -> None:
+        for item in found:
+            self.unsaved.discard(item)
 
     def _recover(self, found: list[Recovered[Palette]]) -> None:
         key = ""
         # The newest was worked at last, and is shown.
         for item in reversed(found):
-            key = self.library.recover(item)
+            key = self.unsaved.recover(item)
         self.session.show_scope(Scope(key))
 
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QAction
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.grid.rows import group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.library import Item
+from brdf_color_swatch.library.item import Item
 from brdf_color_swatch.panels.swatch import readings_of
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow

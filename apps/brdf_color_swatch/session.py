@@ -16,7 +16,9 @@ from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import Rows, group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.library import Item, Library
+from brdf_color_swatch.library.item import Item
+from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.loading import PaletteLoader
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
@@ -55,6 +57,7 @@ class PaletteSession(QObject):
     def __init__(self, library: Library, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.library = library
+        self.loader = PaletteLoader(library)
         self.states = [PaneState(), PaneState()]
         self.shown = [VisibleRows(Rows.empty()), VisibleRows(Rows.empty())]
         self._selected: list[tuple[str, ...]] = [(), ()]
@@ -103,7 +106,7 @@ class PaletteSession(QObject):
             return
         self.states[pane] = state
         if state.scope.palette != before.scope.palette and self.library.item(state.scope.palette) is not None:
-            self.library.load(state.scope.palette)
+            self.loader.load(state.scope.palette)
         self.state_changed.emit(pane)
         self.refresh(pane)
 

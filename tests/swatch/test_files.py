@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.reading import read_palette_file
+from brdf_color_swatch.library.unsaved import UnsavedWork
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtWidgets import QPushButton
@@ -148,10 +149,10 @@ def test_unsaved_work_of_a_run_that_was_ended_is_offered_back(swatch, tmp_path, 
     opened = swatch.library.item(key).palette
     # As a kill leaves it: written, and its lock free.
     opened.recovery.close(keep=True)
-    swatch.library._finder._folder = opened.recovery._folder
-    del swatch.library._items[key]
-    swatch.library.items_changed.emit()
-    swatch._offer_recovery()
+    swatch.library.remove_item(key)
+    swatch.unsaved.close()
+    swatch.unsaved = UnsavedWork(swatch.library)
+    swatch.offer_recovery()
     assert "kept.brdfpalette" in swatch.window.messages.shown()["recovery"].what
     press(swatch, "recovery", "Recover")
     assert swatch.session.palette.name == "Half done"
@@ -165,15 +166,15 @@ def test_recovered_work_stays_where_its_file_is_still_being_read(swatch, tmp_pat
     save_palette(Palette("Kept"), path)
     key = swatch.library.add_path(path)
     gone_on: list[str] = []
-    swatch.library.load(key, lambda: gone_on.append(swatch.library.palette(key).name))
+    swatch.session.loader.load(key, lambda: gone_on.append(swatch.library.palette(key).name))
     assert swatch.library.item(key).state == "reading"
     work = Recovered(Palette("Half done"), path, datetime.now(), tmp_path / "gone.recovery.json")
-    assert swatch.library.recover(work) == key
+    assert swatch.unsaved.recover(work) == key
     assert not swatch.library.tasks.busy
     assert gone_on == ["Half done"]
     opened = swatch.library.item(key).palette
     # An answer that was under way all the same.
-    swatch.library._arrived(key, read_palette_file(path, lambda _share, _what: None))
+    swatch.session.loader.accept(key, read_palette_file(path, lambda _share, _what: None))
     assert swatch.library.item(key).palette is opened
     assert swatch.library.palette(key).name == "Half done"
     assert not swatch.library.item(key).is_clean
@@ -198,7 +199,7 @@ def test_the_library_remembers_its_files(swatch, tmp_path: Path, monkeypatch) ->
     swatch.library.add_path(path)
     swatch.library.close(swatch.session.state.scope.palette)
     for item in swatch.library.items:
-        del swatch.library._items[item.key]
+        swatch.library.remove_item(item.key)
     swatch.library.restore()
     assert [(item.path, item.state) for item in swatch.library.items] == [(path, "closed")]
 

@@ -97,7 +97,7 @@ def test_a_palette_that_is_closed_meanwhile_is_asked_about_no_more(swatch, share
     # Pressed, or answered, just as it went.
     actions[text]()
     assert not library.tasks.busy
-    library.adopt_file(key, read.palette, read, text)
+    swatch.session.loader.adopt_file(key, read.palette, read, text)
     assert library.item(key) is None
 
 

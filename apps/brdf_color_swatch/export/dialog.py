@@ -85,3 +85,11 @@ def with_ending(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) ->
     if any(ending in known.endings for known in formats):
         return path.with_suffix(choice.ending)
     return path.with_name(path.name + choice.ending)
+
+
+def open_filters() -> str:
+    """Return the filter line of a dialog that opens palettes of any format."""
+    from brdf_suite.files.palettes import FORMATS
+
+    every = " ".join(sorted({f"*{ending}" for known in FORMATS for ending in known.endings}))
+    return tr("Palettes ({endings})").format(endings=every) + ";;" + tr("All files (*)")

@@ -136,14 +136,6 @@ class ExportPart:
         self._some.setEnabled(bool(self._session.selected))
 
 
-def open_filters() -> str:
-    """Return the filter line of a dialog that opens palettes of any format."""
-    from brdf_suite.files.palettes import FORMATS
-
-    every = " ".join(sorted({f"*{ending}" for known in FORMATS for ending in known.endings}))
-    return tr("Palettes ({endings})").format(endings=every) + ";;" + tr("All files (*)")
-
-
 def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
     """Return what is lost; where it is asked for, write as well."""
     from brdf_suite.files.palettes import format_for, losses, write_palette

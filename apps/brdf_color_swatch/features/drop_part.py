@@ -104,7 +104,7 @@ class DropPart:
             data = _copy_mime(event.mimeData())
             moves = _moves(event)
             event.acceptProposedAction()
-            self._session.library.load(
+            self._session.loader.load(
                 scope.palette, lambda: self._drop_data(data, scope, scope.group, None, moves=moves)
             )
             return

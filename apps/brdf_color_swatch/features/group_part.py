@@ -130,7 +130,7 @@ class GroupPart:
     def move_group(self, moved: Scope, onto: Scope) -> None:
         """Move a group into another, to the palette's top, or with all that is in it to another palette."""
         if onto.palette != moved.palette:
-            self._session.library.load(onto.palette, lambda: self._carry_group(moved, onto))
+            self._session.loader.load(onto.palette, lambda: self._carry_group(moved, onto))
             return
         if onto.group[: len(moved.group)] == moved.group:
             return

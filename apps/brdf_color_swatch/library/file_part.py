@@ -84,7 +84,7 @@ class FilePart:
         if path is not None and _names_material(path):
             self._add_material(str(path))
             return
-        key = session.library.ask_open(path)
+        key = session.loader.ask_open(path)
         if key is not None:
             session.show_scope(Scope(key))
 
@@ -174,9 +174,9 @@ class FilePart:
         elif what == "shipped":
             self.open_shipped()
         elif what == "cancel":
-            session.library.cancel_reading(key)
+            session.loader.cancel_reading(key)
         elif what == "again" and session.library.item(key) is not None:
-            session.library.load(key)
+            session.loader.load(key)
         elif what == "close":
             self.close()
         elif what == "clear":

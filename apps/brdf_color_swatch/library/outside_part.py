@@ -28,7 +28,7 @@ class OutsidePart:
         what = tr("“{name}” was changed by another program.").format(name=item.path.name)
         reload_it = (
             tr("Reload"),
-            lambda: self._session.library.reread(key, lambda read: self._reload(key, read)),
+            lambda: self._session.loader.reread(key, lambda read: self._reload(key, read)),
         )
         if item.palette.store.is_clean:
             todo = tr("Reload loads the current file. It can be undone.")
@@ -39,7 +39,7 @@ class OutsidePart:
             )
             merge = (
                 tr("Merge"),
-                lambda: self._session.library.reread(key, lambda read: self._merge(key, read)),
+                lambda: self._session.loader.reread(key, lambda read: self._merge(key, read)),
             )
             actions = (merge, reload_it, (tr("Keep Mine"), lambda: None))
         self._window.show_message(
@@ -49,7 +49,7 @@ class OutsidePart:
         )
 
     def _reload(self, key: str, read: Read) -> None:
-        self._session.library.adopt_file(key, read.palette, read, tr("Reload from disk"))
+        self._session.loader.adopt_file(key, read.palette, read, tr("Reload from disk"))
 
     def _merge(self, key: str, read: Read) -> None:
         item = self._session.library.item(key)
@@ -75,7 +75,7 @@ class OutsidePart:
             # An edit came while it was merged: it is merged as well.
             self._merge(key, read)
             return
-        self._session.library.adopt_file(key, merged.palette, read, tr("Merge with file"))
+        self._session.loader.adopt_file(key, merged.palette, read, tr("Merge with file"))
         changes = [*merged.conflicts, *merged.taken]
         if not changes:
             return
