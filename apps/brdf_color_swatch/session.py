@@ -134,7 +134,7 @@ class PaletteSession(QObject):
             self._working(pane, True)
             self.library.tasks.submit(
                 task,
-                lambda request, progress: filter_and_sort(*request, progress),
+                lambda request, progress: filter_and_sort(request[0], request[1], progress),
                 (rows, state),
                 lambda shown: self._take(pane, shown),
                 lambda error: self._fail(pane, error),

@@ -70,9 +70,10 @@ class ComparePanel(QWidget):
         self.names.setWordWrap(True)
         self.pair = _Pair()
         self.table = QTableWidget(0, len(_HEADS))
-        self.table.setHorizontalHeaderLabels([tr(head) for head in _HEADS])
-        for column, tip in enumerate(_TIPS):
-            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
+        for column, (title, tip) in enumerate(zip(_HEADS, _TIPS, strict=True)):
+            head = QTableWidgetItem(tr(title))
+            head.setToolTip(tr(tip))
+            self.table.setHorizontalHeaderItem(column, head)
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)

@@ -46,12 +46,21 @@ class GroupPart:
             return
         name = tr("Change colour") if key == "colour" else tr("Change notes")
         if group:
+
+            def change(one: Group) -> Group:
+                return replace(one, colour=text) if key == "colour" else replace(one, notes=text)
+
             self._session.edit(
                 name,
-                lambda palette: edits.change_group(palette, group, lambda one: replace(one, **{key: text})),
+                lambda palette: edits.change_group(palette, group, change),
             )
         else:
-            self._session.edit(name, lambda palette: replace(palette, **{key: text}))
+            self._session.edit(
+                name,
+                lambda palette: (
+                    replace(palette, colour=text) if key == "colour" else replace(palette, notes=text)
+                ),
+            )
 
     def new_group(self) -> None:
         """Make a group within the one that is shown, of what is selected, and let it be named."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 from typing import Any
 
 from brdf_qt.link.link import LiveLink
@@ -43,9 +44,7 @@ class LinkPart:
         self._sends = []
         icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
         for role, (_package, _name, text, keys) in _PROGRAMS.items():
-            action = add(
-                "paint", text, keys, lambda role=role: self.send(role), f"to_{role}", icon=icons[role]
-            )
+            action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icons[role])
             self._sends.append(action)
         window.menu("paint").addSeparator()
         self._take = add(

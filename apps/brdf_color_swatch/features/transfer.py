@@ -80,9 +80,9 @@ def read_data(data: QMimeData) -> Carried:
         It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
     """
     if data.hasFormat(MIME):
-        return _whole(data.data(MIME).data())
+        return _whole(bytes(data.data(MIME).data()))
     if data.hasFormat(PAINT_MIME):
-        return Carried((_of_paint(_json(data.data(PAINT_MIME).data())),))
+        return Carried((_of_paint(_json(bytes(data.data(PAINT_MIME).data()))),))
     if data.hasUrls():
         files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
         paints = [path for path in files if path.suffix.lower() == PAINT_ENDING]
@@ -94,7 +94,7 @@ def read_data(data: QMimeData) -> Carried:
         if found:
             return Carried(tuple(found))
     if data.hasColor():
-        colour = QColor(data.colorData())  # type: ignore[call-overload]  # the binding gives a QVariant
+        colour = QColor(data.colorData())
         values = (colour.redF(), colour.greenF(), colour.blueF())
         name = colour.name()
         return Carried((Entry(FlatColour(name, "RGB", values, space="sRGB"), id=new_id()),))

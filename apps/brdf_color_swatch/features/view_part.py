@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import Qt
@@ -34,7 +35,7 @@ class ViewPart:
                 "view",
                 text,
                 f"{number}",
-                lambda key=key: session.set_look(form=key, as_list=False),
+                partial(session.set_look, form=key, as_list=False),
                 f"form_{key}_command",
             )
         self._list = add("view", mark("Show as &List"), "Ctrl+L", self._toggle_list, "list")

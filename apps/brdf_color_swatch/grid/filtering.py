@@ -50,7 +50,7 @@ def filter_of(state: PaneState) -> Filter:
     """Return the filter of a pane's state."""
     ranges = {key: (low, high) for key, low, high in state.ranges}
     scope = state.scope
-    return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)  # type: ignore[arg-type]  # the keys are its fields
+    return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)
 
 
 def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, ...]]:
@@ -69,6 +69,7 @@ def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, 
 
 
 def _nearest(rows: Rows, state: PaneState, inside: np.ndarray) -> VisibleRows:
+    assert state.near is not None
     found = nearest(rows.columns, np.asarray(state.near.lab), MOST_NEAREST, among=inside)
     places = found.indices.tolist()
     figures = dict(zip(places, found.delta_e.tolist(), strict=True))

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QObject, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QMimeData,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
 
 from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
+from brdf_suite.documents.palette import Entry
 
 ID_ROLE = Qt.ItemDataRole.UserRole + 1
 SORT_KEYS: tuple[str, ...] = (
@@ -75,7 +84,7 @@ class SwatchModel(QAbstractTableModel):
         self.shown = VisibleRows(Rows.empty())
         self._by_id: dict[str, int] | None = None
         self.mime_types: tuple[str, ...] = ()
-        self.mime_of: Any = None
+        self.mime_of: Callable[[list[str]], QMimeData | None] | None = None
 
     def show(self, shown: VisibleRows) -> None:
         """Show other swatches."""
@@ -95,7 +104,7 @@ class SwatchModel(QAbstractTableModel):
             self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
         return self._by_id.get(key)
 
-    def entry_at(self, row: int) -> Any:
+    def entry_at(self, row: int) -> Entry:
         """Return the entry in a row."""
         return self.shown.rows.entries[self.shown.places[row]]
 
@@ -105,13 +114,13 @@ class SwatchModel(QAbstractTableModel):
 
     # What Qt asks.
 
-    def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(self.shown.places)
 
-    def columnCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(SORT_KEYS)
 
-    def flags(self, index: QModelIndex) -> Qt.ItemFlag:
+    def flags(self, index: QModelIndex | QPersistentModelIndex) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         return FLAGS | Qt.ItemFlag.ItemIsEditable if index.column() in (NAME, CODE) else FLAGS
@@ -133,7 +142,7 @@ class SwatchModel(QAbstractTableModel):
             return plain_tip(tip.format(axis=axis, angle=angle))
         return None
 
-    def data(self, index: QModelIndex, role: int = 0) -> Any:
+    def data(self, index: QModelIndex | QPersistentModelIndex, role: int = 0) -> Any:
         if not index.isValid() or index.row() >= len(self.shown.places):
             return None
         place = self.shown.places[index.row()]
@@ -150,7 +159,9 @@ class SwatchModel(QAbstractTableModel):
             return rows.ids[place]
         return None
 
-    def setData(self, index: QModelIndex, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+    def setData(
+        self, index: QModelIndex | QPersistentModelIndex, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
         key = SORT_KEYS[index.column()]
         text = str(value).strip()
         if role != Qt.ItemDataRole.EditRole or text == self.data(index):
@@ -173,5 +184,5 @@ class SwatchModel(QAbstractTableModel):
     def mimeTypes(self) -> list[str]:
         return list(self.mime_types)
 
-    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:
+    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:  # type: ignore[override]  # Qt takes None for no data
         return self.mime_of(self.ids_of(indexes)) if self.mime_of is not None else None

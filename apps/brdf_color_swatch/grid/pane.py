@@ -61,6 +61,7 @@ class Pane(QFrame):
         self.number = number
         self._picture_of = picture_of
         self._quiet = False
+        self._note, self._bar, self._buttons = PlainLabel(), QProgressBar(), QHBoxLayout()
         self.setObjectName(f"pane_{number}")
         self.setAccessibleName(tr("Swatches") if number == 0 else tr("Swatches, second pane"))
         self.model = SwatchModel(self)
@@ -224,15 +225,12 @@ class Pane(QFrame):
         page.setAcceptDrops(True)
         page.installEventFilter(self)
         self._noted = False
-        self._note = PlainLabel()
         self._note.setWordWrap(True)
         self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._note.setMinimumWidth(120)
-        self._bar = QProgressBar()
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)
         self._bar.setMaximumWidth(240)
-        self._buttons = QHBoxLayout()
         box = QVBoxLayout(page)
         box.setContentsMargins(24, 24, 24, 24)
         box.addStretch(2)

@@ -136,7 +136,7 @@ class Rows:
             for angle, lab in zip(ANGLES_DEG, self.lab[place], strict=True)
             if np.isfinite(lab[0]) and not entry.is_flat
         ]
-        if entry.is_flat:
+        if isinstance(entry.content, FlatColour):
             lab = self.lab[place, 1]
             lines.append(tr("Flat colour, {model}").format(model=entry.content.model))
             lines.append(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")

@@ -27,7 +27,6 @@ from brdf_color_swatch.library.autosave import PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
 from brdf_color_swatch.library.item import Item, OpenPalette
 from brdf_suite.documents.palette import Palette
-from brdf_suite.errors import SuiteError
 
 KEY = "library"
 
@@ -260,7 +259,7 @@ class Library(QObject):
         """Return the files opened or saved last."""
         return self._any_files().recent()
 
-    def fails(self, error: SuiteError, key: str, todo: str = "") -> None:
+    def fails(self, error: Exception, key: str, todo: str = "") -> None:
         """Report an error to the user."""
         self.message.emit(message_of(error, key, todo=todo))
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
@@ -32,7 +34,7 @@ class OutsidePart:
         )
         if item.palette.store.is_clean:
             todo = tr("Reload loads the current file. It can be undone.")
-            actions = (reload_it, (tr("Keep Mine"), lambda: None))
+            actions: tuple[tuple[str, Callable[[], None]], ...] = (reload_it, (tr("Keep Mine"), lambda: None))
         else:
             todo = tr(
                 "You have unsaved changes. Merge combines both versions; Reload discards yours. Both can be undone."

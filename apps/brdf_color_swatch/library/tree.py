@@ -160,7 +160,7 @@ class LibraryTree(QTreeWidget):
         if item is not None:
             self.setCurrentItem(item)
         else:
-            self.setCurrentItem(None)  # type: ignore[arg-type]  # Qt takes a null pointer for none
+            self.setCurrentItem(None)  # type: ignore[call-overload]  # Qt takes a null pointer for none
 
     def _choose(self, item: QTreeWidgetItem | None) -> None:
         if item is None or self._quiet:
@@ -211,7 +211,8 @@ class LibraryTree(QTreeWidget):
         self.viewport().update()
         scope = self._scope(item) if item is not None else Scope()
         if event.source() is self:
-            moved = self._scope(self.currentItem()) if self.currentItem() is not None else Scope()
+            current = self.currentItem()
+            moved = self._scope(current) if current is not None else Scope()
             # The tree itself moves nothing: the palette is changed, and then the tree shows it.
             event.setDropAction(Qt.DropAction.IgnoreAction)
             event.accept()

@@ -87,7 +87,10 @@ class MapPart:
         self.action.setCheckable(True)
         window.toolbar.addAction(self.action)
         self.dock.visibilityChanged.connect(self._visible)
-        self._soon = QTimer(window, singleShot=True, interval=0, timeout=self._show)
+        self._soon = QTimer(window)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(0)
+        self._soon.timeout.connect(self._show)
         session.shown_changed.connect(lambda _pane: self._later())
         session.front_changed.connect(self._later)
         session.selection_changed.connect(lambda _pane: self._show_chosen())
@@ -142,7 +145,9 @@ class MapPart:
         self.dock.show()
         docks = [window.library_dock, self.dock, window.inspector_dock]
         # Taken from the swatches alone, and no more than they can spare: library and inspector keep theirs.
-        room = window.width() - library - inspector - window.centralWidget().minimumSizeHint().width()
+        centre = window.centralWidget()
+        spared = centre.minimumSizeHint().width() if centre is not None else 0
+        room = window.width() - library - inspector - spared
         wide = min(round(0.32 * window.width()), room - _HANDLES_PX)
         widths = [library, max(self.dock.minimumSizeHint().width(), wide), inspector]
         window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)

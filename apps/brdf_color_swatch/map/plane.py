@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg
+import pyqtgraph as pg  # type: ignore[import-untyped]  # pyqtgraph has no types
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
@@ -185,7 +185,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.viewport() and isinstance(event, QMouseEvent) and self._mouse(event):
             return True
-        return super().eventFilter(watched, event)
+        return bool(super().eventFilter(watched, event))
 
     def _mouse(self, event: QMouseEvent) -> bool:
         at = event.position()
@@ -217,7 +217,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         at = self.pixels()
         if click:
             found = nearest(at, points[0])
-            ids = () if found is None else (self._points.ids[found],)
+            ids: tuple[str, ...] = () if found is None else (self._points.ids[found],)
         else:
             ids = tuple(self._points.ids[place] for place in np.flatnonzero(inside(at, points)))
         self.chosen.emit(ids, mode_of(event))

@@ -8,7 +8,7 @@ import numpy as np
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from OpenGL import GL
-from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget
+from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget  # type: ignore[import-untyped]  # pyqtgraph has no types
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPalette, QVector3D
 from PySide6.QtOpenGL import QOpenGLVertexArrayObject
@@ -57,6 +57,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """
 
     chosen = Signal(object, str)
+    mousePos: QPointF  # noqa: N815 - the name is pyqtgraph's
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -146,7 +147,9 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def _distance(self) -> float:
         """How far away the whole body of colours fits into the view; the angle of view is that of the width."""
         share = min(1.0, self.height() / max(1, self.width()))
-        return 1.22 * _REACH / (math.tan(math.radians(0.5 * self.opts["fov"])) * max(0.2, share))
+        fov_deg = float(self.opts["fov"])
+        distance: float = 1.22 * _REACH / (math.tan(math.radians(0.5 * fov_deg)) * max(0.2, share))
+        return distance
 
     def project(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return where points (n, 3) of a*, b*, L* are in this widget (n, 2), and how far away (n,)."""

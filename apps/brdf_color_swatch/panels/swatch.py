@@ -31,7 +31,7 @@ class _Chips(QWidget):
         self.setMinimumHeight(56)
 
     def show_readings(self, readings: Sequence[tuple[str, tuple[float, float, float]]]) -> None:
-        codes = codes_of(np.array([lab for _, lab in readings])) if readings else []
+        codes = codes_of(np.array([lab for _, lab in readings])) if readings else np.zeros((0, 3))
         self._readings = [
             (name, lab, QColor(*(int(part) for part in code)))
             for (name, lab), code in zip(readings, codes, strict=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QTimer
@@ -23,10 +25,13 @@ class PicturePart:
         self._session, self._window = session, window
         self._started = False
         self.pictures = Pictures(window)
-        self._soon = QTimer(window, singleShot=True, interval=_SOON_MS, timeout=self._request_visible)
+        self._soon = QTimer(window)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(_SOON_MS)
+        self._soon.timeout.connect(self._request_visible)
         window.picture_of = self._picture
         for pane in window.panes:
-            pane.grid.stale = lambda row, number=pane.number: self._is_stale(number, row)
+            pane.grid.stale = partial(self._is_stale, pane.number)
             pane.seen_changed.connect(self._schedule_request)
         session.shown_changed.connect(lambda _pane: self._schedule_request())
         session.look_changed.connect(self._apply_look)
@@ -49,8 +54,7 @@ class PicturePart:
         self.pictures.close()
 
     def _entry(self, number: int, row: int) -> Entry:
-        entry: Entry = self._window.panes[number].model.entry_at(row)
-        return entry
+        return self._window.panes[number].model.entry_at(row)
 
     def _picture(self, number: int, row: int) -> object:
         return self.pictures.picture(self._entry(number, row))

@@ -13,7 +13,7 @@ import base64
 import json
 import logging
 from collections import OrderedDict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -88,9 +88,16 @@ class Pictures(QObject):
         self._problem = ""
         self._waiting = 0
         self._fresh: set[str] = set()
-        self._pump_timer = QTimer(self, singleShot=True, interval=0, timeout=self._pump)
-        self._arrival_timer = QTimer(self, singleShot=True, interval=16, timeout=self._emit_arrived)
-        self._lines_timer = QTimer(self, singleShot=True, interval=0, timeout=self._read)
+        self._pump_timer = self._timer(0, self._pump)
+        self._arrival_timer = self._timer(16, self._emit_arrived)
+        self._lines_timer = self._timer(0, self._read)
+
+    def _timer(self, interval_ms: int, act: Callable[[], None]) -> QTimer:
+        timer = QTimer(self)
+        timer.setSingleShot(True)
+        timer.setInterval(interval_ms)
+        timer.timeout.connect(act)
+        return timer
 
     # What is asked.
 
@@ -238,12 +245,11 @@ class Pictures(QObject):
     def _send_request(self, batch: list[tuple[str, Entry]]) -> None:
         from brdf_suite.documents.palette_store import entry_to_json
 
-        items = []
+        items: list[dict[str, Any]] = []
         for key, entry in batch:
             content = entry_to_json(entry)
-            items.append(
-                {"key": key, **{name: content[name] for name in ("paint", "flat") if name in content}}
-            )
+            item: dict[str, Any] = {name: content[name] for name in ("paint", "flat") if name in content}
+            items.append({"key": key} | item)
         self._in_process = {key for key, _ in batch}
         request = {"id": self._number, "look": self._look.to_json(), "items": items}
         if self._process.state() == QProcess.ProcessState.NotRunning:
@@ -254,7 +260,7 @@ class Pictures(QObject):
         for _ in range(_LINES_A_TURN):
             if self._closed or not self._process.canReadLine():
                 return
-            self._take(json.loads(self._process.readLine().data()))
+            self._take(json.loads(bytes(self._process.readLine().data())))
         # The rest in a later turn, so that a scroll step comes between.
         self._lines_timer.start()
 
@@ -333,7 +339,7 @@ class Pictures(QObject):
         if self._closed or self._problem:
             return
         while self._process.canReadLine():
-            self._take(json.loads(self._process.readLine().data()))
+            self._take(json.loads(bytes(self._process.readLine().data())))
         if self._problem:
             return
         unanswered = {key for key in self._in_process if key not in self._kept and key not in self._refused}
