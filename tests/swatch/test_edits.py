@@ -186,7 +186,7 @@ def test_a_drop_on_a_group_and_on_a_tag_of_the_library(swatch, drop) -> None:
     tree, key = swatch.window.tree, swatch.session.state.scope.palette
     model = swatch.window.panes[0].model
     for scope, wanted in ((Scope(key, ("Cold",)), "group"), (Scope(key, (), "hot"), "tags")):
-        item = tree._item(scope)
+        item = tree.item_of(scope)
         tree.expandAll()
         drop(tree.viewport(), tree.visualItemRect(item).center(), model.mime_of(["black"]))
         value = getattr(swatch.session.palette.entry("black"), wanted)

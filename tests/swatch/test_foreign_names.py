@@ -51,7 +51,7 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
     try:
         qtbot.waitUntil(lambda: "designer" in link.link.peers)
         designer.publish("paint", paint_to_json(palette.entries[0].content))
-        qtbot.waitUntil(lambda: link._edited is not None)
+        qtbot.waitUntil(lambda: link.edited is not None)
         command(swatch, "take")
         command(swatch, "nearest_edited")
         wrong, seen = walks.drawn_as_html()

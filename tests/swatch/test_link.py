@@ -18,7 +18,7 @@ from brdf_suite.errors import SuiteError
 @pytest.fixture
 def part(swatch):
     found = next(part for part in swatch.parts if hasattr(part, "link"))
-    found._edited = None
+    found.edited = None
     found.started = []
     found.start_program = lambda program, arguments: (found.started.append(arguments) or True, 1)
     return found
@@ -56,7 +56,7 @@ def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, comm
     command(swatch, "take")
     assert "No paint is being edited" in swatch.window.messages.shown()["take"].what
     designer.publish("paint", paint_to_json(solid_paint("Fresh", (31.0, 5.0, -38.0))))
-    qtbot.waitUntil(lambda: part._edited is not None)
+    qtbot.waitUntil(lambda: part.edited is not None)
     assert "take" not in swatch.window.messages.shown()
     command(swatch, "take")
     assert "Fresh" in names(swatch)

@@ -138,7 +138,7 @@ def test_what_cannot_be_drawn_in_one_light_is_tried_in_another(made, qtbot) -> N
     assert pictures.problem == ""
     # What was still to be said of the look before.
     for late in ("failed", "unavailable"):
-        pictures._take({"id": pictures._number - 1, late: "no such light"})
+        pictures.receive({"id": pictures.request_number - 1, late: "no such light"})
     assert pictures.problem == ""
     pictures.request([some("p")])
     qtbot.waitUntil(lambda: pictures.picture(some("p")) is not None)

@@ -34,7 +34,7 @@ def test_filters_let_ranges_pass_and_the_hue_goes_over_red(swatch, names) -> Non
     assert names(swatch) == ["Red"]
     filters.clear.click()
     assert len(names(swatch)) == 6
-    assert hue.track._values == [0.0, 360.0]
+    assert hue.track.values == [0.0, 360.0]
 
 
 def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
@@ -42,7 +42,7 @@ def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
     swatch.window.section("filters").set_open(True)
     qtbot.waitUntil(track.isVisible)
     QCoreApplication.processEvents()
-    low, half = (QPoint(round(track._x(value)), 11) for value in (0.0, 75.0))
+    low, half = (QPoint(round(track.x_of(value)), 11) for value in (0.0, 75.0))
     QTest.mousePress(track, Qt.MouseButton.LeftButton, pos=low)
     QTest.mouseMove(track, half)
     QTest.mouseRelease(track, Qt.MouseButton.LeftButton, pos=half)
@@ -128,13 +128,13 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
     QTest.mouseRelease(plane.viewport(), Qt.MouseButton.LeftButton, pos=spots[0])
     inside = [
         key
-        for key, point in zip(part._points.ids, points, strict=True)
+        for key, point in zip(part.points.ids, points, strict=True)
         if np.all(point > low) and np.all(point < high)
     ]
     assert {"red", "silver"} <= set(inside)
     assert set(swatch.session.selected) == set(inside)
     part.choose("space")
-    assert "needs OpenGL" in part._note.text()
+    assert "needs OpenGL" in part.note.text()
     part.toggle()
 
 

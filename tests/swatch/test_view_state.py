@@ -40,8 +40,8 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
 
 def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
     part = next(part for part in swatch.parts if hasattr(part, "pictures"))
-    qtbot.waitUntil(lambda: part._started)
-    part.pictures._give_up("no driver")
+    qtbot.waitUntil(lambda: part.is_started)
+    part.pictures.give_up("no driver")
     assert "pictures" in swatch.window.messages.shown()
     swatch.session.set_look(size=80)
     assert "pictures" in swatch.window.messages.shown()

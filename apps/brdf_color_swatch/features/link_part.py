@@ -35,7 +35,7 @@ class LinkPart:
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         self._session, self._window = session, window
-        self._edited: Paint | None = None
+        self.edited: Paint | None = None
         self.link = LiveLink("swatch", parent=window)
         self.start_program = QProcess.startDetached
         """Starts a program: its path and arguments; replaced where none is to be started."""
@@ -121,22 +121,22 @@ class LinkPart:
 
     def take(self) -> None:
         """Put the paint being edited into the palette in front."""
-        if self._edited is None:
+        if self.edited is None:
             self._report_no_paint()
             return
         if self._session.palette is None:
             self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
-        entry = Entry(self._edited, id=new_id())
+        entry = Entry(self.edited, id=new_id())
         add_entries(self._session, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
 
     def find(self) -> None:
         """Order the pane by the difference to the paint being edited."""
-        if self._edited is None:
+        if self.edited is None:
             self._report_no_paint()
             return
         from dataclasses import replace
 
-        near: Near = near_of(Entry(self._edited, id="edited"))
+        near: Near = near_of(Entry(self.edited, id="edited"))
         self._session.set_state(replace(self._session.state, near=near, duplicates=None, sort="nearest"))
 
     def _report_no_paint(self) -> None:
@@ -150,7 +150,7 @@ class LinkPart:
 
     def _received(self, topic: str, value: dict[str, Any]) -> None:
         if topic == "paint":
-            self._edited = paint_from_json(value, "the live link")
+            self.edited = paint_from_json(value, "the live link")
             self._window.dismiss_message("take")
             self._show_peers()
 
@@ -164,8 +164,8 @@ class LinkPart:
         peers = self.link.peers
         connected = ", ".join(names.get(role, role) for role in peers)
         text = tr("Connected: {programs}").format(programs=connected) if connected else tr("Not connected")
-        if self._edited is not None:
-            text = tr("{link} · in Designer: {paint}").format(link=text, paint=self._edited.name[:40])
+        if self.edited is not None:
+            text = tr("{link} · in Designer: {paint}").format(link=text, paint=self.edited.name[:40])
         self._window.link_cell.set(text)
 
     def _enable(self) -> None:

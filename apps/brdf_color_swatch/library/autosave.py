@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from datetime import datetime
+from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
-from brdf_qt.documents.recovery import Recovery
+from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -43,7 +44,16 @@ class PaletteRecovery(Recovery[Palette]):
         self._encodes = self._encode_again = False
         store.clean_changed.connect(self._saved)
         self._timer.timeout.disconnect(self.write)
-        self._timer.timeout.connect(self._write_in_background)
+        self._timer.timeout.connect(self.write_in_background)
+
+    @property
+    def file(self) -> Path:
+        """The file of the autosave; it exists while there is unsaved work."""
+        return self._file
+
+    def saved(self) -> Recovered[Palette]:
+        """Return what the file of the autosave holds."""
+        return self._read(self._file)
 
     def write(self) -> bool:
         """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
@@ -59,7 +69,9 @@ class PaletteRecovery(Recovery[Palette]):
         if clean:
             self._drop()
 
-    def _write_in_background(self) -> None:
+    def write_in_background(self) -> None:
+        """Write the unsaved palette now; a large one is encoded by a thread."""
+        self._timer.stop()
         if self._store.is_clean or len(self._store.value) < _MANY:
             self.write()
             return
@@ -74,11 +86,11 @@ class PaletteRecovery(Recovery[Palette]):
         }
         self._encodes = True
         self._tasks.submit(
-            self._key, _encode_autosave, (head, self._store.value), self._on_encoded, self._on_encoding_failed
+            self._key, encode_autosave, (head, self._store.value), self._on_encoded, self._on_encoding_failed
         )
 
     def _on_encoded(self, content: bytes) -> None:
-        self._write_encoded(content)
+        self.write_encoded(content)
         self._encode_next()
 
     def _on_encoding_failed(self, error: Exception) -> None:
@@ -88,9 +100,9 @@ class PaletteRecovery(Recovery[Palette]):
     def _encode_next(self) -> None:
         wants, self._encodes, self._encode_again = self._encode_again, False, False
         if wants and not self._closed:
-            self._write_in_background()
+            self.write_in_background()
 
-    def _write_encoded(self, content: bytes) -> None:
+    def write_encoded(self, content: bytes) -> None:
         """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""
         if self._closed or self._store.is_clean:
             return
@@ -107,7 +119,7 @@ class PaletteRecovery(Recovery[Palette]):
             self.written_again.emit()
 
 
-def _encode_autosave(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
+def encode_autosave(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
     """Return the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
     head, palette = request
     progress(0.0, "")

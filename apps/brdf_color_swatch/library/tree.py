@@ -112,7 +112,7 @@ class LibraryTree(QTreeWidget):
 
     def rename(self, scope: Scope) -> None:
         """Write the name of a line anew, in its place."""
-        item = self._item(scope)
+        item = self.item_of(scope)
         if item is not None:
             self.setCurrentItem(item)
             self.editItem(item)
@@ -152,11 +152,12 @@ class LibraryTree(QTreeWidget):
         scope = item.data(0, _SCOPE)
         return scope if isinstance(scope, Scope) else Scope()
 
-    def _item(self, scope: Scope) -> QTreeWidgetItem | None:
+    def item_of(self, scope: Scope) -> QTreeWidgetItem | None:
+        """Return the line of a scope; ``None`` where there is none."""
         return next((item for item in self._all() if self._scope(item) == scope), None)
 
     def _mark_chosen(self) -> None:
-        item = self._item(self._chosen) or self._item(Scope(self._chosen.palette))
+        item = self.item_of(self._chosen) or self.item_of(Scope(self._chosen.palette))
         if item is not None:
             self.setCurrentItem(item)
         else:

@@ -75,10 +75,10 @@ class MapPart:
         box.addLayout(head)
         self.stack = QStackedWidget()
         self.stack.setMinimumSize(200, 160)
-        self._note = PlainLabel()
-        self._note.setWordWrap(True)
-        self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.stack.addWidget(self._note)
+        self.note = PlainLabel()
+        self.note.setWordWrap(True)
+        self.note.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.stack.addWidget(self.note)
         box.addWidget(self.stack, 1)
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
@@ -95,7 +95,7 @@ class MapPart:
         session.front_changed.connect(self._later)
         session.selection_changed.connect(lambda _pane: self._show_chosen())
         window.add_command("view", mark("Fra&me All in Map"), "F", self.frame, "frame_map")
-        self._points: MapPoints | None = None
+        self.points: MapPoints | None = None
 
     @property
     def is_complete(self) -> bool:
@@ -183,7 +183,7 @@ class MapPart:
         if self.dock.isHidden():
             return
         self._built = True
-        self._points = points
+        self.points = points
         self.lasso.setEnabled(self.kind == "space")
         if not len(points):
             self._show_note(tr("No swatches to show."))
@@ -200,8 +200,8 @@ class MapPart:
         self._show_chosen()
 
     def _show_note(self, text: str) -> None:
-        self._note.setText(text)
-        self.stack.setCurrentWidget(self._note)
+        self.note.setText(text)
+        self.stack.setCurrentWidget(self.note)
 
     def _plane(self) -> PlaneMap:
         if self.plane is None:
@@ -236,7 +236,7 @@ class MapPart:
             self.space.setCursor(Qt.CursorShape.CrossCursor if on else Qt.CursorShape.ArrowCursor)
 
     def _show_chosen(self) -> None:
-        if self.dock.isHidden() or self._points is None:
+        if self.dock.isHidden() or self.points is None:
             return
         ids = set(self._session.selected)
         if self.kind == "space" and self.space is not None:

@@ -23,7 +23,7 @@ class PicturePart:
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         self._session, self._window = session, window
-        self._started = False
+        self.is_started = False
         self.pictures = Pictures(window)
         self._soon = QTimer(window)
         self._soon.setSingleShot(True)
@@ -41,13 +41,13 @@ class PicturePart:
 
     def begin_part(self) -> None:
         """Begin to draw, once the window is there."""
-        self._started = True
+        self.is_started = True
         self._apply_look(None, self._session.look)
 
     @property
     def is_complete(self) -> bool:
         """Whether the picture of everything that is seen is there."""
-        return self._started and not self._soon.isActive() and not self.pictures.waiting
+        return self.is_started and not self._soon.isActive() and not self.pictures.waiting
 
     def close_part(self) -> None:
         """End the process that draws."""
@@ -63,11 +63,11 @@ class PicturePart:
         return self.pictures.is_stale(self._entry(number, row))
 
     def _schedule_request(self) -> None:
-        if self._started and not self._soon.isActive():
+        if self.is_started and not self._soon.isActive():
             self._soon.start()
 
     def _apply_look(self, _old: Look | None, look: Look) -> None:
-        if not self._started or look.form == "chips" or look.as_list:
+        if not self.is_started or look.form == "chips" or look.as_list:
             return
         before = self.pictures.problem
         self.pictures.set_look(look.form, look.booth, look.size, self._window.devicePixelRatioF())

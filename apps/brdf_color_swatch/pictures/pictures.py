@@ -84,7 +84,7 @@ class Pictures(QObject):
         self._ids: dict[str, list[str]] = {}
         self._in_process: set[str] = set()
         self._reading_store = self._closed = False
-        self._deaths = self._number = 0
+        self._deaths = self.request_number = 0
         self._problem = ""
         self._waiting = 0
         self._fresh: set[str] = set()
@@ -121,7 +121,7 @@ class Pictures(QObject):
             self._pending.clear()
             self._look = look
             self._in_process.clear()
-            self._number += 1
+            self.request_number += 1
         self._shown_size = size
         self._pump_timer.start()
 
@@ -251,7 +251,7 @@ class Pictures(QObject):
             item: dict[str, Any] = {name: content[name] for name in ("paint", "flat") if name in content}
             items.append({"key": key} | item)
         self._in_process = {key for key, _ in batch}
-        request = {"id": self._number, "look": self._look.to_json(), "items": items}
+        request = {"id": self.request_number, "look": self._look.to_json(), "items": items}
         if self._process.state() == QProcess.ProcessState.NotRunning:
             self._process.start(self._program[0], self._program[1:])
         self._process.write(json.dumps(request).encode("utf-8") + b"\n")
@@ -260,11 +260,12 @@ class Pictures(QObject):
         for _ in range(_LINES_A_TURN):
             if self._closed or not self._process.canReadLine():
                 return
-            self._take(json.loads(bytes(self._process.readLine().data())))
+            self.receive(json.loads(bytes(self._process.readLine().data())))
         # The rest in a later turn, so that a scroll step comes between.
         self._lines_timer.start()
 
-    def _take(self, answer: dict[str, Any]) -> None:
+    def receive(self, answer: dict[str, Any]) -> None:
+        """Take an answer of the rendering process; late ones of a former look are ignored."""
         key = str(answer.get("key", ""))
         if "picture" in answer:
             self._mark_alive(key)
@@ -275,11 +276,11 @@ class Pictures(QObject):
             if "fault" in answer:
                 log.error("A picture could not be drawn.\n%s", answer["fault"])
             self._refuse(key, str(answer["refused"]))
-        elif answer.get("id") != self._number:
+        elif answer.get("id") != self.request_number:
             # The end of what was asked for a look that is shown no more; it says nothing of this one.
             self._pump()
         elif "failed" in answer or "unavailable" in answer:
-            self._give_up(str(answer.get("failed") or answer.get("unavailable")))
+            self.give_up(str(answer.get("failed") or answer.get("unavailable")))
         elif "done" in answer:
             self._in_process.clear()
             self._pump()
@@ -339,7 +340,7 @@ class Pictures(QObject):
         if self._closed or self._problem:
             return
         while self._process.canReadLine():
-            self._take(json.loads(bytes(self._process.readLine().data())))
+            self.receive(json.loads(bytes(self._process.readLine().data())))
         if self._problem:
             return
         unanswered = {key for key in self._in_process if key not in self._kept and key not in self._refused}
@@ -347,7 +348,7 @@ class Pictures(QObject):
         if unanswered:
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The rendering process ended repeatedly. Choose another form or light."))
+                self.give_up(tr("The rendering process ended repeatedly. Choose another form or light."))
                 return
             if unanswered <= self._suspects:
                 for key in unanswered:
@@ -357,11 +358,12 @@ class Pictures(QObject):
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
-            self._give_up(
+            self.give_up(
                 tr("The swatches cannot be rendered: {reason}.").format(reason=self._process.errorString())
             )
 
-    def _give_up(self, why: str) -> None:
+    def give_up(self, why: str) -> None:
+        """Stop rendering this form in this light, and report the reason."""
         self._problem = why
         self._pending.clear()
         self._in_process.clear()
