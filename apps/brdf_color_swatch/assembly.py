@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.recovery import Recovered
@@ -16,9 +17,10 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.file_part import new_palette
+from brdf_color_swatch.library.file_part import FilePart, new_palette
 from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.library.unsaved import UnsavedWork
 from brdf_color_swatch.parts import build_parts
@@ -35,6 +37,7 @@ from brdf_suite.documents.palette_store import (
 from brdf_suite.resources import resource_names
 
 _MOST_NAMED = 4
+SomeFeature = TypeVar("SomeFeature", bound=Feature)
 
 
 def palette_format() -> DocumentFormat[Palette]:
@@ -63,9 +66,7 @@ class ColorSwatch:
         self.session.recall()
         self.controller = Controller(self.session, self.window, self.window)
         self.parts = build_parts(self.session, self.window)
-        next(
-            part for part in self.parts if isinstance(part, ViewPart)
-        ).show_second = self.controller.show_second
+        self.feature(ViewPart).show_second = self.controller.show_second
         self.window.complete()
         self.controller.start()
         self._closed = False
@@ -78,21 +79,19 @@ class ColorSwatch:
     @property
     def is_complete(self) -> bool:
         """Whether all that follows by itself is there."""
-        return not self.library.tasks.busy and all(getattr(part, "is_complete", True) for part in self.parts)
+        return not self.library.tasks.busy and all(part.is_idle for part in self.parts)
 
     def start(self) -> None:
         """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
         self.library.restore()
         for part in self.parts:
-            begin = getattr(part, "begin_part", None)
-            if begin is not None:
-                begin()
+            part.start()
         self.offer_recovery()
 
     def open(self, name: str) -> None:
         """Open a file, or with ``shipped`` the paints that come with the suite."""
         if name == "shipped":
-            self.part("open_shipped")()
+            self.feature(FilePart).open_shipped()
         else:
             self.window.open_requested.emit(Path(name))
 
@@ -116,9 +115,7 @@ class ColorSwatch:
         elif key == "section":
             self.window.section(value).set_open(True)
         elif value:
-            return any(
-                part.set_from_script(key, value) for part in self.parts if hasattr(part, "set_from_script")
-            )
+            return any(part.run_script(key, value) for part in self.parts)
         else:
             command = self.window.command(key)
             if command is None or not command.isEnabled():
@@ -126,10 +123,9 @@ class ColorSwatch:
             command.trigger()
         return True
 
-    def part(self, method: str) -> Callable[..., object]:
-        """Return a method of whichever part has it."""
-        found = next(part for part in self.parts if hasattr(part, method))
-        return getattr(found, method)  # type: ignore[no-any-return]  # parts differ
+    def feature(self, kind: type[SomeFeature]) -> SomeFeature:
+        """Return the feature of a class."""
+        return next(part for part in self.parts if isinstance(part, kind))
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
@@ -137,9 +133,7 @@ class ColorSwatch:
             return  # the application's end calls it too, when the window may be deleted
         self._closed = True
         for part in self.parts:
-            end = getattr(part, "close_part", None)
-            if end is not None:
-                end()
+            part.close()
         self.unsaved.close()
         self.library.keep_unsaved()
 

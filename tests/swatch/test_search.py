@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from brdf_color_swatch.features.compare_part import ComparePart
 from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.map.part import MapPart
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -107,9 +109,9 @@ def test_long_work_is_done_beside_the_window(swatch, names, monkeypatch, qtbot) 
 
 
 def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> None:
-    part = next(part for part in swatch.parts if hasattr(part, "plane"))
-    part.set_from_script("map", "flop")
-    qtbot.waitUntil(lambda: part.plane is not None and part.is_complete)
+    part = swatch.feature(MapPart)
+    part.run_script("map", "flop")
+    qtbot.waitUntil(lambda: part.plane is not None and part.is_idle)
     plane = part.plane
     qtbot.waitUntil(lambda: bool(plane.pixels().size) and plane.pixels()[:, 0].std() > 5)
     order = names(swatch)
@@ -141,7 +143,7 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
 def test_two_selected_are_compared_also_one_in_each_pane(swatch, select, command) -> None:
     select(swatch, "Red", "Blue")
     command(swatch, "compare")
-    part = next(part for part in swatch.parts if hasattr(part, "pair"))
+    part = swatch.feature(ComparePart)
     assert part.panel.table.rowCount() == 3
     assert "Red" in part.panel.names.text()
     command(swatch, "two_panes")

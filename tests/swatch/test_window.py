@@ -99,11 +99,11 @@ def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
 ) -> None:
     map_part.chosen_kind = ""
     map_part.toggle()
-    qtbot.waitUntil(lambda: map_part.is_complete)
+    qtbot.waitUntil(lambda: map_part.is_idle)
     assert map_part.kind == "flop"
     ink = Entry(FlatColour("Ink", "RGB", (0.1, 0.1, 0.2), space="sRGB"), id="ink")
     swatch.session.show_scope(Scope(swatch.library.add_palette(Palette("Flat", (ink,)))))
-    qtbot.waitUntil(lambda: map_part.is_complete and map_part.kind == "ab")
+    qtbot.waitUntil(lambda: map_part.is_idle and map_part.kind == "ab")
     assert map_part.kinds.currentData() == "ab"
     map_part.choose("flop")
     assert map_part.kind == "flop"

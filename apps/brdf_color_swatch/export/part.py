@@ -11,6 +11,7 @@ from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_color_swatch.export.dialog import choices_of, with_ending
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -34,11 +35,11 @@ class _Request:
     write: bool = False
 
 
-class ExportPart:
+class ExportPart(Feature):
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self._all = window.add_command(
             "file", mark("&Export Palette…"), "Ctrl+Shift+E", self.export_all, "export", icon="export",
             tip=mark("Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),

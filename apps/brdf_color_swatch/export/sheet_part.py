@@ -19,6 +19,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -97,11 +98,11 @@ def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
         return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
 
 
-class SheetPart:
+class SheetPart(Feature):
     """Commands that make contact sheets of what the pane in front shows."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self._sheet = window.add_command(
             "file", mark("Contact S&heet…"), None, self.export, "sheet",
             tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
@@ -112,11 +113,6 @@ class SheetPart:
         session.shown_changed.connect(lambda _pane: self._enable())
         session.front_changed.connect(self._enable)
         self._enable()
-
-    @property
-    def is_complete(self) -> bool:
-        """Whether no sheet is being drawn; a picture of the window does not wait for one."""
-        return True
 
     def export(self) -> None:
         """Ask for a file, and draw what is shown into it."""

@@ -9,6 +9,7 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.columns import codes_of
 from brdf_color_swatch.grid.rows import ANGLES_DEG
 from brdf_color_swatch.session import PaletteSession
@@ -139,11 +140,11 @@ class ComparePanel(QWidget):
         self.figures.setText("\n".join(figures))
 
 
-class ComparePart:
+class ComparePart(Feature):
     """Keeps the panel in step with what is selected: two in one pane, or one in each."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self.panel = ComparePanel()
         self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
         self._command = window.add_command(

@@ -10,6 +10,7 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import OWNER, count_words, what_words, with_date
 from brdf_color_swatch.features.transfer import read_data
 from brdf_color_swatch.grid.view_state import Scope
@@ -21,11 +22,11 @@ from brdf_suite.documents.palette import GroupPath, Palette
 from brdf_suite.errors import SuiteError
 
 
-class DropPart:
+class DropPart(Feature):
     """Drops and order; what moves from one palette to another is one step of both."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         add = window.add_command
         window.menu("edit").addSeparator()
         self._of_selected = [

@@ -11,6 +11,7 @@ from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QMenu
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, what_words, with_date
 from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, read_data
 from brdf_color_swatch.grid.view_state import Scope
@@ -21,11 +22,11 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 
-class EditPart:
+class EditPart(Feature):
     """Edits of swatches."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self._cut: Carried | None = None
         keys = QKeySequence.StandardKey
         add, edit = window.add_command, window.menu("edit")

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -13,11 +14,11 @@ from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 
-class GroupPart:
+class GroupPart(Feature):
     """Commands on groups and palettes, and what the library's names are changed to."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         add = window.add_command
         window.menu("edit").addSeparator()
         self._new_group = add(

@@ -12,6 +12,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
@@ -30,11 +31,11 @@ _PROGRAMS = {
 }
 
 
-class LinkPart:
+class LinkPart(Feature):
     """Commands of the live link."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self.edited: Paint | None = None
         self.link = LiveLink("swatch", parent=window)
         self.start_program = QProcess.startDetached
@@ -65,11 +66,11 @@ class LinkPart:
         self._enable()
         self._show_peers()
 
-    def begin_part(self) -> None:
+    def start(self) -> None:
         """Look for the other programs."""
         self.link.start()
 
-    def close_part(self) -> None:
+    def close(self) -> None:
         """Leave the link."""
         self.link.close()
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import Near
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -21,11 +22,11 @@ def near_of(entry: Entry) -> Near:
     return Near(entry.name or entry.code or tr("(no name)"), tuple(rows))  # type: ignore[arg-type]  # three by three
 
 
-class NearPart:
+class NearPart(Feature):
     """Commands that search by colour. They search the whole palette that is shown, without its groups."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         add = window.add_command
         self._near = add(
             "paint", mark("Find &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",

@@ -9,6 +9,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
@@ -39,11 +40,11 @@ def shipped_palette() -> Palette:
     return Palette(tr("Sample Paints"), tuple(entries))
 
 
-class FilePart:
+class FilePart(Feature):
     """Commands on palettes as a whole."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         keys = QKeySequence.StandardKey
         add = window.add_command
         new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
@@ -54,7 +55,7 @@ class FilePart:
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
-        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close, "close", icon="x")
+        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close_palette, "close", icon="x")
         window.menu("file").addSeparator()
         for action in (new, opened, self._close):
             window.add_library_button(action)
@@ -114,7 +115,7 @@ class FilePart:
             if not item.is_clean and not self._session.library.save(item.key):
                 return
 
-    def close(self) -> None:
+    def close_palette(self) -> None:
         """Take the palette in front out of the library; its file stays."""
         self._finish_typing()
         key = self._session.state.scope.palette
@@ -178,7 +179,7 @@ class FilePart:
         elif what == "again" and session.library.item(key) is not None:
             session.loader.load(key)
         elif what == "close":
-            self.close()
+            self.close_palette()
         elif what == "clear":
             session.set_state(session.state.cleared())
 

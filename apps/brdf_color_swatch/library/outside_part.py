@@ -7,6 +7,7 @@ from collections.abc import Callable
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.library.reading import Read
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -16,11 +17,11 @@ from brdf_suite.progress import Progress
 _MOST_LISTED = 6
 
 
-class OutsidePart:
+class OutsidePart(Feature):
     """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         session.library.changed_outside.connect(self._offer)
 
     def _offer(self, key: str) -> None:

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.map.points import MapPoints
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -37,11 +38,11 @@ _KINDS = {
 }
 
 
-class MapPart:
+class MapPart(Feature):
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self.space: SpaceMap | None = None
         self.plane: PlaneMap | None = None
         self._built = False
@@ -98,7 +99,7 @@ class MapPart:
         self.points: MapPoints | None = None
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the map shows what the pane shows."""
         return self.dock.isHidden() or (self._built and not self._soon.isActive())
 
@@ -112,7 +113,7 @@ class MapPart:
         settings().setValue(_KEY, kind)
         self._show()
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Show a map by a script: ``map=flop``."""
         if key != "map" or value not in _KINDS:
             return False

@@ -8,6 +8,7 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QTimer
 
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import Look
 from brdf_color_swatch.pictures.pictures import Pictures
 from brdf_color_swatch.session import PaletteSession
@@ -18,11 +19,11 @@ _SOON_MS = 30
 """After the last step of a scroll; what only flies by is not drawn."""
 
 
-class PicturePart:
+class PicturePart(Feature):
     """Owns the pictures."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
-        self._session, self._window = session, window
+        super().__init__(session, window)
         self.is_started = False
         self.pictures = Pictures(window)
         self._soon = QTimer(window)
@@ -39,17 +40,17 @@ class PicturePart:
         self.pictures.waiting_changed.connect(self._show_pending)
         self.pictures.unavailable.connect(self._unavailable)
 
-    def begin_part(self) -> None:
+    def start(self) -> None:
         """Begin to draw, once the window is there."""
         self.is_started = True
         self._apply_look(None, self._session.look)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the picture of everything that is seen is there."""
         return self.is_started and not self._soon.isActive() and not self.pictures.waiting
 
-    def close_part(self) -> None:
+    def close(self) -> None:
         """End the process that draws."""
         self.pictures.close()
 
