@@ -1,1 +1,1 @@
-"""Color Swatch: the program that keeps collections of paints."""
+"""Color Swatch: the program that manages palettes of paints."""

@@ -1,4 +1,4 @@
-"""Color Swatch: the program that keeps collections of paints. ``brdf-swatch --help`` tells its options."""
+"""Color Swatch: the program that manages palettes of paints. ``brdf-swatch --help`` lists its options."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         program.window.resize(*options.size)
         program.window.fit_inspector()
     look = {"form": options.form, "size": options.swatch_size, "as_list": options.list or None}
-    program.desk.set_look(**{key: value for key, value in look.items() if value is not None})
+    program.session.set_look(**{key: value for key, value in look.items() if value is not None})
     for name in options.palettes:
         program.open(name)
     _when_ready(app, program, options)
@@ -104,11 +104,13 @@ def _parser() -> argparse.ArgumentParser:
         "palettes",
         nargs="*",
         metavar="FILE",
-        help="palettes of any format, or `shipped` for the shipped paints",
+        help="palettes of any format, or `shipped` for the sample paints",
     )
-    parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
-    parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
-    parser.add_argument("--form", choices=FORMS, help="what swatches are shown as")
+    parser.add_argument(
+        "--theme", choices=THEMES, help="window theme of this run (default: the last one used)"
+    )
+    parser.add_argument("--size", type=window_size, metavar="WxH", help="window size in pixels")
+    parser.add_argument("--form", choices=FORMS, help="form of the swatches")
     parser.add_argument("--swatch-size", type=int, metavar="PX", help="size of the swatches in pixels")
     parser.add_argument("--list", action="store_true", help="show a list instead of the grid")
     parser.add_argument(
@@ -116,14 +118,14 @@ def _parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="ACTION",
-        help="do this once all is shown, in the order given: the name of a command as in Ctrl+K, or search=TEXT, "
+        help="perform this action after startup, in the order given: a command name as in Ctrl+K, or search=TEXT, "
         "select=N,N…, group=PATH, sort=KEY",
     )
     parser.add_argument(
-        "--screenshot", type=Path, metavar="FILE", help="save a picture of the window, and end"
+        "--screenshot", type=Path, metavar="FILE", help="save a picture of the window and quit"
     )
     parser.add_argument(
-        "--quit-after", type=float, metavar="S", help="end S seconds after the window is complete"
+        "--quit-after", type=float, metavar="S", help="quit S seconds after the window is complete"
     )
     parser.add_argument(
         "--report-startup",

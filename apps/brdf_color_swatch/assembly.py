@@ -1,9 +1,10 @@
-"""Puts Color Swatch together: library, desk, window, parts, pictures, link."""
+"""Puts Color Swatch together: library, session, window, parts, pictures, link."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TypeVar
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.recovery import Recovered
@@ -15,13 +16,15 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.file_part import new_palette
+from brdf_color_swatch.library.file_part import FilePart, new_palette
 from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.unsaved import UnsavedWork
 from brdf_color_swatch.parts import build_parts
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import (
@@ -34,6 +37,7 @@ from brdf_suite.documents.palette_store import (
 from brdf_suite.resources import resource_names
 
 _MOST_NAMED = 4
+SomeFeature = TypeVar("SomeFeature", bound=Feature)
 
 
 def palette_format() -> DocumentFormat[Palette]:
@@ -57,17 +61,16 @@ class ColorSwatch:
         lights = resource_names("environments", ".exr")
         self.window = SwatchWindow(lights)
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
-        self.desk = Desk(self.library, self.window)
-        self.desk.recall()
-        self.controller = Controller(self.desk, self.window, self.window)
-        self.parts = build_parts(self.desk, self.window)
-        next(
-            part for part in self.parts if isinstance(part, ViewPart)
-        ).show_second = self.controller.show_second
+        self.unsaved = UnsavedWork(self.library)
+        self.session = PaletteSession(self.library, self.window)
+        self.session.recall()
+        self.controller = Controller(self.session, self.window, self.window)
+        self.parts = build_parts(self.session, self.window)
+        self.feature(ViewPart).show_second = self.controller.show_second
         self.window.complete()
         self.controller.start()
         self._closed = False
-        self.window.close_asked.connect(self._may_close)
+        self.window.close_requested.connect(self._may_close)
         self.window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         app = QCoreApplication.instance()
         if app is not None:
@@ -76,47 +79,43 @@ class ColorSwatch:
     @property
     def is_complete(self) -> bool:
         """Whether all that follows by itself is there."""
-        return not self.library.tasks.busy and all(getattr(part, "is_complete", True) for part in self.parts)
+        return not self.library.tasks.busy and all(part.is_idle for part in self.parts)
 
     def start(self) -> None:
         """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
         self.library.restore()
         for part in self.parts:
-            begin = getattr(part, "begin_part", None)
-            if begin is not None:
-                begin()
-        self._offer_recovery()
+            part.start()
+        self.offer_recovery()
 
     def open(self, name: str) -> None:
         """Open a file, or with ``shipped`` the paints that come with the suite."""
         if name == "shipped":
-            self.part("open_shipped")()
+            self.feature(FilePart).open_shipped()
         else:
-            self.window.open_asked.emit(Path(name))
+            self.window.open_requested.emit(Path(name))
 
     def do(self, action: str) -> bool:
         """Do what a script asks for: ``search=TEXT`` and the like, or a command by its key; False: none such."""
         from dataclasses import replace
 
         key, _, value = action.partition("=")
-        desk = self.desk
+        session = self.session
         if key == "search":
-            desk.set_state(replace(desk.state, text=value))
+            session.set_state(replace(session.state, text=value))
         elif key == "sort":
-            desk.set_state(replace(desk.state, sort=value))
+            session.set_state(replace(session.state, sort=value))
         elif key == "palette":
-            desk.show_scope(Scope(self.library.items[int(value)].key))
+            session.show_scope(Scope(self.library.items[int(value)].key))
         elif key == "group":
-            desk.show_scope(replace(desk.state.scope, group=tuple(value.split("/")) if value else ()))
+            session.show_scope(replace(session.state.scope, group=tuple(value.split("/")) if value else ()))
         elif key == "select":
-            pane = self.window.panes[desk.front]
-            desk.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
+            pane = self.window.panes[session.front]
+            session.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
         elif key == "section":
             self.window.section(value).set_open(True)
         elif value:
-            return any(
-                part.set_from_script(key, value) for part in self.parts if hasattr(part, "set_from_script")
-            )
+            return any(part.run_script(key, value) for part in self.parts)
         else:
             command = self.window.command(key)
             if command is None or not command.isEnabled():
@@ -124,10 +123,9 @@ class ColorSwatch:
             command.trigger()
         return True
 
-    def part(self, method: str) -> Callable[..., object]:
-        """Return a method of whichever part has it."""
-        found = next(part for part in self.parts if hasattr(part, method))
-        return getattr(found, method)  # type: ignore[no-any-return]  # parts differ
+    def feature(self, kind: type[SomeFeature]) -> SomeFeature:
+        """Return the feature of a class."""
+        return next(part for part in self.parts if isinstance(part, kind))
 
     def close(self) -> None:
         """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
@@ -135,9 +133,8 @@ class ColorSwatch:
             return  # the application's end calls it too, when the window may be deleted
         self._closed = True
         for part in self.parts:
-            end = getattr(part, "close_part", None)
-            if end is not None:
-                end()
+            part.close()
+        self.unsaved.close()
         self.library.keep_unsaved()
 
     def _may_close(self, question: QCloseEvent) -> None:
@@ -150,30 +147,35 @@ class ColorSwatch:
     def _autosave_failed(self, error: BaseException) -> None:
         error_relay().report(error, "autosave")
 
-    def _offer_recovery(self) -> None:
-        found = self.library.unsaved_work()
+    def offer_recovery(self) -> None:
+        """Show a message with the unsaved work of earlier runs; nothing where there is none."""
+        found = self.unsaved.find()
         if not found:
             return
         names = [tr("“{name}”").format(name=_name(item)) for item in found]
         if len(names) > _MOST_NAMED:
             names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
         newest = max(item.when for item in found)
-        what = tr("Unsaved work was found, the newest from {when}: {names}.").format(
+        what = tr("Unsaved work found, the newest from {when}: {names}.").format(
             when=moment(newest), names=", ".join(names)
         )
-        todo = tr("An earlier run ended before it was saved. Recover opens it; no file is changed.")
+        todo = tr("Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.")
         actions = (
             (tr("Recover"), lambda: self._recover(found)),
-            (tr("Discard"), lambda: [self.library.drop_recovered(item) for item in found] and None),
+            (tr("Discard"), lambda: self._discard(found)),
         )
         self.window.show_message(Message("recovery", what, todo=todo, actions=actions))
+
+    def _discard(self, found: list[Recovered[Palette]]) -> None:
+        for item in found:
+            self.unsaved.discard(item)
 
     def _recover(self, found: list[Recovered[Palette]]) -> None:
         key = ""
         # The newest was worked at last, and is shown.
         for item in reversed(found):
-            key = self.library.recover(item)
-        self.desk.show_scope(Scope(key))
+            key = self.unsaved.recover(item)
+        self.session.show_scope(Scope(key))
 
 
 def _name(item: Recovered[Palette]) -> str:

@@ -1,4 +1,4 @@
-"""Between desk and window: what is shown goes in, what the user does comes out."""
+"""Connects session and window: shows the state, and turns user input into changes of the session."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.grid.rows import group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.library import Item
+from brdf_color_swatch.library.item import Item
 from brdf_color_swatch.panels.swatch import readings_of
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
@@ -24,107 +24,111 @@ from brdf_suite.palettes.columns import Columns
 
 
 class Controller(QObject):
-    """Keeps the window in step with the desk."""
+    """Keeps the window in step with the session."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow, parent: QObject | None = None) -> None:
+    def __init__(self, session: PaletteSession, window: SwatchWindow, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._join()
 
     def start(self) -> None:
         """Show everything for the first time."""
         self._show_items()
         for pane in self._window.panes:
-            self._show_shown(pane.number)
-        self._show_state(self._desk.front)
-        self._show_look(None, self._desk.look)
+            self._show_rows(pane.number)
+        self._show_state(self._session.front)
+        self._show_look(None, self._session.look)
         self._show_history()
 
     def _join(self) -> None:
-        desk, window, library = self._desk, self._window, self._desk.library
-        desk.shown_changed.connect(self._show_shown)
-        desk.state_changed.connect(self._show_state)
-        desk.front_changed.connect(self._show_front)
-        desk.selection_changed.connect(self._show_selection)
-        desk.working_changed.connect(lambda number: self._show_title(window.panes[number]))
-        desk.look_changed.connect(self._show_look)
-        desk.reveal_asked.connect(lambda pane, ids: window.panes[pane].reveal(ids))
+        session, window, library = self._session, self._window, self._session.library
+        session.shown_changed.connect(self._show_rows)
+        session.state_changed.connect(self._show_state)
+        session.front_changed.connect(self._show_front)
+        session.selection_changed.connect(self._show_selection)
+        session.working_changed.connect(lambda number: self._show_title(window.panes[number]))
+        session.look_changed.connect(self._show_look)
+        session.reveal_requested.connect(lambda pane, ids: window.panes[pane].reveal(ids))
         library.items_changed.connect(self._show_items)
-        library.palette_changed.connect(lambda _key: self._show_selection(desk.front))
+        library.palette_changed.connect(lambda _key: self._show_selection(session.front))
         library.message.connect(window.show_message)
         library.settled.connect(window.dismiss_message)
         library.history.changed.connect(self._show_history)
         window.tree.scope_chosen.connect(self._choose_scope)
         bar = window.bar
-        bar.searched.connect(lambda text: desk.set_state(replace(desk.state, text=text)))
-        bar.left_downwards.connect(lambda: window.panes[desk.front].view.setFocus())
-        bar.sort_chosen.connect(lambda key: desk.set_state(replace(desk.state, sort=key)))
-        bar.turned.connect(lambda: desk.set_state(replace(desk.state, descending=not desk.state.descending)))
-        bar.form_chosen.connect(lambda form: desk.set_look(form=form, as_list=False))
-        bar.size_chosen.connect(lambda size: desk.set_look(size=size))
-        bar.light_chosen.connect(lambda name: desk.set_look(booth=name))
-        bar.list_chosen.connect(lambda on: desk.set_look(as_list=on))
+        bar.searched.connect(lambda text: session.set_state(replace(session.state, text=text)))
+        bar.left_downwards.connect(lambda: window.panes[session.front].view.setFocus())
+        bar.sort_chosen.connect(lambda key: session.set_state(replace(session.state, sort=key)))
+        bar.turned.connect(
+            lambda: session.set_state(replace(session.state, descending=not session.state.descending))
+        )
+        bar.form_chosen.connect(lambda form: session.set_look(form=form, as_list=False))
+        bar.size_chosen.connect(lambda size: session.set_look(size=size))
+        bar.light_chosen.connect(lambda name: session.set_look(booth=name))
+        bar.list_chosen.connect(lambda on: session.set_look(as_list=on))
         filters = window.filters
         filters.range_edited.connect(
-            lambda key, low, high: desk.set_state(desk.state.with_range(key, low, high))
+            lambda key, low, high: session.set_state(session.state.with_range(key, low, high))
         )
-        filters.duplicates_asked.connect(lambda value: desk.set_state(replace(desk.state, duplicates=value)))
-        filters.cleared.connect(lambda: desk.set_state(desk.state.cleared()))
+        filters.duplicates_requested.connect(
+            lambda value: session.set_state(replace(session.state, duplicates=value))
+        )
+        filters.cleared.connect(lambda: session.set_state(session.state.cleared()))
         for pane in window.panes:
             number = pane.number
-            pane.worked_in.connect(lambda number=number: desk.set_front(number))
-            pane.selected.connect(lambda ids, number=number: desk.set_selected(number, ids))
-            pane.size_asked.connect(lambda size: desk.set_look(size=size))
-            pane.sort_asked.connect(
-                lambda key, descending, number=number: desk.set_state(
-                    replace(desk.states[number], sort=key, descending=descending), number
+            pane.activated.connect(lambda number=number: session.set_front(number))
+            pane.selected.connect(lambda ids, number=number: session.set_selected(number, ids))
+            pane.size_requested.connect(lambda size: session.set_look(size=size))
+            pane.sort_requested.connect(
+                lambda key, descending, number=number: session.set_state(
+                    replace(session.states[number], sort=key, descending=descending), number
                 )
             )
-            pane.close_asked.connect(lambda: self.show_second(False))
+            pane.close_requested.connect(lambda: self.show_second(False))
 
     def show_second(self, shown: bool) -> None:
         """Show a second pane, of the same palette at first, or one alone."""
-        desk = self._desk
-        if shown and not desk.states[1].scope.palette:
-            desk.set_state(PaneState(Scope(desk.states[0].scope.palette)), 1)
+        session = self._session
+        if shown and not session.states[1].scope.palette:
+            session.set_state(PaneState(Scope(session.states[0].scope.palette)), 1)
         self._window.show_second(shown)
-        desk.set_front(1 if shown else 0)
+        session.set_front(1 if shown else 0)
         for pane in self._window.panes:
             self._show_title(pane)
 
     # What is shown.
 
     def _choose_scope(self, scope: Scope) -> None:
-        self._desk.show_scope(scope)
+        self._session.show_scope(scope)
 
     def _show_items(self) -> None:
-        desk, window = self._desk, self._window
-        window.tree.show_items(desk.library.items)
-        window.tree.show_scope(desk.state.scope)
+        session, window = self._session, self._window
+        window.tree.show_items(session.library.items)
+        window.tree.show_scope(session.state.scope)
         for pane in window.panes:
             self._show_title(pane)
             self._show_note(pane)
         self._show_window_title()
 
     def _show_window_title(self) -> None:
-        item = self._desk.item
+        item = self._session.item
         if item is None:
             self._window.show_title("", None, clean=True)
         else:
             self._window.show_title(item.title[:200], item.path, clean=item.is_clean)
 
-    def _show_shown(self, number: int) -> None:
-        pane, shown = self._window.panes[number], self._desk.shown[number]
-        pane.show_shown(shown)
+    def _show_rows(self, number: int) -> None:
+        pane, shown = self._window.panes[number], self._session.shown[number]
+        pane.show_rows(shown)
         self._show_title(pane)
         self._show_note(pane)
-        if number == self._desk.front:
+        if number == self._session.front:
             self._show_counts()
 
     def _show_state(self, number: int) -> None:
-        state, window = self._desk.states[number], self._window
+        state, window = self._session.states[number], self._window
         window.panes[number].show_sort(state.sort, descending=state.descending)
-        if number == self._desk.front:
+        if number == self._session.front:
             window.bar.show_state(state)
             window.filters.show_state(state)
             window.tree.show_scope(state.scope)
@@ -132,13 +136,13 @@ class Controller(QObject):
             self._show_window_title()
 
     def _show_front(self) -> None:
-        self._show_state(self._desk.front)
-        self._show_selection(self._desk.front)
+        self._show_state(self._session.front)
+        self._show_selection(self._session.front)
         for pane in self._window.panes:
             self._show_title(pane)
 
     def _show_title(self, pane: Pane) -> None:
-        state, item = self._desk.states[pane.number], self._item(pane)
+        state, item = self._session.states[pane.number], self._item(pane)
         title = "" if item is None else item.title[:200]
         if state.scope.group:
             title = f"{title} › {group_title(state.scope.group)[:200]}"
@@ -153,65 +157,65 @@ class Controller(QObject):
                 count = tr("1 swatch") if whole == 1 else tr("{count} swatches").format(count=whole)
         else:
             count = tr("{shown} of {count}").format(shown=shown, count=whole)
-        if self._desk.is_working(pane.number):
+        if self._session.is_working(pane.number):
             count = tr("({count}, working)").format(count=count)
-        front = pane.number == self._desk.front
+        front = pane.number == self._session.front
         pane.show_title(title, count, front=front, two=self._window.has_two_panes)
 
     def _item(self, pane: Pane) -> Item | None:
-        return self._desk.library.item(self._desk.states[pane.number].scope.palette)
+        return self._session.library.item(self._session.states[pane.number].scope.palette)
 
     def _show_note(self, pane: Pane) -> None:
         """Say why there are no swatches, and offer what to do."""
-        item, state = self._item(pane), self._desk.states[pane.number]
+        item, state = self._item(pane), self._session.states[pane.number]
         new, opened = (tr("New Palette"), "new"), (tr("Open…"), "open")
         if item is None:
             text = tr(
-                "Choose a palette in the library, open one, or begin a new one.\nFiles can be dropped here."
+                "Choose a palette in the library, open one, or create a new one.\nFiles can be dropped here."
             )
-            pane.show_note(text, (new, opened, (tr("The Shipped Paints"), "shipped")))
+            pane.show_note(text, (new, opened, (tr("Sample Paints"), "shipped")))
         elif item.state == "reading":
-            text = tr("Reading {name}").format(name=item.title[:200])
+            text = tr("Reading {name}…").format(name=item.title[:200])
             pane.show_note(text, ((tr("Cancel"), "cancel"),), busy=True)
         elif item.state == "wrong":
-            text = tr("{problem}\nRepair the file or take it from its backup, and read it again.").format(
+            text = tr("{problem}\nRepair the file or restore it from a backup, then reload it.").format(
                 problem=item.problem[:500]
             )
-            pane.show_note(text, ((tr("Read Again"), "again"), (tr("Take out of the Library"), "close")))
+            pane.show_note(text, ((tr("Reload"), "again"), (tr("Remove from Library"), "close")))
         elif item.state == "closed":
-            pane.show_note(tr("This palette is not read yet."), ((tr("Read It"), "again"),))
+            pane.show_note(tr("This palette is not loaded."), ((tr("Open Palette"), "again"),))
         elif pane.model.rowCount():
             pane.show_note("")
-        elif len(self._desk.library.rows(item.key)) == 0:
+        elif len(self._session.library.rows(item.key)) == 0:
             text = tr(
-                "This palette is empty. Drop paints here, paste colours, or take the paint being edited."
+                "This palette is empty. Drop paints here, paste colours, or add the paint from Designer."
             )
-            pane.show_note(text, ((tr("Add Paints…"), "add"), (tr("Take the Paint Being Edited"), "take")))
-        elif state.is_narrowed or state.near is not None:
-            text = tr("No swatch fits the search and the filters.")
-            pane.show_note(text, ((tr("Let All Pass"), "clear"),))
+            pane.show_note(text, ((tr("Add Paints…"), "add"), (tr("Add Paint from Designer"), "take")))
+        elif state.is_filtered or state.near is not None:
+            text = tr("No swatch matches the search and filters.")
+            pane.show_note(text, ((tr("Clear Filters"), "clear"),))
         else:
-            pane.show_note(tr("Nothing is in this group yet. Drop swatches here."))
+            pane.show_note(tr("This group is empty. Drop swatches here."))
 
     def _show_counts(self) -> None:
-        desk = self._desk
-        shown, selected = len(desk.shown[desk.front].places), len(desk.selected)
+        session = self._session
+        shown, selected = len(session.shown[session.front].places), len(session.selected)
         text = tr("{count} shown").format(count=shown)
         if selected:
             text = tr("{count} shown, {selected} selected").format(count=shown, selected=selected)
         self._window.count_cell.set(text)
-        notes = desk.shown[desk.front].rows.notes
+        notes = session.shown[session.front].rows.notes
         self._window.note_cell.set(notes[0] if notes else "", "\n".join(notes))
 
     def _show_selection(self, number: int) -> None:
-        if number == self._desk.front:
-            entries = self._desk.selected_entries
+        if number == self._session.front:
+            entries = self._session.selected_entries
             self._window.swatch.show_entries(entries, figures_of(entries[0]) if len(entries) == 1 else "")
             self._show_palette_fields()
             self._show_counts()
 
     def _show_palette_fields(self) -> None:
-        palette, scope = self._desk.palette, self._desk.state.scope
+        palette, scope = self._session.palette, self._session.state.scope
         panel = self._window.palette_panel
         group = None
         if palette is not None and scope.group:
@@ -232,7 +236,7 @@ class Controller(QObject):
             pane.grid.viewport().update()
 
     def _show_history(self) -> None:
-        history, window = self._desk.library.history, self._window
+        history, window = self._session.library.history, self._window
         for key, word, name, can in (
             ("undo", tr("&Undo"), history.undo_name, history.can_undo),
             ("redo", tr("&Redo"), history.redo_name, history.can_redo),

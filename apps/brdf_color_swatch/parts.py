@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.export.part import ExportPart
 from brdf_color_swatch.export.sheet_part import SheetPart
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.compare_part import ComparePart
 from brdf_color_swatch.features.drop_part import DropPart
 from brdf_color_swatch.features.edit_part import EditPart
@@ -19,9 +18,10 @@ from brdf_color_swatch.library.file_part import FilePart
 from brdf_color_swatch.library.outside_part import OutsidePart
 from brdf_color_swatch.map.part import MapPart
 from brdf_color_swatch.pictures.part import PicturePart
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 
-PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
+PARTS: tuple[Callable[[PaletteSession, SwatchWindow], Feature], ...] = (
     FilePart,
     ExportPart,
     SheetPart,
@@ -36,9 +36,9 @@ PARTS: tuple[Callable[[Desk, SwatchWindow], Any], ...] = (
     OutsidePart,
     PicturePart,
 )
-"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk."""
+"""What makes each part: called with session and window, it adds itself to the window and listens to the session."""
 
 
-def build_parts(desk: Desk, window: SwatchWindow) -> list[Any]:
+def build_parts(session: PaletteSession, window: SwatchWindow) -> list[Feature]:
     """Make every part and return them; their owner keeps them."""
-    return [part(desk, window) for part in PARTS]
+    return [part(session, window) for part in PARTS]

@@ -26,11 +26,11 @@ from brdf_color_swatch.panels.top_bar import TopBar
 
 
 class SwatchWindow(SuiteWindow):
-    """Signals: ``open_asked(Path | None)``, ``recent_cleared()``, ``close_asked(QCloseEvent)``."""
+    """Signals: ``open_requested(Path | None)``, ``recent_cleared()``, ``close_requested(QCloseEvent)``."""
 
-    open_asked = Signal(object)
+    open_requested = Signal(object)
     recent_cleared = Signal()
-    close_asked = Signal(QCloseEvent)
+    close_requested = Signal(QCloseEvent)
 
     def __init__(self, lights: list[str]) -> None:
         super().__init__("Color Swatch")
@@ -58,12 +58,10 @@ class SwatchWindow(SuiteWindow):
         self.recent_menu = QMenu(tr("Open &Recent"), self)
         self.recent_menu.setToolTipsVisible(True)
         cells = self.status
-        self.count_cell = cells.cell("Swatches", tr("How many swatches are shown and selected"))
-        self.picture_cell = cells.cell(
-            "Pictures", tr("How many of the pictures that are seen are still to come")
-        )
-        self.note_cell = cells.cell("Note", tr("What there is to know of the colours shown"), elastic=True)
-        self.link_cell = cells.cell("Link", tr("Other programs of the suite that are open"), right=True)
+        self.count_cell = cells.cell("Swatches", tr("Swatches shown and selected"))
+        self.picture_cell = cells.cell("Pictures", tr("Visible pictures still pending"))
+        self.note_cell = cells.cell("Note", tr("Notes on the colours shown"), elastic=True)
+        self.link_cell = cells.cell("Link", tr("Connected programs of the suite"), right=True)
 
     def _picture(self, pane: int, row: int) -> object:
         return self.picture_of(pane, row)
@@ -148,7 +146,7 @@ class SwatchWindow(SuiteWindow):
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
             action.setToolTip(plain_tip(str(path)))
-            action.triggered.connect(lambda _=False, path=path: self.open_asked.emit(path))
+            action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
         self.recent_menu.addSeparator()
         self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
         self.recent_menu.setEnabled(bool(paths))
@@ -220,12 +218,12 @@ class SwatchWindow(SuiteWindow):
         event.acceptProposedAction()
         for url in event.mimeData().urls():
             if url.isLocalFile():
-                self.open_asked.emit(Path(url.toLocalFile()))
+                self.open_requested.emit(Path(url.toLocalFile()))
 
     def may_close(self) -> bool:
-        """See :meth:`SuiteWindow.may_close`: the program answers through ``close_asked``."""
+        """See :meth:`SuiteWindow.may_close`: the program answers through ``close_requested``."""
         question = QCloseEvent()
-        self.close_asked.emit(question)
+        self.close_requested.emit(question)
         return question.isAccepted()
 
 

@@ -37,7 +37,7 @@ COLOURS = {
 
 
 class ScriptedDialogs:
-    """Answers as told, and notes what was asked."""
+    """Gives scripted answers and records the questions."""
 
     def __init__(self) -> None:
         self.answer = Answer.DISCARD
@@ -111,7 +111,7 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
-        patched.setattr(Pictures, "want", lambda _self, _entries: None)
+        patched.setattr(Pictures, "request", lambda _self, _entries: None)
         program = ColorSwatch(dialogs=lambda _window: dialogs)
         program.window.resize(1200, 800)
         program.window.show()
@@ -130,7 +130,7 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
 
 @pytest.fixture
 def dialogs(lasting) -> ScriptedDialogs:
-    """Who answers the questions."""
+    """The scripted dialogs of the program."""
     return lasting[1]
 
 
@@ -143,12 +143,12 @@ def swatch(lasting, own_session) -> ColorSwatch:
         program.library.close(item.key)
     program.controller.show_second(False)
     for pane in (1, 0):
-        program.desk.set_state(PaneState(), pane)
-    program.desk.set_look(**Look(size=64).to_json())
+        program.session.set_state(PaneState(), pane)
+    program.session.set_look(**Look(size=64).to_json())
     for key in program.window.messages.shown():
         program.window.dismiss_message(key)
     dialogs.asked.clear()
-    program.desk.show_scope(Scope(program.library.add_palette(sample())))
+    program.session.show_scope(Scope(program.library.add_palette(sample())))
     return program
 
 
@@ -169,7 +169,7 @@ def select():
 
     def them(program: ColorSwatch, *wanted: str, pane: int = 0) -> None:
         shown = program.window.panes[pane]
-        program.desk.set_front(pane)
+        program.session.set_front(pane)
         rows = [row for row in range(shown.model.rowCount()) if shown.model.entry_at(row).name in wanted]
         shown.grid.select_rows(rows)
 
@@ -183,7 +183,7 @@ def drop():
     def it(target, point, data: QMimeData, *, copies: bool = False) -> QDropEvent:
         keys = Qt.KeyboardModifier.ControlModifier if copies else Qt.KeyboardModifier.NoModifier
         actions, button = Qt.DropAction.MoveAction | Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton
-        # Qt delivers a drop to whom it has entered, and to nobody else.
+        # Qt delivers a drop only to the widget that it has entered.
         QCoreApplication.sendEvent(target, QDragEnterEvent(point, actions, data, button, keys))
         event = QDropEvent(QPointF(point), actions, data, button, keys)
         QCoreApplication.sendEvent(target, event)

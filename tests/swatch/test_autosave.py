@@ -34,8 +34,8 @@ def kept(qapp, monkeypatch):
 def test_unsaved_work_is_written_by_a_thread_and_found_again(kept, qtbot) -> None:
     store, recovery, _tasks, failed = kept
     store.set(replace(store.value, name="Changed\u4e00"), "rename")
-    qtbot.waitUntil(lambda: recovery._file.exists())
-    found = recovery._read(recovery._file)
+    qtbot.waitUntil(lambda: recovery.file.exists())
+    found = recovery.saved()
     assert found.value == store.value
     assert found.path is None
     assert not failed
@@ -44,7 +44,7 @@ def test_unsaved_work_is_written_by_a_thread_and_found_again(kept, qtbot) -> Non
 def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> None:
     store, recovery, tasks, failed = kept
     gates, begun = [Event(), Event()], []
-    real = autosave._encoded
+    real = autosave.encode_autosave
 
     def held(request, progress) -> bytes:
         begun.append(request[1].name)
@@ -53,65 +53,63 @@ def test_edits_that_never_cease_do_not_starve_it(kept, qtbot, monkeypatch) -> No
 
     def edit(name: str) -> None:
         store.set(replace(store.value, name=name), "rename")
-        # As the second's timer does, which shall not do so by itself here.
-        recovery._timer.stop()
-        recovery._write_beside()
+        recovery.write_in_background()
 
-    monkeypatch.setattr(autosave, "_encoded", held)
+    monkeypatch.setattr(autosave, "encode_autosave", held)
     for name in ("first", "second", "third"):
         edit(name)
     gates[0].set()
-    qtbot.waitUntil(lambda: recovery._file.exists())
-    assert recovery._read(recovery._file).value.name == "first"
+    qtbot.waitUntil(lambda: recovery.file.exists())
+    assert recovery.saved().value.name == "first"
     qtbot.waitUntil(lambda: len(begun) == 2)
     gates[1].set()
     qtbot.waitUntil(lambda: not tasks.busy)
     assert begun == ["first", "third"]
-    assert recovery._read(recovery._file).value == store.value
+    assert recovery.saved().value == store.value
     assert not failed
 
 
 def test_what_is_older_than_the_saved_file_is_not_written(kept, qtbot, tmp_path, monkeypatch) -> None:
     store, recovery, tasks, _failed = kept
-    gate, real = Event(), autosave._encoded
+    gate, real = Event(), autosave.encode_autosave
 
     def held(request, progress) -> bytes:
         assert gate.wait(120)
         return real(request, progress)
 
-    monkeypatch.setattr(autosave, "_encoded", held)
+    monkeypatch.setattr(autosave, "encode_autosave", held)
     written: list[bytes] = []
-    put = recovery._put
-    monkeypatch.setattr(recovery, "_put", lambda content: (written.append(content), put(content)))
+    put = recovery.write_encoded
+    monkeypatch.setattr(recovery, "write_encoded", lambda content: (written.append(content), put(content)))
     store.set(replace(store.value, name="Old"), "rename")
-    recovery._write_beside()
+    recovery.write_in_background()
     store.mark_clean(tmp_path / "saved.brdfpalette")
     store.set(replace(store.value, name="New"), "rename")
-    recovery._timer.stop()
-    recovery._write_beside()
+    recovery.write_in_background()
     gate.set()
     qtbot.waitUntil(lambda: not tasks.busy)
     assert len(written) == 1
-    assert recovery._read(recovery._file).value.name == "New"
+    assert recovery.saved().value.name == "New"
 
 
 def test_what_was_saved_meanwhile_leaves_no_autosave(kept, qtbot, tmp_path) -> None:
     store, recovery, tasks, _failed = kept
     store.set(replace(store.value, name="Changed"), "rename")
-    recovery._write_beside()
+    recovery.write_in_background()
     assert tasks.busy
     store.mark_clean(tmp_path / "saved.brdfpalette")
     qtbot.waitUntil(lambda: not tasks.busy)
-    assert not recovery._file.exists()
+    assert not recovery.file.exists()
 
 
-def test_a_disk_that_refuses_is_told_and_so_is_that_it_takes_again(kept, qtbot) -> None:
+def test_a_write_failure_and_its_end_are_reported(kept, qtbot) -> None:
     store, recovery, _tasks, failed = kept
-    file, recovery._file = recovery._file, recovery._file.parent / "gone" / "x.recovery.json"
+    blocked = recovery.file.with_suffix(".tmp")
+    blocked.mkdir()
     store.set(replace(store.value, name="Changed"), "rename")
     qtbot.waitUntil(lambda: bool(failed))
     assert "cannot be written" in str(failed[0])
-    recovery._file = file
+    blocked.rmdir()
     with qtbot.waitSignal(recovery.written_again):
         store.set(replace(store.value, name="Again"), "rename")
-    assert file.exists()
+    assert recovery.file.exists()

@@ -17,7 +17,7 @@ def undo_text(program) -> str:
 
 
 def test_a_name_is_written_in_its_place(swatch, names, select, qtbot) -> None:
-    before = swatch.desk.palette
+    before = swatch.session.palette
     select(swatch, "Blue")
     swatch.window.activateWindow()
     swatch.window.command("rename").trigger()
@@ -28,42 +28,42 @@ def test_a_name_is_written_in_its_place(swatch, names, select, qtbot) -> None:
     QTest.keyClick(editor, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: "Azure" in names(swatch))
     assert "Rename to “Azure”" in undo_text(swatch)
-    assert swatch.desk.palette.entry("blue").date
+    assert swatch.session.palette.entry("blue").date
     swatch.window.command("undo").trigger()
-    assert swatch.desk.palette == before
+    assert swatch.session.palette == before
 
 
 def test_fields_of_the_inspector_write_into_all_that_is_selected(swatch, select) -> None:
-    before = swatch.desk.palette
+    before = swatch.session.palette
     select(swatch, "Red", "Blue")
     panel = swatch.window.swatch
     tags = panel.fields["tags"]
     tags.setFocus()
     QTest.keyClicks(tags, "+summer, -car")
     QTest.keyClick(tags, Qt.Key.Key_Return)
-    assert swatch.desk.palette.entry("red").tags == ("hot", "summer")
-    assert swatch.desk.palette.entry("blue").tags == ("summer",)
+    assert swatch.session.palette.entry("red").tags == ("hot", "summer")
+    assert swatch.session.palette.entry("blue").tags == ("summer",)
     code = panel.fields["code"]
     QTest.keyClicks(code, "X1")
     QTest.keyClick(code, Qt.Key.Key_Return)
-    assert {swatch.desk.palette.entry(key).code for key in ("red", "blue")} == {"X1"}
+    assert {swatch.session.palette.entry(key).code for key in ("red", "blue")} == {"X1"}
     panel.notes.setPlainText("seen in rain")
     panel.notes.finish()
-    assert swatch.desk.palette.entry("blue").notes == "seen in rain"
-    assert swatch.desk.palette.entry("silver") == before.entry("silver")
+    assert swatch.session.palette.entry("blue").notes == "seen in rain"
+    assert swatch.session.palette.entry("silver") == before.entry("silver")
     for _ in range(3):
         swatch.library.history.undo()
-    assert swatch.desk.palette == before
+    assert swatch.session.palette == before
 
 
 def test_copy_and_paste_cut_duplicate_and_delete(swatch, names, select, command) -> None:
-    before = swatch.desk.palette
+    before = swatch.session.palette
     select(swatch, "Red", "Ice")
     command(swatch, "copy")
     assert QGuiApplication.clipboard().text().count("#") == 2
     command(swatch, "paste")
     assert names(swatch).count("Red") == 2
-    assert len(swatch.desk.selected) == 2
+    assert len(swatch.session.selected) == 2
     command(swatch, "duplicate")
     assert names(swatch).count("Red") == 3
     command(swatch, "cut")
@@ -72,11 +72,11 @@ def test_copy_and_paste_cut_duplicate_and_delete(swatch, names, select, command)
     command(swatch, "delete")
     assert "Ice" not in names(swatch)
     # The next one is selected, so that the keys go on from there.
-    assert len(swatch.desk.selected) == 1
-    assert len(swatch.desk.palette.by_id) == len(swatch.desk.palette)
+    assert len(swatch.session.selected) == 1
+    assert len(swatch.session.palette.by_id) == len(swatch.session.palette)
     while swatch.library.history.can_undo:
         swatch.library.history.undo()
-    assert swatch.desk.palette == before
+    assert swatch.session.palette == before
 
 
 def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
@@ -86,33 +86,33 @@ def test_colours_of_other_programs_are_pasted(swatch, names, command) -> None:
     assert {"Sunset", "Deep"} <= set(names(swatch))
     QGuiApplication.clipboard().setText("only words")
     command(swatch, "paste")
-    assert "holds no swatch" in swatch.window.messages.shown()["edit"].what
+    assert "contains no swatch" in swatch.window.messages.shown()["edit"].what
 
 
 def test_groups_are_made_named_moved_and_dissolved(swatch, select, command) -> None:
-    before = swatch.desk.palette
+    before = swatch.session.palette
     select(swatch, "Silver", "Black")
     command(swatch, "new_group")
-    assert swatch.desk.palette.entry("silver").group == ("New group",)
-    key = swatch.desk.state.scope.palette
+    assert swatch.session.palette.entry("silver").group == ("New group",)
+    key = swatch.session.state.scope.palette
     swatch.window.tree.renamed.emit(Scope(key, ("New group",)), "Greys")
-    assert swatch.desk.palette.entry("black").group == ("Greys",)
+    assert swatch.session.palette.entry("black").group == ("Greys",)
     swatch.window.tree.group_dropped.emit(Scope(key, ("Greys",)), Scope(key, ("Cold",)))
-    assert swatch.desk.palette.entry("black").group == ("Cold", "Greys")
-    swatch.desk.show_scope(Scope(key, ("Cold", "Greys")))
+    assert swatch.session.palette.entry("black").group == ("Cold", "Greys")
+    swatch.session.show_scope(Scope(key, ("Cold", "Greys")))
     command(swatch, "dissolve_group")
-    assert swatch.desk.palette.entry("black").group == ("Cold",)
-    assert swatch.desk.state.scope.group == ("Cold",)
+    assert swatch.session.palette.entry("black").group == ("Cold",)
+    assert swatch.session.state.scope.group == ("Cold",)
     command(swatch, "remove_group")
-    assert len(swatch.desk.palette) == 2
+    assert len(swatch.session.palette) == 2
     for _ in range(5):
         swatch.library.history.undo()
-    assert swatch.desk.palette == before
+    assert swatch.session.palette == before
 
 
 def test_a_group_goes_to_another_palette_with_all_that_is_in_it(swatch, command) -> None:
-    before, key = swatch.desk.palette, swatch.desk.state.scope.palette
-    swatch.desk.show_scope(Scope(key, ("Warm",)))
+    before, key = swatch.session.palette, swatch.session.state.scope.palette
+    swatch.session.show_scope(Scope(key, ("Warm",)))
     swatch.window.palette_panel.edited.emit("colour", "#ff0000")
     other = swatch.library.add_palette(Palette("Other"))
     swatch.window.tree.group_dropped.emit(Scope(key, ("Warm",)), Scope(other))
@@ -131,21 +131,21 @@ def test_a_palette_and_a_group_have_name_colour_and_notes(swatch) -> None:
     panel.edited.emit("colour", "#336699")
     panel.name.setText("Autumn")
     panel.name.editingFinished.emit()
-    assert (swatch.desk.palette.name, swatch.desk.palette.colour) == ("Autumn", "#336699")
-    swatch.desk.show_scope(Scope(swatch.desk.state.scope.palette, ("Warm",)))
+    assert (swatch.session.palette.name, swatch.session.palette.colour) == ("Autumn", "#336699")
+    swatch.session.show_scope(Scope(swatch.session.state.scope.palette, ("Warm",)))
     panel.edited.emit("notes", "for the sun")
     panel.edited.emit("colour", "#ff0000")
-    group = next(one for one in swatch.desk.palette.groups if one.path == ("Warm",))
+    group = next(one for one in swatch.session.palette.groups if one.path == ("Warm",))
     assert (group.notes, group.colour) == ("for the sun", "#ff0000")
     assert panel.name.text() == "Warm"
 
 
 def test_a_tag_is_renamed_and_what_is_pasted_where_it_is_shown_has_it(swatch, names, command) -> None:
-    key = swatch.desk.state.scope.palette
-    swatch.desk.show_scope(Scope(key, (), "car"))
+    key = swatch.session.state.scope.palette
+    swatch.session.show_scope(Scope(key, (), "car"))
     assert names(swatch) == ["Silver", "Red", "Blue"]
     swatch.window.tree.renamed.emit(Scope(key, (), "car"), "vehicle")
-    assert swatch.desk.state.scope.tag == "vehicle"
+    assert swatch.session.state.scope.tag == "vehicle"
     assert names(swatch) == ["Silver", "Red", "Blue"]
     QGuiApplication.clipboard().setText("#102030 Ink")
     command(swatch, "paste")
@@ -157,18 +157,18 @@ def test_a_drag_within_a_pane_puts_swatches_elsewhere(swatch, names, drop) -> No
     data = grid.model().mime_of(["blue"])
     target = grid.visualRect(grid.model().index(names(swatch).index("Orange"), 0))
     drop(grid.viewport(), QPoint(target.left() + 3, target.center().y()), data)
-    assert swatch.desk.palette.entry("blue").group == ("Warm",)
+    assert swatch.session.palette.entry("blue").group == ("Warm",)
     assert names(swatch).index("Blue") == names(swatch).index("Orange") - 1
     assert "Move “Blue”" in undo_text(swatch)
-    assert swatch.desk.selected == ("blue",)
+    assert swatch.session.selected == ("blue",)
 
 
 @pytest.mark.parametrize("copies", [False, True])
 def test_a_drag_from_pane_to_pane_is_one_step_of_both_palettes(swatch, names, drop, command, copies) -> None:
-    first = swatch.desk.palette
+    first = swatch.session.palette
     command(swatch, "two_panes")
     other = swatch.library.add_palette(Palette("Other"))
-    swatch.desk.show_scope(Scope(other), 1)
+    swatch.session.show_scope(Scope(other), 1)
     data = swatch.window.panes[0].grid.model().mime_of(["red", "ice"])
     page = swatch.window.panes[1].stack.currentWidget()
     assert swatch.window.panes[1].note
@@ -177,19 +177,19 @@ def test_a_drag_from_pane_to_pane_is_one_step_of_both_palettes(swatch, names, dr
     assert ("Red" in names(swatch, 0)) is copies
     swatch.library.history.undo()
     assert swatch.library.palette(other) == Palette("Other")
-    assert swatch.library.palette(swatch.desk.states[0].scope.palette) == first
+    assert swatch.library.palette(swatch.session.states[0].scope.palette) == first
     swatch.library.history.redo()
     assert names(swatch, 1) == ["Red", "Ice"]
 
 
 def test_a_drop_on_a_group_and_on_a_tag_of_the_library(swatch, drop) -> None:
-    tree, key = swatch.window.tree, swatch.desk.state.scope.palette
+    tree, key = swatch.window.tree, swatch.session.state.scope.palette
     model = swatch.window.panes[0].model
     for scope, wanted in ((Scope(key, ("Cold",)), "group"), (Scope(key, (), "hot"), "tags")):
-        item = tree._item(scope)
+        item = tree.item_of(scope)
         tree.expandAll()
         drop(tree.viewport(), tree.visualItemRect(item).center(), model.mime_of(["black"]))
-        value = getattr(swatch.desk.palette.entry("black"), wanted)
+        value = getattr(swatch.session.palette.entry("black"), wanted)
         assert value == (("Cold",) if wanted == "group" else ("hot",))
 
 
@@ -198,9 +198,9 @@ def test_keys_alone_select_move_and_order(swatch, names, select, command) -> Non
     select(swatch, "Silver")
     grid.setFocus()
     QTest.keyClick(grid, Qt.Key.Key_Right)
-    assert swatch.desk.selected == ("black",)
+    assert swatch.session.selected == ("black",)
     QTest.keyClick(grid, Qt.Key.Key_End, Qt.KeyboardModifier.ShiftModifier)
-    assert len(swatch.desk.selected) == 5
+    assert len(swatch.session.selected) == 5
     select(swatch, "Red")
     command(swatch, "later")
     assert names(swatch)[2:4] == ["Orange", "Red"]
@@ -210,7 +210,7 @@ def test_keys_alone_select_move_and_order(swatch, names, select, command) -> Non
     swatch.window.bar.sort_chosen.emit("lightness")
     assert names(swatch)[0] == "Black"
     command(swatch, "keep_order")
-    assert [entry.name for entry in swatch.desk.palette] == [
+    assert [entry.name for entry in swatch.session.palette] == [
         "Black",
         "Blue",
         "Red",
@@ -220,18 +220,18 @@ def test_keys_alone_select_move_and_order(swatch, names, select, command) -> Non
     ]
     command(swatch, "select_all")
     command(swatch, "invert")
-    assert swatch.desk.selected == ()
+    assert swatch.session.selected == ()
 
 
-def test_a_refused_edit_changes_nothing_and_is_told(swatch, select) -> None:
-    before = swatch.desk.palette
+def test_a_refused_edit_changes_nothing_and_is_reported(swatch, select) -> None:
+    before = swatch.session.palette
     select(swatch, "Red")
     swatch.window.swatch.edited.emit("tags", ", ".join(f"t{number}" for number in range(60)))
-    assert swatch.desk.palette is before
+    assert swatch.session.palette is before
     assert "more than the 50 allowed" in swatch.window.messages.shown()["edit"].what
 
 
-def test_a_screen_reader_is_told_where_the_keys_have_come_to(swatch, select) -> None:
+def test_a_screen_reader_gets_the_current_swatch(swatch, select) -> None:
     grid = swatch.window.panes[0].grid
     select(swatch, "Silver")
     QTest.keyClick(grid, Qt.Key.Key_Right)

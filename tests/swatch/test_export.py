@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.export.dialog import QtExportDialogs, choices_of, named_by
+from brdf_color_swatch.export.dialog import QtExportDialogs, choices_of, with_ending
 from brdf_color_swatch.export.file_names import suggested_file
 from PySide6.QtWidgets import QFileDialog, QWidget
 
@@ -25,7 +25,7 @@ def write(program, command, qtbot, path: Path) -> None:
     qtbot.waitUntil(lambda: "export" in program.window.messages.shown())
     message = program.window.messages.shown()["export"]
     assert message.severity != "error", message.what
-    dict(message.actions)["Write It"]()
+    dict(message.actions)["Export Anyway"]()
     qtbot.waitUntil(path.exists)
     qtbot.waitUntil(lambda: not program.library.tasks.busy)
 
@@ -91,7 +91,7 @@ def test_the_dialog_adds_the_ending_of_the_chosen_line(qapp, qtbot, tmp_path, mo
 
 
 def test_another_format_of_the_same_ending_keeps_the_name() -> None:
-    assert named_by(Path("a.PAL"), choice("jasc"), FORMATS) == Path("a.PAL")
+    assert with_ending(Path("a.PAL"), choice("jasc"), FORMATS) == Path("a.PAL")
 
 
 @pytest.mark.parametrize(

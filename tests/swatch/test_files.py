@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.reading import read_palette_file
+from brdf_color_swatch.library.unsaved import UnsavedWork
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtWidgets import QPushButton
@@ -19,7 +20,7 @@ from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.files.palettes import read_palette
 
 
-def told(program, key: str) -> str:
+def message_text(program, key: str) -> str:
     """Return what a message says; empty where there is none."""
     message = program.window.messages.shown().get(key)
     return "" if message is None else message.what
@@ -36,16 +37,16 @@ def test_a_file_is_read_when_it_is_wanted_saved_and_read_again(
     swatch, dialogs, tmp_path, names, qtbot, command
 ) -> None:
     path = tmp_path / "one.brdfpalette"
-    save_palette(replace(swatch.desk.palette, name="On disk"), path)
+    save_palette(replace(swatch.session.palette, name="On disk"), path)
     key = swatch.library.add_path(path)
     item = swatch.library.item(key)
     assert (item.state, item.title) == ("closed", "one")
-    swatch.desk.show_scope(Scope(key))
+    swatch.session.show_scope(Scope(key))
     assert "Reading" in swatch.window.panes[0].note
     qtbot.waitUntil(lambda: item.state == "open")
     assert item.title == "On disk"
     assert len(names(swatch)) == 6
-    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Changed"))
+    swatch.session.edit("Rename", lambda palette: replace(palette, name="Changed"))
     assert swatch.window.isWindowModified()
     command(swatch, "save")
     assert not swatch.window.isWindowModified()
@@ -61,7 +62,7 @@ def test_a_file_is_read_when_it_is_wanted_saved_and_read_again(
     assert load_palette(path).name == "Changed"
 
 
-def test_what_a_format_cannot_hold_is_told_before_it_is_written(
+def test_what_a_format_cannot_hold_is_listed_before_it_is_written(
     swatch, dialogs, tmp_path, qtbot, command
 ) -> None:
     dialogs.path = tmp_path / "out.gpl"
@@ -70,14 +71,14 @@ def test_what_a_format_cannot_hold_is_told_before_it_is_written(
     message = swatch.window.messages.shown()["export"]
     assert "45°" in message.todo
     assert not dialogs.path.exists()
-    press(swatch, "export", "Write It")
-    qtbot.waitUntil(lambda: dialogs.path.exists() and "Written" in told(swatch, "export"))
+    press(swatch, "export", "Export Anyway")
+    qtbot.waitUntil(lambda: dialogs.path.exists() and "Saved" in message_text(swatch, "export"))
     assert [entry.name for entry in read_palette(dialogs.path).palette] == [
-        e.name for e in swatch.desk.palette
+        e.name for e in swatch.session.palette
     ]
     dialogs.path = tmp_path / "out.xyz"
     command(swatch, "export")
-    qtbot.waitUntil(lambda: "names no palette format" in told(swatch, "export"))
+    qtbot.waitUntil(lambda: "names no palette format" in message_text(swatch, "export"))
 
 
 def test_what_is_selected_is_exported_alone(swatch, dialogs, tmp_path, qtbot, command, select) -> None:
@@ -96,45 +97,45 @@ def test_a_palette_of_another_program_is_imported_and_its_file_left_alone(
     content = path.read_bytes()
     dialogs.path = path
     swatch.window.command("open").trigger()
-    qtbot.waitUntil(lambda: swatch.desk.palette is not None and swatch.desk.palette.name == "Web")
-    assert swatch.desk.item.path is None
-    assert swatch.desk.item.is_clean
+    qtbot.waitUntil(lambda: swatch.session.palette is not None and swatch.session.palette.name == "Web")
+    assert swatch.session.item.path is None
+    assert swatch.session.item.is_clean
     assert "*.gpl" in dialogs.asked[-1]
-    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Mine"))
+    swatch.session.edit("Rename", lambda palette: replace(palette, name="Mine"))
     dialogs.path = tmp_path / "mine"
-    assert swatch.library.save(swatch.desk.state.scope.palette)
+    assert swatch.library.save(swatch.session.state.scope.palette)
     assert load_palette(tmp_path / "mine.brdfpalette").name == "Mine"
     assert path.read_bytes() == content
     # What is open has a file of its own now: the other's is read again where it is asked for.
-    mine = swatch.desk.state.scope.palette
-    swatch.window.open_asked.emit(path)
-    qtbot.waitUntil(lambda: swatch.desk.palette is not None and swatch.desk.palette.name == "Web")
-    assert swatch.desk.state.scope.palette != mine
+    mine = swatch.session.state.scope.palette
+    swatch.window.open_requested.emit(path)
+    qtbot.waitUntil(lambda: swatch.session.palette is not None and swatch.session.palette.name == "Web")
+    assert swatch.session.state.scope.palette != mine
     assert swatch.library.palette(mine).name == "Mine"
 
 
-def test_a_damaged_file_is_told_and_read_again_once_it_is_repaired(swatch, tmp_path, qtbot, names) -> None:
+def test_a_damaged_file_is_reported_and_reloads_once_repaired(swatch, tmp_path, qtbot, names) -> None:
     path = tmp_path / "bad.brdfpalette"
     path.write_text('{"format": "brdfpalette", "version": 2, "entries": [{]}')
-    swatch.window.open_asked.emit(path)
+    swatch.window.open_requested.emit(path)
     pane = swatch.window.panes[0]
     qtbot.waitUntil(lambda: "Repair the file" in pane.note)
-    key = swatch.desk.state.scope.palette
+    key = swatch.session.state.scope.palette
     assert swatch.library.item(key).state == "wrong"
     assert f"open {key}" in swatch.window.messages.shown()
     save_palette(Palette("Repaired"), path)
-    pane.action_asked.emit("again")
+    pane.action_requested.emit("again")
     qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
     assert "empty" in pane.note
     assert f"open {key}" not in swatch.window.messages.shown()
 
 
-def test_a_paint_that_nobody_measured_is_worked_out_beside_the_window(swatch, qtbot, names) -> None:
+def test_readings_of_an_unmeasured_paint_are_computed_in_the_background(swatch, qtbot, names) -> None:
     lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
-    swatch.desk.edit("Add", lambda palette: replace(palette, entries=(*palette.entries, lobes)))
-    place = swatch.desk.palette.by_id["lobes"]
-    qtbot.waitUntil(lambda: not swatch.desk.shown[0].rows.columns.waiting.any())
-    assert 0.0 < swatch.desk.shown[0].rows.lab[place, 1, 0] < 100.0
+    swatch.session.edit("Add", lambda palette: replace(palette, entries=(*palette.entries, lobes)))
+    place = swatch.session.palette.by_id["lobes"]
+    qtbot.waitUntil(lambda: not swatch.session.shown[0].rows.columns.waiting.any())
+    assert 0.0 < swatch.session.shown[0].rows.lab[place, 1, 0] < 100.0
     row = names(swatch).index("Lobes")
     assert swatch.window.panes[0].model.index(row, 3).data()
 
@@ -143,20 +144,20 @@ def test_unsaved_work_of_a_run_that_was_ended_is_offered_back(swatch, tmp_path, 
     path = tmp_path / "kept.brdfpalette"
     save_palette(Palette("Kept"), path)
     key = swatch.library.add_palette(load_palette(path), path)
-    swatch.desk.show_scope(Scope(key))
-    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Half done"))
+    swatch.session.show_scope(Scope(key))
+    swatch.session.edit("Rename", lambda palette: replace(palette, name="Half done"))
     opened = swatch.library.item(key).palette
     # As a kill leaves it: written, and its lock free.
     opened.recovery.close(keep=True)
-    swatch.library._finder._folder = opened.recovery._folder
-    del swatch.library._items[key]
-    swatch.library.items_changed.emit()
-    swatch._offer_recovery()
+    swatch.library.remove_item(key)
+    swatch.unsaved.close()
+    swatch.unsaved = UnsavedWork(swatch.library)
+    swatch.offer_recovery()
     assert "kept.brdfpalette" in swatch.window.messages.shown()["recovery"].what
     press(swatch, "recovery", "Recover")
-    assert swatch.desk.palette.name == "Half done"
-    assert swatch.desk.item.path == path
-    assert not swatch.desk.item.is_clean
+    assert swatch.session.palette.name == "Half done"
+    assert swatch.session.item.path == path
+    assert not swatch.session.item.is_clean
     assert load_palette(path).name == "Kept"
 
 
@@ -165,15 +166,15 @@ def test_recovered_work_stays_where_its_file_is_still_being_read(swatch, tmp_pat
     save_palette(Palette("Kept"), path)
     key = swatch.library.add_path(path)
     gone_on: list[str] = []
-    swatch.library.want(key, lambda: gone_on.append(swatch.library.palette(key).name))
+    swatch.session.loader.load(key, lambda: gone_on.append(swatch.library.palette(key).name))
     assert swatch.library.item(key).state == "reading"
     work = Recovered(Palette("Half done"), path, datetime.now(), tmp_path / "gone.recovery.json")
-    assert swatch.library.recover(work) == key
+    assert swatch.unsaved.recover(work) == key
     assert not swatch.library.tasks.busy
     assert gone_on == ["Half done"]
     opened = swatch.library.item(key).palette
     # An answer that was under way all the same.
-    swatch.library._arrived(key, read_palette_file(path, lambda _share, _what: None))
+    swatch.session.loader.accept(key, read_palette_file(path, lambda _share, _what: None))
     assert swatch.library.item(key).palette is opened
     assert swatch.library.palette(key).name == "Half done"
     assert not swatch.library.item(key).is_clean
@@ -188,7 +189,7 @@ def test_an_empty_window_offers_what_to_do(swatch, qtbot, key: str) -> None:
         return
     button = pane.findChild(QPushButton, f"note_{key}")
     button.click()
-    assert swatch.desk.palette.name in ("Untitled", "Shipped Paints")
+    assert swatch.session.palette.name in ("Untitled", "Sample Paints")
     assert ("empty" in pane.note) is (key == "new")
 
 
@@ -196,9 +197,9 @@ def test_the_library_remembers_its_files(swatch, tmp_path: Path, monkeypatch) ->
     path = tmp_path / "one.brdfpalette"
     save_palette(Palette("One"), path)
     swatch.library.add_path(path)
-    swatch.library.close(swatch.desk.state.scope.palette)
+    swatch.library.close(swatch.session.state.scope.palette)
     for item in swatch.library.items:
-        del swatch.library._items[item.key]
+        swatch.library.remove_item(item.key)
     swatch.library.restore()
     assert [(item.path, item.state) for item in swatch.library.items] == [(path, "closed")]
 
@@ -214,9 +215,9 @@ def test_every_kind_of_material_is_added_or_opened(swatch, materials, qtbot) -> 
     for kind, asked in materials.items():
         if kind == "palette of one":
             continue
-        before = len(swatch.desk.palette)
+        before = len(swatch.session.palette)
         swatch.open(asked)
-        qtbot.waitUntil(lambda before=before: len(swatch.desk.palette) > before)
+        qtbot.waitUntil(lambda before=before: len(swatch.session.palette) > before)
     palettes = len(swatch.library.items)
     swatch.open(materials["palette of one"])
     qtbot.waitUntil(lambda: len(swatch.library.items) > palettes)

@@ -31,11 +31,13 @@ def hostile_of(palette: Palette, name: str) -> Palette:
 
 def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot, tmp_path: Path) -> None:
     path = tmp_path / f"{walks.HOSTILE_FILE}.brdfpalette"
-    palette = hostile_of(swatch.desk.palette, walks.HOSTILE)
+    palette = hostile_of(swatch.session.palette, walks.HOSTILE)
     save_palette(palette, path)
     swatch.open(str(path))
-    qtbot.waitUntil(lambda: swatch.desk.palette is not None and swatch.desk.palette.name == walks.HOSTILE)
-    pane = swatch.window.panes[swatch.desk.front]
+    qtbot.waitUntil(
+        lambda: swatch.session.palette is not None and swatch.session.palette.name == walks.HOSTILE
+    )
+    pane = swatch.window.panes[swatch.session.front]
     pane.grid.select_rows([0, 1])
     command(swatch, "compare")
     command(swatch, "select_all")
@@ -49,7 +51,7 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
     try:
         qtbot.waitUntil(lambda: "designer" in link.link.peers)
         designer.publish("paint", paint_to_json(palette.entries[0].content))
-        qtbot.waitUntil(lambda: link._edited is not None)
+        qtbot.waitUntil(lambda: link.edited is not None)
         command(swatch, "take")
         command(swatch, "nearest_edited")
         wrong, seen = walks.drawn_as_html()
@@ -62,8 +64,8 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
 
 def test_a_wheel_changes_nothing_in_the_window(swatch, command, walks) -> None:
     command(swatch, "two_panes")
-    state, look, palette = swatch.desk.state, swatch.desk.look, swatch.desk.palette
+    state, look, palette = swatch.session.state, swatch.session.look, swatch.session.palette
     changed, count = walks.changed_by_wheel(swatch.window)
     assert changed == []
     assert count > 5
-    assert (swatch.desk.state, swatch.desk.look, swatch.desk.palette) == (state, look, palette)
+    assert (swatch.session.state, swatch.session.look, swatch.session.palette) == (state, look, palette)

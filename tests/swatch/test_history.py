@@ -114,7 +114,7 @@ def test_a_move_that_was_undone_is_not_half_done_again(qapp) -> None:
 
 
 def test_swatches_moved_out_of_a_closed_palette_stay_where_they_are(swatch, names) -> None:
-    library, first = swatch.library, swatch.desk.state.scope.palette
+    library, first = swatch.library, swatch.session.state.scope.palette
     second = library.add_palette(palette("b", 1))
     entry = library.palette(first).entry("red")
     library.edit(
@@ -122,7 +122,7 @@ def test_swatches_moved_out_of_a_closed_palette_stay_where_they_are(swatch, name
         (first, edits.remove_entries(library.palette(first), ["red"])),
         (second, edits.add_entries(library.palette(second), [entry])),
     )
-    swatch.desk.show_scope(Scope(second))
+    swatch.session.show_scope(Scope(second))
     assert library.close(first)
     undo = swatch.window.command("undo")
     assert not undo.isEnabled()

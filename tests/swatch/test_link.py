@@ -18,7 +18,7 @@ from brdf_suite.errors import SuiteError
 @pytest.fixture
 def part(swatch):
     found = next(part for part in swatch.parts if hasattr(part, "link"))
-    found._edited = None
+    found.edited = None
     found.started = []
     found.start_program = lambda program, arguments: (found.started.append(arguments) or True, 1)
     return found
@@ -49,25 +49,25 @@ def test_a_paint_is_offered_to_designer_and_shown_to_the_others(
     command(swatch, "to_viewer")
     qtbot.waitUntil(lambda: any(topic == "paint" and value["name"] == "Blue" for topic, value in heard))
     assert part.started == [["-P", "-m", "brdf_viewer"]]
-    assert "Viewer is being started" in swatch.window.messages.shown()["send"].what
+    assert "Starting Viewer" in swatch.window.messages.shown()["send"].what
 
 
 def test_the_edited_paint_is_taken_and_searched_for(swatch, part, designer, command, names, qtbot) -> None:
     command(swatch, "take")
     assert "No paint is being edited" in swatch.window.messages.shown()["take"].what
     designer.publish("paint", paint_to_json(solid_paint("Fresh", (31.0, 5.0, -38.0))))
-    qtbot.waitUntil(lambda: part._edited is not None)
+    qtbot.waitUntil(lambda: part.edited is not None)
     assert "take" not in swatch.window.messages.shown()
     command(swatch, "take")
     assert "Fresh" in names(swatch)
-    assert swatch.desk.selected_entries[0].name == "Fresh"
+    assert swatch.session.selected_entries[0].name == "Fresh"
     command(swatch, "nearest_edited")
     assert names(swatch)[:2] == ["Fresh", "Blue"]
 
 
-def test_a_paint_that_the_link_cannot_carry_is_told(swatch, part, select, command) -> None:
+def test_a_paint_that_the_link_cannot_carry_is_reported(swatch, part, select, command) -> None:
     lobes = Entry(CookTorrancePaint("Lobes", (0.2, 0.1, 0.05)), id="lobes")
-    swatch.desk.edit("Add", lambda palette: type(palette)("L", (lobes,)))
+    swatch.session.edit("Add", lambda palette: type(palette)("L", (lobes,)))
     select(swatch, "Lobes")
     command(swatch, "to_lobes")
     assert "Cook-Torrance" in swatch.window.messages.shown()["send"].what

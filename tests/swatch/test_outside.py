@@ -18,14 +18,14 @@ from brdf_suite.documents.palette_store import load_palette, save_palette
 def shared(swatch, tmp_path, qtbot):
     """The sample in a file, open, and that file written by another program."""
     path = tmp_path / "shared.brdfpalette"
-    save_palette(swatch.desk.palette, path)
+    save_palette(swatch.session.palette, path)
     key = swatch.library.add_path(path)
-    swatch.desk.show_scope(Scope(key))
+    swatch.session.show_scope(Scope(key))
     qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
 
     def write(change) -> None:
         save_palette(change(load_palette(path)), path)
-        # What the system tells of the file is heard by the watch; that it is heard is its own test.
+        # The watch receives the notification of the system; a test of its own checks that.
         swatch.library.item(key).palette.watch.changed.emit(str(path))
 
     return key, path, write
@@ -38,22 +38,22 @@ def press(program, key: str, text: str) -> None:
 
 def test_reload_takes_what_the_file_holds_and_undo_brings_mine_back(swatch, shared, names, qtbot) -> None:
     key, path, write = shared
-    mine = swatch.desk.palette
+    mine = swatch.session.palette
     write(lambda palette: edits.rename_entry(palette, "red", "Crimson"))
     assert "Crimson" not in names(swatch)
     press(swatch, f"outside {key}", "Reload")
     qtbot.waitUntil(lambda: "Crimson" in names(swatch))
     assert swatch.library.item(key).is_clean
     swatch.library.history.undo()
-    assert swatch.desk.palette == mine
+    assert swatch.session.palette == mine
     assert not swatch.library.item(key).is_clean
     assert load_palette(path).entry("red").name == "Crimson"
 
 
 def test_merge_keeps_both_and_saving_then_asks_nothing(swatch, shared, names, dialogs, qtbot) -> None:
     key, path, write = shared
-    swatch.desk.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
-    mine = swatch.desk.palette
+    swatch.session.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
+    mine = swatch.session.palette
     write(lambda palette: edits.remove_entries(edits.rename_entry(palette, "red", "Crimson"), ["ice"]))
     press(swatch, f"outside {key}", "Merge")
     qtbot.waitUntil(lambda: "Crimson" in names(swatch))
@@ -64,12 +64,12 @@ def test_merge_keeps_both_and_saving_then_asks_nothing(swatch, shared, names, di
     assert not dialogs.asked
     assert load_palette(path).entry("blue").name == "Azure"
     swatch.library.history.undo()
-    assert swatch.desk.palette == mine
+    assert swatch.session.palette == mine
 
 
 def test_mine_is_kept_and_the_file_is_not_overwritten_unasked(swatch, shared, dialogs) -> None:
     key, path, write = shared
-    swatch.desk.edit("Note", lambda palette: replace(palette, notes="mine"))
+    swatch.session.edit("Note", lambda palette: replace(palette, notes="mine"))
     write(lambda palette: replace(palette, notes="theirs"))
     press(swatch, f"outside {key}", "Keep Mine")
     dialogs.overwrite = Overwrite.CANCEL
@@ -85,7 +85,7 @@ def test_mine_is_kept_and_the_file_is_not_overwritten_unasked(swatch, shared, di
 def test_a_palette_that_is_closed_meanwhile_is_asked_about_no_more(swatch, shared, text: str) -> None:
     key, _path, write = shared
     library, named = swatch.library, f"outside {key}"
-    swatch.desk.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
+    swatch.session.edit("Rename", lambda palette: edits.rename_entry(palette, "blue", "Azure"))
     write(lambda palette: edits.rename_entry(palette, "red", "Crimson"))
     actions = dict(swatch.window.messages.shown()[named].actions)
     read = read_palette_file(library.item(key).path, lambda _share, _what: None)
@@ -97,16 +97,16 @@ def test_a_palette_that_is_closed_meanwhile_is_asked_about_no_more(swatch, share
     # Pressed, or answered, just as it went.
     actions[text]()
     assert not library.tasks.busy
-    library.take_outside(key, read.palette, read, text)
+    swatch.session.loader.adopt_file(key, read.palette, read, text)
     assert library.item(key) is None
 
 
 def test_the_watch_hears_a_file_that_is_replaced(swatch, tmp_path, qtbot) -> None:
     path = tmp_path / "heard.brdfpalette"
-    save_palette(swatch.desk.palette, path)
+    save_palette(swatch.session.palette, path)
     key = swatch.library.add_path(path)
-    swatch.desk.show_scope(Scope(key))
+    swatch.session.show_scope(Scope(key))
     qtbot.waitUntil(lambda: swatch.library.item(key).state == "open")
-    save_palette(replace(swatch.desk.palette, notes="new"), path)
+    save_palette(replace(swatch.session.palette, notes="new"), path)
     qtbot.waitUntil(lambda: f"outside {key}" in swatch.window.messages.shown())
-    assert swatch.desk.palette.notes == ""
+    assert swatch.session.palette.notes == ""

@@ -70,7 +70,7 @@ def test_a_process_draws_what_is_wanted_and_the_disk_keeps_it(made, qtbot) -> No
     heard: set[str] = set()
     first.arrived.connect(heard.update)
     assert first.picture(RED) is None
-    first.want([RED, BLUE])
+    first.request([RED, BLUE])
     assert first.waiting == 2
     qtbot.waitUntil(lambda: first.waiting == 0 and heard == {"r", "b"})
     picture = first.picture(RED)
@@ -78,9 +78,9 @@ def test_a_process_draws_what_is_wanted_and_the_disk_keeps_it(made, qtbot) -> No
     middle = picture.toImage().pixelColor(20, 20)
     assert middle.red() > middle.blue() + 50
     assert not first.is_stale(RED)
-    # The next run finds them: a process that is none would tell that it cannot draw.
+    # The next run finds them: a command that does not exist would report that it cannot render.
     second = made("/nonexistent/program")
-    second.want([RED, BLUE])
+    second.request([RED, BLUE])
     qtbot.waitUntil(lambda: second.waiting == 0)
     assert second.problem == ""
     assert second.picture(BLUE) is not None
@@ -92,7 +92,7 @@ def test_a_new_size_scales_what_is_kept_and_an_old_picture_stays_meanwhile(made,
     store.put({swatch_key(RED.content, look): np.full((48, 48, 3), 200, np.uint8)})
     store.close()
     pictures = made("/nonexistent/program")
-    pictures.want([RED])
+    pictures.request([RED])
     qtbot.waitUntil(lambda: pictures.picture(RED) is not None)
     assert pictures.picture(RED).toImage().pixelColor(5, 5).red() == 200
     pictures.set_look("panel", "booth", 40, 1.0)
@@ -100,54 +100,54 @@ def test_a_new_size_scales_what_is_kept_and_an_old_picture_stays_meanwhile(made,
     assert pictures.is_stale(RED)
 
 
-def test_where_nothing_can_be_drawn_it_is_told_once(made, qtbot) -> None:
+def test_failure_to_render_is_reported_once(made, qtbot) -> None:
     pictures = made("/nonexistent/program")
-    with qtbot.waitSignal(pictures.unavailable) as told:
-        pictures.want([RED])
-    assert "cannot be drawn" in told.args[0]
+    with qtbot.waitSignal(pictures.unavailable) as reported:
+        pictures.request([RED])
+    assert "cannot be rendered" in reported.args[0]
     assert pictures.waiting == 0
     assert not pictures.is_stale(RED)
 
 
 def test_a_process_that_dies_over_everything_is_given_up(made, qtbot) -> None:
     pictures = made(sys.executable, "-c", "input()")
-    with qtbot.waitSignal(pictures.unavailable) as told:
-        pictures.want([some(f"p{number}") for number in range(5)])
-    assert "again and again" in told.args[0]
+    with qtbot.waitSignal(pictures.unavailable) as reported:
+        pictures.request([some(f"p{number}") for number in range(5)])
+    assert "ended repeatedly" in reported.args[0]
 
 
 def test_a_paint_over_which_the_process_dies_costs_no_other_its_picture(made, qtbot) -> None:
     pictures = made(*PROCESS)
     good, bad = [some(f"p{number}") for number in range(4)], [some("dies1"), some("dies2")]
-    pictures.want([bad[0], *good[:2], bad[1], *good[2:]])
+    pictures.request([bad[0], *good[:2], bad[1], *good[2:]])
     qtbot.waitUntil(lambda: pictures.waiting == 0)
     assert pictures.problem == ""
     assert all(pictures.picture(entry) is not None for entry in good)
-    assert all("ended over this paint" in pictures.refusal(entry) for entry in bad)
+    assert all("ended while rendering this paint" in pictures.refusal(entry) for entry in bad)
 
 
 def test_what_cannot_be_drawn_in_one_light_is_tried_in_another(made, qtbot) -> None:
     pictures = made(*PROCESS)
     pictures.set_look("flop_strip", "nowhere", 40, 1.0)
-    with qtbot.waitSignal(pictures.unavailable) as told:
-        pictures.want([RED])
-    assert told.args[0] == "no such light"
+    with qtbot.waitSignal(pictures.unavailable) as reported:
+        pictures.request([RED])
+    assert reported.args[0] == "no such light"
     pictures.set_look("flop_strip", "nowhere", 64, 1.0)
     assert pictures.problem == "no such light"
     pictures.set_look("panel", "overcast", 40, 1.0)
     assert pictures.problem == ""
     # What was still to be said of the look before.
     for late in ("failed", "unavailable"):
-        pictures._take({"id": pictures._number - 1, late: "no such light"})
+        pictures.receive({"id": pictures.request_number - 1, late: "no such light"})
     assert pictures.problem == ""
-    pictures.want([some("p")])
+    pictures.request([some("p")])
     qtbot.waitUntil(lambda: pictures.picture(some("p")) is not None)
 
 
 def test_a_fault_of_the_process_is_in_the_log(made, qtbot, caplog) -> None:
     pictures = made(*PROCESS)
     odd = some("faulty")
-    pictures.want([odd])
+    pictures.request([odd])
     qtbot.waitUntil(lambda: pictures.waiting == 0)
     assert pictures.refusal(odd) == "a fault"
     assert "Traceback of it" in caplog.text
@@ -159,6 +159,6 @@ def test_an_error_of_the_disk_is_in_the_log_and_pictures_are_drawn(made, qtbot, 
 
     monkeypatch.setattr(SwatchStore, "get", broken)
     pictures = made(*PROCESS)
-    pictures.want([some("p")])
+    pictures.request([some("p")])
     qtbot.waitUntil(lambda: pictures.picture(some("p")) is not None)
     assert "a broken store" in caplog.text

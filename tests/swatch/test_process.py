@@ -1,4 +1,4 @@
-"""The program itself, as a process: a picture of its window, and what bad arguments are told."""
+"""The program itself, as a process: a picture of its window, and the errors for bad arguments."""
 
 from __future__ import annotations
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_color_swatch.grid import narrowing
+from brdf_color_swatch.features.compare_part import ComparePart
+from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.map.part import MapPart
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -17,7 +19,7 @@ def test_typing_narrows_and_escape_shows_all_again(swatch, names, qtbot) -> None
     QTest.keyClicks(search, " C1")
     qtbot.waitUntil(lambda: names(swatch) == ["Orange"])
     QTest.keyClicks(search, "zzz")
-    qtbot.waitUntil(lambda: "No swatch fits" in swatch.window.panes[0].note)
+    qtbot.waitUntil(lambda: "No swatch matches" in swatch.window.panes[0].note)
     QTest.keyClick(search, Qt.Key.Key_Escape)
     assert len(names(swatch)) == 6
 
@@ -34,7 +36,7 @@ def test_filters_let_ranges_pass_and_the_hue_goes_over_red(swatch, names) -> Non
     assert names(swatch) == ["Red"]
     filters.clear.click()
     assert len(names(swatch)) == 6
-    assert hue.track._values == [0.0, 360.0]
+    assert hue.track.values == [0.0, 360.0]
 
 
 def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
@@ -42,7 +44,7 @@ def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
     swatch.window.section("filters").set_open(True)
     qtbot.waitUntil(track.isVisible)
     QCoreApplication.processEvents()
-    low, half = (QPoint(round(track._x(value)), 11) for value in (0.0, 75.0))
+    low, half = (QPoint(round(track.x_of(value)), 11) for value in (0.0, 75.0))
     QTest.mousePress(track, Qt.MouseButton.LeftButton, pos=low)
     QTest.mouseMove(track, half)
     QTest.mouseRelease(track, Qt.MouseButton.LeftButton, pos=half)
@@ -58,10 +60,10 @@ def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
 )
 def test_orders_run_both_ways(swatch, names, key: str, first: str) -> None:
     pane = swatch.window.panes[0]
-    pane.sort_asked.emit(key, False)
+    pane.sort_requested.emit(key, False)
     up = names(swatch)
     assert up[0] == first or key == "tags"
-    pane.sort_asked.emit(key, True)
+    pane.sort_requested.emit(key, True)
     assert sorted(names(swatch)) == sorted(up)
     assert names(swatch) != up
 
@@ -79,14 +81,14 @@ def test_the_nearest_come_first_with_their_difference(swatch, names, select, com
     select(swatch, "Red")
     command(swatch, "nearest")
     assert names(swatch)[:2] == ["Red", "Orange"]
-    shown = swatch.desk.shown[0]
+    shown = swatch.session.shown[0]
     assert shown.figure[shown.places[0]] == pytest.approx(0.0, abs=1e-9)
     values = [shown.figure[place] for place in shown.places]
     assert values == sorted(values)
     assert "nearest to Red" in swatch.window.panes[0]._title.text()
     command(swatch, "clear")
-    assert swatch.desk.state.near is None
-    assert swatch.desk.state.sort == "own"
+    assert swatch.session.state.near is None
+    assert swatch.session.state.sort == "own"
 
 
 def test_duplicates_stand_together_under_what_they_differ_by(swatch, names, select, command) -> None:
@@ -94,28 +96,28 @@ def test_duplicates_stand_together_under_what_they_differ_by(swatch, names, sele
     command(swatch, "duplicate")
     swatch.window.filters.duplicates.click()
     assert names(swatch) == ["Blue", "Blue"]
-    assert "2 alike" in swatch.desk.shown[0].parts[0].title
+    assert "2 similar" in swatch.session.shown[0].parts[0].title
 
 
 def test_long_work_is_done_beside_the_window(swatch, names, monkeypatch, qtbot) -> None:
-    monkeypatch.setattr(narrowing, "_MANY", 0)
+    monkeypatch.setattr(filtering, "_MANY", 0)
     swatch.window.bar.sort_chosen.emit("hue")
-    assert swatch.desk.is_working(0)
+    assert swatch.session.is_working(0)
     assert names(swatch)[0] == "Silver"
-    qtbot.waitUntil(lambda: not swatch.desk.is_working(0))
+    qtbot.waitUntil(lambda: not swatch.session.is_working(0))
     assert names(swatch)[:2] == ["Black", "Silver"]
 
 
 def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> None:
-    part = next(part for part in swatch.parts if hasattr(part, "plane"))
-    part.set_from_script("map", "flop")
-    qtbot.waitUntil(lambda: part.plane is not None and part.is_complete)
+    part = swatch.feature(MapPart)
+    part.run_script("map", "flop")
+    qtbot.waitUntil(lambda: part.plane is not None and part.is_idle)
     plane = part.plane
     qtbot.waitUntil(lambda: bool(plane.pixels().size) and plane.pixels()[:, 0].std() > 5)
     order = names(swatch)
     at = plane.pixels()[order.index("Blue")]
     QTest.mouseClick(plane.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(round(at[0]), round(at[1])))
-    assert swatch.desk.selected == ("blue",)
+    assert swatch.session.selected == ("blue",)
     wanted = [order.index("Red"), order.index("Silver")]
     points = plane.pixels()
     low = points[wanted].min(axis=0) - 6
@@ -128,24 +130,24 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
     QTest.mouseRelease(plane.viewport(), Qt.MouseButton.LeftButton, pos=spots[0])
     inside = [
         key
-        for key, point in zip(part._points.ids, points, strict=True)
+        for key, point in zip(part.points.ids, points, strict=True)
         if np.all(point > low) and np.all(point < high)
     ]
     assert {"red", "silver"} <= set(inside)
-    assert set(swatch.desk.selected) == set(inside)
+    assert set(swatch.session.selected) == set(inside)
     part.choose("space")
-    assert "needs OpenGL" in part._note.text()
+    assert "needs OpenGL" in part.note.text()
     part.toggle()
 
 
 def test_two_selected_are_compared_also_one_in_each_pane(swatch, select, command) -> None:
     select(swatch, "Red", "Blue")
     command(swatch, "compare")
-    part = next(part for part in swatch.parts if hasattr(part, "pair"))
+    part = swatch.feature(ComparePart)
     assert part.panel.table.rowCount() == 3
     assert "Red" in part.panel.names.text()
     command(swatch, "two_panes")
-    swatch.desk.show_scope(Scope(swatch.desk.states[0].scope.palette), 1)
+    swatch.session.show_scope(Scope(swatch.session.states[0].scope.palette), 1)
     select(swatch, "Ice", pane=1)
     select(swatch, "Black", pane=0)
     assert [entry.name for entry in part.pair()] == ["Black", "Ice"]

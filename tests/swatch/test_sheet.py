@@ -1,4 +1,4 @@
-"""Contact sheets from the window: what is shown goes in, page by page on paper, and what fails is told."""
+"""Contact sheets from the window: what is shown goes in, page by page on paper, and failures are reported."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_pages_are_printed_one_after_the_other(swatch, part, tmp_path, monkeypat
     printer = QPrinter(QPrinter.PrinterMode.ScreenResolution)
     printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
     printer.setOutputFileName(str(tmp_path / "out.pdf"))
-    part.print_on(swatch.desk.palette, printer)
+    part.print_on(swatch.session.palette, printer)
     assert swatch.window.progress.jobs == ("sheet",)
     qtbot.waitUntil(lambda: "sheet" in swatch.window.messages.shown())
     assert "2 pages" in swatch.window.messages.shown()["sheet"].what
@@ -74,7 +74,7 @@ def test_nothing_of_the_pages_stays_where_they_are_not_printed(
 
     monkeypatch.setattr(sheet_part, "run_sheets", draw)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    part.print_on(swatch.desk.palette, QPrinter(QPrinter.PrinterMode.ScreenResolution))
+    part.print_on(swatch.session.palette, QPrinter(QPrinter.PrinterMode.ScreenResolution))
     qtbot.waitUntil(lambda: bool(made))
     if cancelled:
         swatch.library.tasks.cancel("sheet")
@@ -86,7 +86,7 @@ def test_nothing_of_the_pages_stays_where_they_are_not_printed(
 
 
 def test_a_palette_whose_name_has_a_slash_is_a_file_and_no_folder(swatch, part, dialogs, monkeypatch) -> None:
-    swatch.desk.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
+    swatch.session.edit("Rename", lambda palette: replace(palette, name="Cars/Trucks"))
     suggested: list[Path] = []
     monkeypatch.setattr(dialogs, "save_path", lambda path, _filters: suggested.append(path), raising=False)
     part.export()

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 
 import pytest
-from brdf_color_swatch.features.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, taken
+from brdf_color_swatch.features.transfer import MIME, PAINT_MIME, can_take, carry, entries_of_text, read_data
 from PySide6.QtCore import QMimeData, QUrl
 from PySide6.QtGui import QColor
 
@@ -23,7 +23,7 @@ INK = Entry(FlatColour("Ink", "CMYK", (0.1, 0.2, 0.3, 0.4)), id="i", usage="spot
 
 
 def test_all_of_an_entry_comes_through() -> None:
-    carried = taken(carry([RED, INK], ["#aa3322", "#101010"], "p1", "me"))
+    carried = read_data(carry([RED, INK], ["#aa3322", "#101010"], "p1", "me"))
     assert carried.entries == (RED, INK)
     assert (carried.source, carried.owner, carried.ids) == ("p1", "me", ("r", "i"))
 
@@ -72,13 +72,13 @@ def test_a_paint_as_text_as_a_file_and_a_colour(tmp_path: Path) -> None:
     save_paint(RED.content, tmp_path / "red.brdfpaint")
     data = QMimeData()
     data.setUrls([QUrl.fromLocalFile(str(tmp_path / name)) for name in ("red.brdfpaint", "all.ase")])
-    carried = taken(data)
+    carried = read_data(data)
     assert [entry.content for entry in carried.entries] == [RED.content]
     assert carried.files == (tmp_path / "all.ase",)
     colour = QMimeData()
     colour.setColorData(QColor("#336699"))
     assert can_take(colour)
-    assert taken(colour).entries[0].content.values == pytest.approx((0.2, 0.4, 0.6), abs=1e-4)
+    assert read_data(colour).entries[0].content.values == pytest.approx((0.2, 0.4, 0.6), abs=1e-4)
 
 
 @pytest.mark.parametrize("content", [b"{", b"[]", b'{"owner": 1}', b"\xff", b"[" * 100_000])
@@ -86,9 +86,9 @@ def test_what_only_says_that_it_is_ours_is_refused(content: bytes) -> None:
     data = QMimeData()
     data.setData(MIME, content)
     with pytest.raises(SuiteError):
-        taken(data)
+        read_data(data)
 
 
 def test_nothing_is_nothing() -> None:
-    assert taken(QMimeData()).entries == ()
+    assert read_data(QMimeData()).entries == ()
     assert entries_of_text("just words") == []

@@ -1,4 +1,4 @@
-"""The look: remembered between runs, what is damaged of it as at a first start, and what was told of the one before."""
+"""The look: remembered between runs, what is damaged of it as at a first start, and messages about the previous one."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ def test_what_is_damaged_falls_back_alone(key: str, damaged: object) -> None:
 
 
 def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
-    swatch.desk.set_look(**GOOD.to_json())
-    swatch.desk.recall()
-    assert swatch.desk.look == GOOD
+    swatch.session.set_look(**GOOD.to_json())
+    swatch.session.recall()
+    assert swatch.session.look == GOOD
     for key, damaged in (("form", "foo"), ("size", "abc"), ("booth", "nowhere")):
         settings().setValue(f"look/{key}", damaged)
-    swatch.desk.recall()
-    assert swatch.desk.look == Look(as_list=True)
+    swatch.session.recall()
+    assert swatch.session.look == Look(as_list=True)
 
 
-def test_what_cannot_be_drawn_is_told_until_another_form_is_shown(swatch, qtbot) -> None:
+def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
     part = next(part for part in swatch.parts if hasattr(part, "pictures"))
-    qtbot.waitUntil(lambda: part._begun)
-    part.pictures._give_up("no driver")
+    qtbot.waitUntil(lambda: part.is_started)
+    part.pictures.give_up("no driver")
     assert "pictures" in swatch.window.messages.shown()
-    swatch.desk.set_look(size=80)
+    swatch.session.set_look(size=80)
     assert "pictures" in swatch.window.messages.shown()
-    swatch.desk.set_look(form="flop_strip")
+    swatch.session.set_look(form="flop_strip")
     assert "pictures" not in swatch.window.messages.shown()

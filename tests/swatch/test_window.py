@@ -31,7 +31,7 @@ def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, 
         (editor,) = pane.grid.findChildren(QLineEdit)
         editor.setText("Scarlet")
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        qtbot.waitUntil(lambda: "Scarlet" in [entry.name for entry in swatch.desk.palette.entries])
+        qtbot.waitUntil(lambda: "Scarlet" in [entry.name for entry in swatch.session.palette.entries])
         qtbot.waitUntil(lambda: pane.grid.state() == pane.grid.State.NoState)
         assert opened == []
         QTest.keyClick(pane.grid, Qt.Key.Key_Return)
@@ -52,7 +52,7 @@ def test_a_click_on_a_title_makes_the_pane_the_one_worked_in(swatch: ColorSwatch
     for number in (0, 1):
         head = swatch.window.panes[number].head
         QTest.mouseClick(head.childAt(head.rect().center()), Qt.MouseButton.LeftButton)
-        assert swatch.desk.front == number
+        assert swatch.session.front == number
         assert marked(swatch) == [number == 0, number == 1]
 
 
@@ -88,8 +88,8 @@ def test_the_map_takes_its_room_from_the_swatches_and_gives_it_back(
         qtbot.waitUntil(lambda: [dock.width() for dock in docks] == before)
 
 
-def test_one_swatch_is_told_in_the_singular(swatch: ColorSwatch) -> None:
-    swatch.desk.edit("Keep one", lambda palette: replace(palette, entries=palette.entries[:1], groups=()))
+def test_one_swatch_is_counted_in_the_singular(swatch: ColorSwatch) -> None:
+    swatch.session.edit("Keep one", lambda palette: replace(palette, entries=palette.entries[:1], groups=()))
     texts = [label.text() for label in swatch.window.panes[0].head.findChildren(QLabel)]
     assert "1 swatch" in texts
 
@@ -99,11 +99,11 @@ def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
 ) -> None:
     map_part.chosen_kind = ""
     map_part.toggle()
-    qtbot.waitUntil(lambda: map_part.is_complete)
+    qtbot.waitUntil(lambda: map_part.is_idle)
     assert map_part.kind == "flop"
     ink = Entry(FlatColour("Ink", "RGB", (0.1, 0.1, 0.2), space="sRGB"), id="ink")
-    swatch.desk.show_scope(Scope(swatch.library.add_palette(Palette("Flat", (ink,)))))
-    qtbot.waitUntil(lambda: map_part.is_complete and map_part.kind == "ab")
+    swatch.session.show_scope(Scope(swatch.library.add_palette(Palette("Flat", (ink,)))))
+    qtbot.waitUntil(lambda: map_part.is_idle and map_part.kind == "ab")
     assert map_part.kinds.currentData() == "ab"
     map_part.choose("flop")
     assert map_part.kind == "flop"

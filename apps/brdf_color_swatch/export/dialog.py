@@ -72,7 +72,7 @@ def choices_of(formats: Sequence[PaletteFormat], usual: str) -> tuple[Choice, ..
     return tuple(lines)
 
 
-def named_by(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) -> Path:
+def with_ending(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) -> Path:
     """Return ``path`` with an ending of the chosen format: in the place of another format's, or behind the name.
 
     Where all formats were chosen, an ending stays as it is.
@@ -85,3 +85,11 @@ def named_by(path: Path, choice: Choice, formats: Sequence[PaletteFormat]) -> Pa
     if any(ending in known.endings for known in formats):
         return path.with_suffix(choice.ending)
     return path.with_name(path.name + choice.ending)
+
+
+def open_filters() -> str:
+    """Return the filter line of a dialog that opens palettes of any format."""
+    from brdf_suite.files.palettes import FORMATS
+
+    every = " ".join(sorted({f"*{ending}" for known in FORMATS for ending in known.endings}))
+    return tr("Palettes ({endings})").format(endings=every) + ";;" + tr("All files (*)")

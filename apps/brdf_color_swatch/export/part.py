@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.export.dialog import choices_of, named_by
+from brdf_color_swatch.export.dialog import choices_of, with_ending
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import SuiteError
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     # With it come the parsers of every format, which a start need not wait for.
     from brdf_suite.files.palettes.format import PaletteFormat
 
-_MOST_TOLD = 8
+_MOST_LISTED = 8
 _KEY = "export"
 _USUAL = ".ase"
 
@@ -34,32 +35,32 @@ class _Request:
     write: bool = False
 
 
-class ExportPart:
+class ExportPart(Feature):
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self._all = window.add_command(
             "file", mark("&Export Palette…"), "Ctrl+Shift+E", self.export_all, "export", icon="export",
-            tip=mark("Write the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
+            tip=mark("Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others"),
         )  # fmt: skip
         self._some = window.add_command(
-            "file", mark("Export What Is Se&lected…"), None, self.export_selected, "export_selected"
+            "file", mark("Export Se&lection…"), None, self.export_selected, "export_selected"
         )
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     def export_all(self) -> None:
         """Ask for a file, and write the palette in front there."""
-        palette = self._desk.palette
+        palette = self._session.palette
         if palette is not None:
             self.export(palette)
 
     def export_selected(self) -> None:
         """Ask for a file, and write what is selected there."""
-        palette, chosen = self._desk.palette, set(self._desk.selected)
+        palette, chosen = self._session.palette, set(self._session.selected)
         if palette is not None and chosen:
             kept = tuple(entry for entry in palette.entries if entry.id in chosen)
             used = {entry.group[:depth] for entry in kept for depth in range(1, len(entry.group) + 1)}
@@ -67,17 +68,17 @@ class ExportPart:
             self.export(replace(palette, entries=kept, groups=groups))
 
     def export(self, palette: Palette) -> None:
-        """Ask for a file; what its format cannot hold is told, and only then is it written."""
+        """Ask for a file; list what its format cannot store, and write it after confirmation."""
         from brdf_suite.files.palettes import FORMATS
 
         choices = choices_of(FORMATS, _USUAL)
-        wanted, chosen = suggested_file(self._desk.item, palette.name, _USUAL), choices[0]
+        wanted, chosen = suggested_file(self._session.item, palette.name, _USUAL), choices[0]
         while True:
-            answer = self._desk.library.dialogs.export_path(wanted, choices, chosen)
+            answer = self._session.library.dialogs.export_path(wanted, choices, chosen)
             if answer is None:
                 return
             named, chosen = answer
-            wanted = named_by(named, chosen, FORMATS)
+            wanted = with_ending(named, chosen, FORMATS)
             # The dialog has asked about the file of its own name alone: about another that is there, it asks again.
             if wanted == named or not wanted.exists():
                 break
@@ -89,34 +90,34 @@ class ExportPart:
         ``form`` is the format; without it the ending of ``path`` says which it is.
         """
         request = _Request(palette, path.absolute(), form)
-        self._submit(request, lambda lost: self._looked(request, lost))
+        self._submit(request, lambda lost: self._on_losses(request, lost))
 
     def _submit(self, request: _Request, done: Any) -> None:
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             _KEY,
-            _exported,
+            _export_palette,
             request,
             done,
             lambda error: self._window.show_message(
-                message_of(error, _KEY, todo=tr("Nothing was written; choose another name or format."))
+                message_of(error, _KEY, todo=tr("Nothing was written. Choose another name or format."))
             ),
         )
 
-    def _looked(self, request: _Request, lost: tuple[str, ...]) -> None:
+    def _on_losses(self, request: _Request, lost: tuple[str, ...]) -> None:
         if not lost:
             self._write(request)
             return
-        more = len(lost) - _MOST_TOLD
-        lines = [*lost[:_MOST_TOLD], *([tr("{count} more").format(count=more)] if more > 0 else [])]
+        more = len(lost) - _MOST_LISTED
+        lines = [*lost[:_MOST_LISTED], *([tr("{count} more").format(count=more)] if more > 0 else [])]
         self._window.show_message(
             Message(
                 _KEY,
-                tr("“{name}” cannot hold all of the palette:").format(name=request.path.name),
+                tr("“{name}” cannot store everything in the palette:").format(name=request.path.name),
                 where=str(request.path),
                 todo="\n".join(lines),
                 severity="warning",
                 actions=(
-                    (tr("Write It"), lambda: self._write(request)),
+                    (tr("Export Anyway"), lambda: self._write(request)),
                     (tr("Another Format…"), lambda: self.export(request.palette)),
                 ),
             )
@@ -128,23 +129,15 @@ class ExportPart:
 
     def _written(self, request: _Request) -> None:
         self._window.show_message(
-            Message(_KEY, tr("Written: {name}").format(name=request.path.name), where=str(request.path))
+            Message(_KEY, tr("Saved: {name}").format(name=request.path.name), where=str(request.path))
         )
 
     def _enable(self) -> None:
-        self._all.setEnabled(self._desk.palette is not None)
-        self._some.setEnabled(bool(self._desk.selected))
+        self._all.setEnabled(self._session.palette is not None)
+        self._some.setEnabled(bool(self._session.selected))
 
 
-def open_filters() -> str:
-    """Return the filter line of a dialog that opens palettes of any format."""
-    from brdf_suite.files.palettes import FORMATS
-
-    every = " ".join(sorted({f"*{ending}" for known in FORMATS for ending in known.endings}))
-    return tr("Palettes ({endings})").format(endings=every) + ";;" + tr("All files (*)")
-
-
-def _exported(request: _Request, progress: Progress) -> tuple[str, ...]:
+def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
     """Return what is lost; where it is asked for, write as well."""
     from brdf_suite.files.palettes import format_for, losses, write_palette
 
@@ -153,5 +146,7 @@ def _exported(request: _Request, progress: Progress) -> tuple[str, ...]:
     if request.write:
         return write_palette(request.palette, request.path, known).losses
     if known.write is None:
-        raise SuiteError(tr("{format} is only read here.").format(format=known.title))
+        raise SuiteError(
+            tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
+        )
     return losses(request.palette, known, request.path)

@@ -18,8 +18,9 @@ from brdf_qt.work.tasks import Work
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
@@ -81,48 +82,45 @@ def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
                 if process.returncode not in (0, 1) or not path.exists():
                     said.seek(0)
                     words_said = said.read().decode("utf-8", "replace").strip().splitlines()
-                    raise SuiteError(words_said[-1] if words_said else tr("The sheet could not be drawn."))
+                    raise SuiteError(
+                        words_said[-1] if words_said else tr("The contact sheet could not be rendered.")
+                    )
     return tuple(path for _, path in request.pages)
 
 
 def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
-    """Draw pages whose files nobody wants, and return their content; errors as :func:`run_sheets`.
+    """Render pages and return the content of their files; errors as :func:`run_sheets`.
 
-    Whichever way it ends, nothing of them stays on the disk.
+    The files are temporary and are removed in any case.
     """
     with tempfile.TemporaryDirectory(prefix="brdf-print-") as folder:
         pages = tuple((palette, Path(folder) / path.name) for palette, path in request.pages)
         return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
 
 
-class SheetPart:
+class SheetPart(Feature):
     """Commands that make contact sheets of what the pane in front shows."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self._sheet = window.add_command(
             "file", mark("Contact S&heet…"), None, self.export, "sheet",
-            tip=mark("Write what is shown as a sheet with figures: PDF or PNG"),
+            tip=mark("Save the visible or selected swatches with figures as PDF or PNG"),
         )  # fmt: skip
         self._print = window.add_command(
             "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
         )
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
-
-    @property
-    def is_complete(self) -> bool:
-        """Whether no sheet is being drawn; a picture of the window does not wait for one."""
-        return True
 
     def export(self) -> None:
         """Ask for a file, and draw what is shown into it."""
         shown = self.shown_palette()
         if shown is None:
             return
-        path = self._desk.library.dialogs.save_path(
-            suggested_file(self._desk.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
+        path = self._session.library.dialogs.save_path(
+            suggested_file(self._session.item, shown.name, ".pdf"), tr("Sheets (*.pdf *.png)")
         )
         if path is not None:
             self.draw(shown, path.absolute())
@@ -133,15 +131,15 @@ class SheetPart:
 
     def shown_palette(self) -> Palette | None:
         """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
-        desk = self._desk
-        palette, shown = desk.palette, desk.shown[desk.front]
+        session = self._session
+        palette, shown = session.palette, session.shown[session.front]
         if palette is None or not shown.places:
             return None
-        chosen = set(desk.selected)
+        chosen = set(session.selected)
         entries = [shown.rows.entries[place] for place in shown.places]
         if len(chosen) > 1:
             entries = [entry for entry in entries if entry.id in chosen]
-        if not desk.state.keeps_order:
+        if not session.state.keeps_order:
             entries = [replace(entry, group=()) for entry in entries]
         return Palette(palette.name, tuple(entries), notes=palette.notes)
 
@@ -176,7 +174,7 @@ class SheetPart:
         assert isinstance(printer, QPrinter)
         painter = QPainter()
         if not painter.begin(printer):
-            self._failed(SuiteError(tr("The printer does not answer.")))
+            self._failed(SuiteError(tr("The printer did not respond. Check it and print again.")))
             return
         for number, page in enumerate(pages):
             if number:
@@ -192,10 +190,10 @@ class SheetPart:
     def _submit(
         self, work: Work, pages: tuple[tuple[Palette, Path], ...], columns: int | None, done: Done
     ) -> None:
-        look = self._desk.look
+        look = self._session.look
         surface = look.form if look.form in ("sphere", "panel") else "panel"
         self._show(0.0, "")
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             _KEY,
             work,
             SheetRequest(pages, look.booth, surface, columns),
@@ -206,14 +204,12 @@ class SheetPart:
 
     def _show(self, share: float, what: str) -> None:
         text = (
-            tr("Drawing the contact sheet: {name}").format(name=what)
-            if what
-            else tr("Drawing the contact sheet")
+            tr("Rendering contact sheet: {name}").format(name=what) if what else tr("Rendering contact sheet")
         )
-        self._window.progress.set_job(_KEY, share, text, lambda: self._desk.library.tasks.cancel(_KEY))
+        self._window.progress.set_job(_KEY, share, text, lambda: self._session.library.tasks.cancel(_KEY))
 
     def _written(self, path: Path) -> None:
-        self._done(tr("Written: {name}").format(name=path.name), str(path))
+        self._done(tr("Saved: {name}").format(name=path.name), str(path))
 
     def _done(self, what: str, where: str) -> None:
         self._window.progress.end_job(_KEY)
@@ -221,9 +217,9 @@ class SheetPart:
 
     def _failed(self, error: Exception) -> None:
         self._window.progress.end_job(_KEY)
-        self._window.show_message(message_of(error, _KEY, todo=tr("The palette is as it was.")))
+        self._window.show_message(message_of(error, _KEY, todo=tr("The palette is unchanged.")))
 
     def _enable(self) -> None:
-        there = bool(self._desk.shown[self._desk.front].places)
+        there = bool(self._session.shown[self._session.front].places)
         self._sheet.setEnabled(there)
         self._print.setEnabled(there)

@@ -9,9 +9,10 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.columns import codes_of
 from brdf_color_swatch.grid.rows import ANGLES_DEG
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -22,11 +23,11 @@ _HEADS = (mark("Angle"), mark("ΔE00"), mark("ΔL*"), mark("Δa*"), mark("Δb*")
 _TIPS = (
     mark("Aspecular angle"),
     mark("Colour difference CIEDE2000"),
-    mark("Lightness of the second less that of the first"),
-    mark("Red–green of the second less that of the first"),
-    mark("Yellow–blue of the second less that of the first"),
-    mark("Chroma of the second less that of the first"),
-    mark("Hue angle of the second less that of the first, degrees"),
+    mark("Lightness difference, second minus first"),
+    mark("Red–green difference, second minus first"),
+    mark("Yellow–blue difference, second minus first"),
+    mark("Chroma difference, second minus first"),
+    mark("Hue angle difference in degrees, second minus first"),
 )
 
 
@@ -38,11 +39,11 @@ class _Pair(QWidget):
         self._codes = np.zeros((2, 0, 3), np.uint8)
         self.setMinimumHeight(96)
 
-    def show_codes(self, codes: np.ndarray, told: str) -> None:
+    def show_codes(self, codes: np.ndarray, description: str) -> None:
         self._codes = codes
-        self.setToolTip(plain_tip(told))
+        self.setToolTip(plain_tip(description))
         self.setAccessibleName(tr("Both paints at each angle"))
-        self.setAccessibleDescription(told)
+        self.setAccessibleDescription(description)
         self.update()
 
     def sizeHint(self) -> QSize:
@@ -70,9 +71,10 @@ class ComparePanel(QWidget):
         self.names.setWordWrap(True)
         self.pair = _Pair()
         self.table = QTableWidget(0, len(_HEADS))
-        self.table.setHorizontalHeaderLabels([tr(head) for head in _HEADS])
-        for column, tip in enumerate(_TIPS):
-            self.table.horizontalHeaderItem(column).setToolTip(tr(tip))
+        for column, (title, tip) in enumerate(zip(_HEADS, _TIPS, strict=True)):
+            head = QTableWidgetItem(tr(title))
+            head.setToolTip(tr(tip))
+            self.table.setHorizontalHeaderItem(column, head)
         self.table.verticalHeader().hide()
         self.table.setShowGrid(False)
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
@@ -96,7 +98,7 @@ class ComparePanel(QWidget):
         for widget in (self.pair, self.table, self.figures):
             widget.setVisible(two)
         if not two:
-            self.names.setText(tr("Select two swatches to compare them; in two panes, one in each."))
+            self.names.setText(tr("Select two swatches to compare, or one in each of two panes."))
             return
         columns = Columns.of(entries)
         lab = columns.main
@@ -105,7 +107,7 @@ class ComparePanel(QWidget):
         differences = delta_e_2000(lab[0], lab[1])
         lch = lab_to_lch(lab)
         self.table.setRowCount(len(ANGLES_DEG))
-        told = []
+        lines = []
         for row, angle in enumerate(ANGLES_DEG):
             turn = (lch[1, row, 2] - lch[0, row, 2] + 180.0) % 360.0 - 180.0
             values = [
@@ -115,54 +117,54 @@ class ComparePanel(QWidget):
                 f"{lch[1, row, 1] - lch[0, row, 1]:+.1f}",
                 f"{turn:+.0f}°" if min(lch[:, row, 1]) >= 1.0 else "–",
             ]
-            told.append(f"{values[0]} ΔE00 {values[1]}")
+            lines.append(f"{values[0]} ΔE00 {values[1]}")
             for column, value in enumerate(values):
                 item = QTableWidgetItem(value.replace("-", "−").replace("nan", "–").replace("+–", "–"))
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.table.setItem(row, column, item)
-        self.pair.show_codes(codes_of(lab), "; ".join(told))
+        self.pair.show_codes(codes_of(lab), "; ".join(lines))
         height = self.table.horizontalHeader().sizeHint().height() + 2
         self.table.setFixedHeight(height + sum(self.table.rowHeight(row) for row in range(len(ANGLES_DEG))))
         figures = []
         if np.isfinite(differences).any():
             mean, worst = f"{np.nanmean(differences):.2f}", f"{np.nanmax(differences):.2f}"
             figures.append(tr("Mean ΔE00 {mean}, worst {worst}").format(mean=mean, worst=worst))
-        flops = [_told(flop) for flop in columns.flop]
+        flops = [_format_figure(flop) for flop in columns.flop]
         figures.append(tr("Flop {first} and {second}").format(first=flops[0], second=flops[1]))
         if np.isfinite(columns.gloss).any():
             figures.append(
                 tr("Gloss 20°: {first} and {second} GU").format(
-                    first=_told(columns.gloss[0]), second=_told(columns.gloss[1])
+                    first=_format_figure(columns.gloss[0]), second=_format_figure(columns.gloss[1])
                 )
             )
         self.figures.setText("\n".join(figures))
 
 
-class ComparePart:
+class ComparePart(Feature):
     """Keeps the panel in step with what is selected: two in one pane, or one in each."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self.panel = ComparePanel()
         self.section = window.add_section("compare", tr("Compare"), self.panel, after="swatch", is_open=False)
         self._command = window.add_command(
             "paint", mark("&Compare the Two Selected"), "Ctrl+Shift+C", self.compare, "compare", icon="scales"
         )
-        desk.selection_changed.connect(lambda _pane: self._show())
-        desk.shown_changed.connect(lambda _pane: self._show())
-        desk.front_changed.connect(self._show)
+        session.selection_changed.connect(lambda _pane: self._show())
+        session.shown_changed.connect(lambda _pane: self._show())
+        session.front_changed.connect(self._show)
         self.section.toggled.connect(lambda _open: self._show())
         self._show()
 
     def pair(self) -> list[Entry]:
         """Return the two entries that are compared; fewer where there are not two."""
-        chosen = self._desk.selected_entries
+        chosen = self._session.selected_entries
         if len(chosen) == 2 or not self._window.has_two_panes:
             return chosen if len(chosen) == 2 else []
-        left, right = self._desk.selected_in(0), self._desk.selected_in(1)
+        left, right = self._session.selected_in(0), self._session.selected_in(1)
         if len(left) == len(right) == 1:
             return [left[0], right[0]]
-        other = (right, left)[self._desk.front]
+        other = (right, left)[self._session.front]
         return other if len(other) == 2 and not chosen else []
 
     def compare(self) -> None:
@@ -179,5 +181,5 @@ class ComparePart:
             self.panel.show_entries(pair)
 
 
-def _told(value: float) -> str:
+def _format_figure(value: float) -> str:
     return f"{value:.1f}" if np.isfinite(value) else "–"

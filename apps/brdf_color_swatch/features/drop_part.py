@@ -10,54 +10,55 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
-from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.features.entry_edits import OWNER, count_words, dated, what_words
-from brdf_color_swatch.features.transfer import taken
+from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.features.entry_edits import OWNER, count_words, what_words, with_date
+from brdf_color_swatch.features.transfer import read_data
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.panels.swatch import today
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import GroupPath, Palette
 from brdf_suite.errors import SuiteError
 
 
-class DropPart:
+class DropPart(Feature):
     """Drops and order; what moves from one palette to another is one step of both."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         add = window.add_command
         window.menu("edit").addSeparator()
         self._of_selected = [
-            add("edit", mark("Move &Before the One Above"), "Alt+Left", lambda: self.step(-1), "earlier"),
-            add("edit", mark("Move Be&hind the One Below"), "Alt+Right", lambda: self.step(1), "later"),
+            add("edit", mark("Move Up"), "Alt+Left", lambda: self.step(-1), "earlier"),
+            add("edit", mark("Move Do&wn"), "Alt+Right", lambda: self.step(1), "later"),
         ]
         self._fix_order = add(
-            "edit", mark("Keep the Order that Is S&hown"), None, self.keep_order, "keep_order",
-            tip=mark("Makes the order that is shown the palette's own"),
+            "edit", mark("Appl&y Current Sort"), None, self.keep_order, "keep_order",
+            tip=mark("Make the current sort the palette order"),
         )  # fmt: skip
         window.tree.dropped.connect(self.drop_on_scope)
         for pane in window.panes:
             number = pane.number
             pane.dropped.connect(lambda event, row, number=number: self.drop_on_pane(number, event, row))
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.state_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.state_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     def keep_order(self) -> None:
         """Make the order that is shown the palette's own."""
-        shown = self._desk.shown[self._desk.front]
+        shown = self._session.shown[self._session.front]
         ids = [shown.rows.ids[place] for place in shown.places]
-        if self._desk.edit(tr("Keep an order"), lambda palette: edits.reorder_entries(palette, ids)):
-            self._desk.set_state(replace(self._desk.state, sort="own", descending=False))
+        if self._session.edit(tr("Apply current sort"), lambda palette: edits.reorder_entries(palette, ids)):
+            self._session.set_state(replace(self._session.state, sort="own", descending=False))
 
     def step(self, by: int) -> None:
         """Move what is selected one place up or down within what is shown, where that is the user's own order."""
-        pane, palette = self._window.panes[self._desk.front], self._desk.palette
-        ids = self._desk.selected
-        if palette is None or not ids or not self._desk.state.keeps_order:
+        pane, palette = self._window.panes[self._session.front], self._session.palette
+        ids = self._session.selected
+        if palette is None or not ids or not self._session.state.keeps_order:
             return
         rows = sorted(row for key in ids if (row := pane.model.row_of(key)) is not None)
         count = pane.model.rowCount()
@@ -68,7 +69,7 @@ class DropPart:
         before = pane.model.id_at(at) if at < count else None
         self._place(
             tr("Move {what}").format(what=count_words(len(ids))),
-            self._desk.front,
+            self._session.front,
             list(ids),
             beside.group,
             before,
@@ -76,35 +77,35 @@ class DropPart:
 
     def drop_on_pane(self, number: int, event: QDropEvent, row: int) -> None:
         """Take what fell on a pane before a row: swatches of this program are moved, or copied with Ctrl."""
-        desk, pane = self._desk, self._window.panes[number]
-        desk.set_front(number)
+        session, pane = self._session, self._window.panes[number]
+        session.set_front(number)
         model = pane.model
         count = model.rowCount()
-        own = desk.states[number].keeps_order
+        own = session.states[number].keeps_order
         before = model.id_at(row) if own and row < count else None
-        group: GroupPath | None = desk.states[number].scope.group
+        group: GroupPath | None = session.states[number].scope.group
         if own and count:
             # The group of what it fell beside: within a part before a swatch, at its end behind the last.
             beside = model.entry_at(row if row < count else count - 1)
             group = beside.group
-        if not own and not desk.states[number].scope.group:
+        if not own and not session.states[number].scope.group:
             group = None
-        self._drop(event, desk.states[number].scope, group, before)
+        self._drop(event, session.states[number].scope, group, before)
 
     def drop_on_scope(self, event: QDropEvent, scope: Scope) -> None:
         """Take what fell on a palette, a group or a tag of the library."""
         if not scope.palette:
             for url in event.mimeData().urls():
                 if url.isLocalFile():
-                    self._window.open_asked.emit(Path(url.toLocalFile()))
+                    self._window.open_requested.emit(Path(url.toLocalFile()))
             event.acceptProposedAction()
             return
-        if self._desk.library.palette(scope.palette) is None:
+        if self._session.library.palette(scope.palette) is None:
             # It is read first; what was dropped is kept for that time.
-            data = _copied(event.mimeData())
+            data = _copy_mime(event.mimeData())
             moves = _moves(event)
             event.acceptProposedAction()
-            self._desk.library.want(
+            self._session.loader.load(
                 scope.palette, lambda: self._drop_data(data, scope, scope.group, None, moves=moves)
             )
             return
@@ -112,7 +113,7 @@ class DropPart:
 
     def _drop(self, event: QDropEvent, scope: Scope, group: GroupPath | None, before: str | None) -> None:
         moves = _moves(event)
-        # The palettes are changed here, both in one step: whoever began the drag has nothing to remove.
+        # The palettes are changed here, both in one step: the source of the drag has nothing to remove.
         event.setDropAction(Qt.DropAction.CopyAction)
         event.accept()
         self._drop_data(event.mimeData(), scope, group, before, moves=moves)
@@ -120,37 +121,37 @@ class DropPart:
     def _drop_data(
         self, data: QMimeData, scope: Scope, group: GroupPath | None, before: str | None, *, moves: bool
     ) -> None:
-        desk = self._desk
+        session = self._session
         try:
-            carried = taken(data)
+            carried = read_data(data)
         except SuiteError as error:
-            desk.library.fails(error, "edit", tr("The palette is as it was."))
+            session.library.fails(error, "edit", tr("The palette is unchanged."))
             return
         for path in carried.files:
-            self._window.open_asked.emit(path)
+            self._window.open_requested.emit(path)
         if not carried.entries:
             return
         target = scope.palette
         if scope.tag and carried.owner == OWNER and carried.source == target:
             ids, what = list(carried.ids), what_words(carried.entries)
-            desk.edit(
+            session.edit(
                 tr("Tag {what}").format(what=what),
-                lambda palette: dated(edits.tag_entries(palette, ids, [scope.tag]), ids),
+                lambda palette: with_date(edits.tag_entries(palette, ids, [scope.tag]), ids),
                 target,
             )
             return
-        if not target or desk.library.palette(target) is None:
-            target = desk.library.add_palette(Palette(tr("Untitled")))
-            desk.show_scope(Scope(target))
+        if not target or session.library.palette(target) is None:
+            target = session.library.add_palette(Palette(tr("Untitled")))
+            session.show_scope(Scope(target))
         moves = moves and carried.owner == OWNER
         name = (tr("Move {what}") if moves else tr("Copy {what}")).format(what=what_words(carried.entries))
         if moves and carried.source == target:
             pane = next(
-                (p for p, state in enumerate(desk.states) if state.scope.palette == target), desk.front
+                (p for p, state in enumerate(session.states) if state.scope.palette == target), session.front
             )
             self._place(name, pane, list(carried.ids), group, before)
             return
-        known = set(desk.library.palette(target).by_id)  # type: ignore[union-attr]  # it is there
+        known = set(session.library.palette(target).by_id)  # type: ignore[union-attr]  # it is there
         entries = [entry if entry.date else replace(entry, date=today()) for entry in carried.entries]
         if scope.tag:
             entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, scope.tag)))) for e in entries]
@@ -159,29 +160,29 @@ class DropPart:
             target: lambda palette: edits.add_entries(palette, entries, fall, before)
         }
         if moves:
-            source = desk.library.palette(carried.source)
+            source = session.library.palette(carried.source)
             there = [key for key in carried.ids if source is not None and key in source.by_id]
             if there:
                 changes[carried.source] = lambda palette: edits.remove_entries(palette, there)
-        if desk.edit_many(name, changes):
-            after = desk.library.palette(target)
+        if session.edit_many(name, changes):
+            after = session.library.palette(target)
             fresh = tuple(key for key in after.by_id if key not in known) if after is not None else ()
-            for pane, state in enumerate(desk.states):
+            for pane, state in enumerate(session.states):
                 if state.scope.palette == target and (pane == 0 or self._window.has_two_panes):
-                    desk.reveal(fresh, pane)
+                    session.reveal(fresh, pane)
 
     def _place(
         self, name: str, pane: int, ids: list[str], group: GroupPath | None, before: str | None
     ) -> None:
-        key = self._desk.states[pane].scope.palette
-        if self._desk.edit(name, lambda palette: edits.move_entries(palette, ids, group, before), key):
-            self._desk.reveal(tuple(ids), pane)
+        key = self._session.states[pane].scope.palette
+        if self._session.edit(name, lambda palette: edits.move_entries(palette, ids, group, before), key):
+            self._session.reveal(tuple(ids), pane)
 
     def _enable(self) -> None:
-        state = self._desk.state
+        state = self._session.state
         for action in self._of_selected:
-            action.setEnabled(bool(self._desk.selected) and state.keeps_order)
-        self._fix_order.setEnabled(self._desk.palette is not None and state.sort not in ("own", "nearest"))
+            action.setEnabled(bool(self._session.selected) and state.keeps_order)
+        self._fix_order.setEnabled(self._session.palette is not None and state.sort not in ("own", "nearest"))
 
 
 def _moves(event: QDropEvent) -> bool:
@@ -189,7 +190,7 @@ def _moves(event: QDropEvent) -> bool:
     return not event.modifiers() & Qt.KeyboardModifier.ControlModifier
 
 
-def _copied(data: QMimeData) -> QMimeData:
+def _copy_mime(data: QMimeData) -> QMimeData:
     kept = QMimeData()
     for kind in data.formats():
         kept.setData(kind, data.data(kind))

@@ -11,21 +11,22 @@ from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.desk import Desk
-from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, dated, what_words
-from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, taken
+from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, what_words, with_date
+from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, read_data
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 
-class EditPart:
+class EditPart(Feature):
     """Edits of swatches."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self._cut: Carried | None = None
         keys = QKeySequence.StandardKey
         add, edit = window.add_command, window.menu("edit")
@@ -33,12 +34,17 @@ class EditPart:
             "edit",
             mark("&Undo"),
             keys.Undo,
-            desk.library.history.undo,
+            session.library.history.undo,
             "undo",
             icon="arrow-counter-clockwise",
         )
         redo = add(
-            "edit", mark("&Redo"), "Ctrl+Shift+Z", desk.library.history.redo, "redo", icon="arrow-clockwise"
+            "edit",
+            mark("&Redo"),
+            "Ctrl+Shift+Z",
+            session.library.history.redo,
+            "redo",
+            icon="arrow-clockwise",
         )
         redo.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         edit.addSeparator()
@@ -68,25 +74,25 @@ class EditPart:
         for pane in window.panes:
             number = pane.number
             pane.renamed.connect(self._renamed)
-            pane.menu_asked.connect(self._menu)
+            pane.menu_requested.connect(self._menu)
             pane.model.mime_of = lambda ids, number=number: self._mime(number, ids)
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     # Clipboard.
 
     def copy(self) -> None:
         """Put what is selected on the clipboard: whole, and as text and colour for other programs."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if entries:
             self._cut = None
-            QGuiApplication.clipboard().setMimeData(self._carry(entries, self._desk.state.scope.palette))
+            QGuiApplication.clipboard().setMimeData(self._carry(entries, self._session.state.scope.palette))
 
     def cut(self) -> None:
         """Put what is selected on the clipboard, and take it out of the palette."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if entries:
             self.copy()
             self._remove(tr("Cut {what}").format(what=what_words(entries)))
@@ -94,82 +100,82 @@ class EditPart:
     def paste(self) -> None:
         """Put in what the clipboard holds, before the current swatch."""
         try:
-            carried = taken(QGuiApplication.clipboard().mimeData())
+            carried = read_data(QGuiApplication.clipboard().mimeData())
         except SuiteError as error:
-            self._desk.library.fails(error, "edit", tr("The palette is as it was."))
+            self._session.library.fails(error, "edit", tr("The palette is unchanged."))
             return
         for path in carried.files:
-            self._window.open_asked.emit(path)
+            self._window.open_requested.emit(path)
         if not carried.entries:
             if not carried.files:
-                self._desk.library.fails(
-                    SuiteError(tr("The clipboard holds no swatch, paint or colour.")), "edit",
-                    tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* numbers."),
+                self._session.library.fails(
+                    SuiteError(tr("The clipboard contains no swatch, paint or colour.")), "edit",
+                    tr("Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* values."),
                 )  # fmt: skip
             return
-        if self._desk.palette is None:
-            self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
-        self._desk.library.settled.emit("edit")
-        group = self._desk.state.scope.group
+        if self._session.palette is None:
+            self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
+        self._session.library.settled.emit("edit")
+        group = self._session.state.scope.group
         add_entries(
-            self._desk, tr("Paste {what}").format(what=what_words(carried.entries)), carried.entries, group
+            self._session, tr("Paste {what}").format(what=what_words(carried.entries)), carried.entries, group
         )
 
     def duplicate(self) -> None:
         """Copy what is selected behind the last of it."""
-        entries, palette = self._desk.selected_entries, self._desk.palette
+        entries, palette = self._session.selected_entries, self._session.palette
         if entries and palette is not None:
             last = max(palette.by_id[entry.id] for entry in entries)
             before = palette.entries[last + 1].id if last + 1 < len(palette) else None
             name = tr("Duplicate {what}").format(what=what_words(entries))
             copies = [replace(entry, id="") for entry in entries]
             known = set(palette.by_id)
-            if self._desk.edit(name, lambda old: edits.add_entries(old, copies, None, before)):
-                after = self._desk.palette
+            if self._session.edit(name, lambda old: edits.add_entries(old, copies, None, before)):
+                after = self._session.palette
                 assert after is not None
-                self._desk.reveal(tuple(key for key in after.by_id if key not in known))
+                self._session.reveal(tuple(key for key in after.by_id if key not in known))
 
     def delete(self) -> None:
         """Take what is selected out of the palette."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if entries:
             self._remove(tr("Delete {what}").format(what=what_words(entries)))
 
     def _remove(self, name: str) -> None:
-        ids = self._desk.selected
-        pane = self._window.panes[self._desk.front]
+        ids = self._session.selected
+        pane = self._window.panes[self._session.front]
         rows = [row for key in ids if (row := pane.model.row_of(key)) is not None]
-        self._desk.edit(name, lambda palette: edits.remove_entries(palette, ids))
+        self._session.edit(name, lambda palette: edits.remove_entries(palette, ids))
         # What comes in their place is selected, so that the keys go on from there.
         count = pane.model.rowCount()
         if rows and count:
             pane.reveal((pane.model.id_at(min(min(rows), count - 1)),))
 
     def _carry(self, entries: Sequence[Entry], source: str) -> QMimeData:
-        rows = self._desk.library.rows(source)
+        rows = self._session.library.rows(source)
         by_id = {key: place for place, key in enumerate(rows.ids)}
         lab = [rows.lab[by_id[entry.id], 1] for entry in entries]
         return carry(entries, hexes_of(np.nan_to_num(lab, nan=50.0).tolist()), source, OWNER)
 
     def _mime(self, number: int, ids: list[str]) -> QMimeData | None:
-        key = self._desk.states[number].scope.palette
-        palette = self._desk.library.palette(key)
+        key = self._session.states[number].scope.palette
+        palette = self._session.library.palette(key)
         return None if palette is None else self._carry([palette.entry(one) for one in ids], key)
 
     # Selection.
 
     def select_all(self) -> None:
         """Select all that is shown."""
-        self._window.panes[self._desk.front].grid.selectAll()
+        self._window.panes[self._session.front].grid.selectAll()
 
     def select_none(self) -> None:
         """Select nothing."""
-        self._window.panes[self._desk.front].grid.clearSelection()
+        self._window.panes[self._session.front].grid.clearSelection()
 
     def invert(self) -> None:
         """Select what is not selected."""
-        pane = self._window.panes[self._desk.front]
-        chosen = set(self._desk.selected)
+        pane = self._window.panes[self._session.front]
+        chosen = set(self._session.selected)
         pane.grid.select_rows(
             [row for row in range(pane.model.rowCount()) if pane.model.id_at(row) not in chosen]
         )
@@ -178,7 +184,7 @@ class EditPart:
 
     def rename(self) -> None:
         """Write the current swatch's name anew, in its place."""
-        self._window.panes[self._desk.front].rename_current()
+        self._window.panes[self._session.front].rename_current()
 
     def _focus(self, key: str) -> None:
         self._window.inspector_dock.show()
@@ -188,16 +194,16 @@ class EditPart:
     def _renamed(self, id_: str, key: str, text: str) -> None:
         if key == "name":
             if text:
-                self._desk.edit(
+                self._session.edit(
                     tr("Rename to “{name}”").format(name=text[:40]),
-                    lambda palette: dated(edits.rename_entry(palette, id_, text), [id_]),
+                    lambda palette: with_date(edits.rename_entry(palette, id_, text), [id_]),
                 )
         else:
-            self._change(tr("Change the code"), [id_], lambda entry: replace(entry, code=text))
+            self._change(tr("Change code"), [id_], lambda entry: replace(entry, code=text))
 
     def write(self, key: str, text: str) -> None:
         """Write a field of the inspector into all that is selected."""
-        ids = list(self._desk.selected)
+        ids = list(self._session.selected)
         if not ids:
             return
         if key == "name":
@@ -207,9 +213,9 @@ class EditPart:
                 lambda entry: replace(entry, content=replace(entry.content, name=text)),
             )
         elif key == "code":
-            self._change(tr("Change the code"), ids, lambda entry: replace(entry, code=text))
+            self._change(tr("Change code"), ids, lambda entry: replace(entry, code=text))
         elif key == "notes":
-            self._change(tr("Change the notes"), ids, lambda entry: replace(entry, notes=text))
+            self._change(tr("Change notes"), ids, lambda entry: replace(entry, notes=text))
         else:
             self._tag(ids, text)
 
@@ -218,15 +224,17 @@ class EditPart:
         drop = [word[1:].strip() for word in words if word.startswith("-")]
         add = [word.removeprefix("+").strip() for word in words if not word.startswith("-")]
         relative = len(ids) > 1 and all(word[0] in "+-" for word in words) and bool(words)
-        name = tr("Change the tags of {what}").format(what=count_words(len(ids)))
+        name = tr("Change tags of {what}").format(what=count_words(len(ids)))
         if relative:
-            self._desk.edit(name, lambda palette: dated(edits.tag_entries(palette, ids, add, drop), ids))
+            self._session.edit(
+                name, lambda palette: with_date(edits.tag_entries(palette, ids, add, drop), ids)
+            )
         else:
             tags = tuple(dict.fromkeys(word for word in add if word))
             self._change(name, ids, lambda entry: replace(entry, tags=tags))
 
     def _change(self, name: str, ids: list[str], change: Callable[[Entry], Entry]) -> None:
-        self._desk.edit(name, lambda palette: dated(edits.change_entries(palette, ids, change), ids))
+        self._session.edit(name, lambda palette: with_date(edits.change_entries(palette, ids, change), ids))
 
     # Menus.
 
@@ -245,6 +253,6 @@ class EditPart:
         menu.popup(point)
 
     def _enable(self) -> None:
-        some = bool(self._desk.selected)
+        some = bool(self._session.selected)
         for action in self._of_selected:
             action.setEnabled(some)

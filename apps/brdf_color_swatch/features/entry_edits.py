@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import tr
 
-from brdf_color_swatch.desk import Desk
 from brdf_color_swatch.panels.swatch import today
+from brdf_color_swatch.session import PaletteSession
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 
@@ -18,29 +18,33 @@ OWNER = uuid.uuid4().hex
 
 
 def add_entries(
-    desk: Desk, name: str, entries: Sequence[Entry], group: GroupPath | None = None, before: str | None = None
+    session: PaletteSession,
+    name: str,
+    entries: Sequence[Entry],
+    group: GroupPath | None = None,
+    before: str | None = None,
 ) -> bool:
     """Add entries to the palette in front as one step, select and show them; True where that was done."""
-    palette = desk.palette
+    palette = session.palette
     if palette is None or not entries:
         return False
     known = set(palette.by_id)
     if group is None:
-        group = desk.state.scope.group
-    tag = desk.state.scope.tag
+        group = session.state.scope.group
+    tag = session.state.scope.tag
     if tag:
         # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
         entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
-    dated = [entry if entry.date else replace(entry, date=today()) for entry in entries]
-    if not desk.edit(name, lambda old: edits.add_entries(old, dated, group, before)):
+    with_dates = [entry if entry.date else replace(entry, date=today()) for entry in entries]
+    if not session.edit(name, lambda old: edits.add_entries(old, with_dates, group, before)):
         return False
-    after = desk.palette
+    after = session.palette
     assert after is not None
-    desk.reveal(tuple(key for key in after.by_id if key not in known))
+    session.reveal(tuple(key for key in after.by_id if key not in known))
     return True
 
 
-def dated(palette: Palette, ids: Sequence[str]) -> Palette:
+def with_date(palette: Palette, ids: Sequence[str]) -> Palette:
     """Note when these entries were changed."""
     moment = today()
     return edits.change_entries(palette, ids, lambda entry: replace(entry, date=moment))

@@ -6,56 +6,66 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 
-class GroupPart:
+class GroupPart(Feature):
     """Commands on groups and palettes, and what the library's names are changed to."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         add = window.add_command
         window.menu("edit").addSeparator()
         self._new_group = add(
             "edit", mark("New G&roup"), "Ctrl+G", self.new_group, "new_group", icon="folder-plus",
-            tip=mark("New group of what is selected"),
+            tip=mark("New group from selection"),
         )  # fmt: skip
         self._of_group = [
             add("edit", mark("Rena&me Group"), "Shift+F2", self.rename_group, "rename_group"),
             add("edit", mark("Dissol&ve Group"), "Ctrl+Shift+G", self.dissolve_group, "dissolve_group"),
-            add("edit", mark("Remo&ve Group with its Swatches"), None, self.remove_group, "remove_group"),
+            add("edit", mark("Remo&ve Group and Swatches"), None, self.remove_group, "remove_group"),
         ]
         window.add_library_button(self._new_group)
         window.palette_panel.edited.connect(self.write_palette)
         window.tree.renamed.connect(self.rename_scope)
         window.tree.group_dropped.connect(self.move_group)
-        desk.shown_changed.connect(lambda _pane: self._enable())
-        desk.state_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.shown_changed.connect(lambda _pane: self._enable())
+        session.state_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
 
     def write_palette(self, key: str, text: str) -> None:
         """Write a field of the palette, or of the group that is shown."""
-        group = self._desk.state.scope.group
+        group = self._session.state.scope.group
         if key == "name":
-            self.rename_scope(self._desk.state.scope, text)
+            self.rename_scope(self._session.state.scope, text)
             return
-        name = tr("Change the colour") if key == "colour" else tr("Change the notes")
+        name = tr("Change colour") if key == "colour" else tr("Change notes")
         if group:
-            self._desk.edit(
+
+            def change(one: Group) -> Group:
+                return replace(one, colour=text) if key == "colour" else replace(one, notes=text)
+
+            self._session.edit(
                 name,
-                lambda palette: edits.change_group(palette, group, lambda one: replace(one, **{key: text})),
+                lambda palette: edits.change_group(palette, group, change),
             )
         else:
-            self._desk.edit(name, lambda palette: replace(palette, **{key: text}))
+            self._session.edit(
+                name,
+                lambda palette: (
+                    replace(palette, colour=text) if key == "colour" else replace(palette, notes=text)
+                ),
+            )
 
     def new_group(self) -> None:
         """Make a group within the one that is shown, of what is selected, and let it be named."""
-        palette, scope = self._desk.palette, self._desk.state.scope
+        palette, scope = self._session.palette, self._session.state.scope
         if palette is None:
             return
         known = {group.path for group in palette.groups}
@@ -64,7 +74,7 @@ class GroupPart:
             number += 1
             name = tr("New group {number}").format(number=number)
         path = (*scope.group, name)
-        ids = self._desk.selected
+        ids = self._session.selected
 
         def make(old: Palette) -> Palette:
             with_it = edits.with_group(old, Group(path))
@@ -74,75 +84,75 @@ class GroupPart:
                 else with_it
             )
 
-        if self._desk.edit(tr("New group"), make):
+        if self._session.edit(tr("New group"), make):
             self._window.tree.rename(Scope(scope.palette, path))
 
     def rename_group(self) -> None:
         """Write the name of the group that is shown anew, in the library."""
-        scope = self._desk.state.scope
+        scope = self._session.state.scope
         self._window.tree.rename(scope if scope.group else Scope(scope.palette))
 
     def dissolve_group(self) -> None:
         """Take the group away; its swatches move to the group around it."""
-        self._drop_group(tr("Dissolve a group"), keep=True)
+        self._drop_group(tr("Dissolve group"), keep=True)
 
     def remove_group(self) -> None:
         """Take the group away, with its swatches."""
-        self._drop_group(tr("Remove a group"), keep=False)
+        self._drop_group(tr("Remove group"), keep=False)
 
     def _drop_group(self, name: str, *, keep: bool) -> None:
-        path = self._desk.state.scope.group
+        path = self._session.state.scope.group
         if path:
-            self._desk.edit(name, lambda palette: edits.remove_group(palette, path, keep_entries=keep))
+            self._session.edit(name, lambda palette: edits.remove_group(palette, path, keep_entries=keep))
 
     def rename_scope(self, scope: Scope, name: str) -> None:
         """Rename a palette, a group or a tag."""
-        told = tr("Rename to “{name}”").format(name=name[:40])
+        title = tr("Rename to “{name}”").format(name=name[:40])
         if scope.tag:
 
             def retag(entry: Entry) -> Entry:
                 tags = dict.fromkeys(name if tag == scope.tag else tag for tag in entry.tags)
                 return replace(entry, tags=tuple(tags))
 
-            palette = self._desk.library.palette(scope.palette)
+            palette = self._session.library.palette(scope.palette)
             ids = (
                 [entry.id for entry in palette.entries if scope.tag in entry.tags]
                 if palette is not None
                 else []
             )
-            done = self._desk.edit(told, lambda old: edits.change_entries(old, ids, retag), scope.palette)
+            done = self._session.edit(title, lambda old: edits.change_entries(old, ids, retag), scope.palette)
             new = replace(scope, tag=name)
         elif scope.group:
-            done = self._desk.edit(
-                told, lambda old: edits.rename_group(old, scope.group, name), scope.palette
+            done = self._session.edit(
+                title, lambda old: edits.rename_group(old, scope.group, name), scope.palette
             )
             new = replace(scope, group=(*scope.group[:-1], name))
         else:
-            self._desk.edit(told, lambda old: replace(old, name=name), scope.palette)
+            self._session.edit(title, lambda old: replace(old, name=name), scope.palette)
             return
         if done:
-            for pane, state in enumerate(self._desk.states):
+            for pane, state in enumerate(self._session.states):
                 if state.scope == scope or (not scope.tag and _inside(state.scope, scope)):
                     path = (*new.group, *state.scope.group[len(scope.group) :]) if scope.group else ()
                     tag = new.tag if scope.tag else state.scope.tag
-                    self._desk.show_scope(Scope(scope.palette, path, tag), pane)
+                    self._session.show_scope(Scope(scope.palette, path, tag), pane)
 
     def move_group(self, moved: Scope, onto: Scope) -> None:
         """Move a group into another, to the palette's top, or with all that is in it to another palette."""
         if onto.palette != moved.palette:
-            self._desk.library.want(onto.palette, lambda: self._carry_group(moved, onto))
+            self._session.loader.load(onto.palette, lambda: self._carry_group(moved, onto))
             return
         if onto.group[: len(moved.group)] == moved.group:
             return
         to = (*onto.group, moved.group[-1])
         if to != moved.group:
-            self._desk.edit(
-                tr("Move a group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
+            self._session.edit(
+                tr("Move group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
             )
 
     def _carry_group(self, moved: Scope, onto: Scope) -> None:
         """Move a group to another palette: one step of both."""
-        source = self._desk.library.palette(moved.palette)
+        source = self._session.library.palette(moved.palette)
         if source is None:
             return
         depth = len(moved.group)
@@ -163,15 +173,15 @@ class GroupPart:
             fresh = [group for group in fresh if group.path not in known]
             return edits.add_entries(replace(palette, groups=(*palette.groups, *fresh)), entries)
 
-        self._desk.edit_many(
-            tr("Move the group “{name}”").format(name=moved.group[-1][:40]),
+        self._session.edit_many(
+            tr("Move group “{name}”").format(name=moved.group[-1][:40]),
             {onto.palette: take, moved.palette: lambda palette: edits.remove_group(palette, moved.group)},
         )
 
     def _enable(self) -> None:
-        self._new_group.setEnabled(self._desk.palette is not None)
+        self._new_group.setEnabled(self._session.palette is not None)
         for action in self._of_group:
-            action.setEnabled(bool(self._desk.state.scope.group))
+            action.setEnabled(bool(self._session.state.scope.group))
 
 
 def _inside(scope: Scope, around: Scope) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 from typing import Any
 
 from brdf_qt.link.link import LiveLink
@@ -11,10 +12,11 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.paint import Paint
@@ -29,12 +31,12 @@ _PROGRAMS = {
 }
 
 
-class LinkPart:
+class LinkPart(Feature):
     """Commands of the live link."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
-        self._edited: Paint | None = None
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
+        self.edited: Paint | None = None
         self.link = LiveLink("swatch", parent=window)
         self.start_program = QProcess.startDetached
         """Starts a program: its path and arguments; replaced where none is to be started."""
@@ -43,46 +45,44 @@ class LinkPart:
         self._sends = []
         icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
         for role, (_package, _name, text, keys) in _PROGRAMS.items():
-            action = add(
-                "paint", text, keys, lambda role=role: self.send(role), f"to_{role}", icon=icons[role]
-            )
+            action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icons[role])
             self._sends.append(action)
         window.menu("paint").addSeparator()
         self._take = add(
-            "paint", mark("&Take the Paint Being Edited"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
-            tip=mark("Put the paint that is edited in Designer into this palette"),
+            "paint", mark("&Add Paint from Designer"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
+            tip=mark("Add the paint being edited in Designer to this palette"),
         )  # fmt: skip
         self._near = add(
-            "paint", mark("Find the Nearest to the Paint Being &Edited"), None, self.find, "nearest_edited"
+            "paint", mark("Find Nearest to &Designer's Paint"), None, self.find, "nearest_edited"
         )
         window.toolbar.addAction(self._take)
         for pane in window.panes:
             pane.opened.connect(lambda _id: self.send("designer"))
-            pane.action_asked.connect(lambda key: self.take() if key == "take" else None)
+            pane.action_requested.connect(lambda key: self.take() if key == "take" else None)
         self.link.received.connect(self._received)
         self.link.peers_changed.connect(lambda _count: self._show_peers())
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
         self._enable()
         self._show_peers()
 
-    def begin_part(self) -> None:
+    def start(self) -> None:
         """Look for the other programs."""
         self.link.start()
 
-    def close_part(self) -> None:
+    def close(self) -> None:
         """Leave the link."""
         self.link.close()
 
     def send(self, role: str) -> None:
         """Send the selected paint to a program; it is started where it is not there."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if not entries:
             return
         paint = to_paint(entries[0].content)
         package, name, *_ = _PROGRAMS[role]
         if not isinstance(paint, Paint):
-            text = tr("“{paint}” is of Cook-Torrance lobes, and the live link carries designed paints.")
+            text = tr("“{paint}” consists of Cook-Torrance lobes; the live link sends designed paints only.")
             self._window.show_message(
                 Message(
                     "send",
@@ -106,7 +106,7 @@ class LinkPart:
                     Message(
                         "send",
                         tr("{program} could not be started.").format(program=name),
-                        todo=tr("Start it by hand; the paint goes to it then."),
+                        todo=tr("Start it manually; the paint is then sent to it."),
                         severity="warning",
                     )
                 )
@@ -114,7 +114,7 @@ class LinkPart:
             self._window.show_message(
                 Message(
                     "send",
-                    tr("{program} is being started with “{paint}”.").format(program=name, paint=paint.name),
+                    tr("Starting {program} with “{paint}”.").format(program=name, paint=paint.name),
                 )
             )
         else:
@@ -122,36 +122,36 @@ class LinkPart:
 
     def take(self) -> None:
         """Put the paint being edited into the palette in front."""
-        if self._edited is None:
-            self._tell_none()
+        if self.edited is None:
+            self._report_no_paint()
             return
-        if self._desk.palette is None:
-            self._desk.show_scope(Scope(self._desk.library.add_palette(Palette(tr("Untitled")))))
-        entry = Entry(self._edited, id=new_id())
-        add_entries(self._desk, tr("Take “{paint}”").format(paint=entry.name[:40]), [entry])
+        if self._session.palette is None:
+            self._session.show_scope(Scope(self._session.library.add_palette(Palette(tr("Untitled")))))
+        entry = Entry(self.edited, id=new_id())
+        add_entries(self._session, tr("Add “{paint}”").format(paint=entry.name[:40]), [entry])
 
     def find(self) -> None:
         """Order the pane by the difference to the paint being edited."""
-        if self._edited is None:
-            self._tell_none()
+        if self.edited is None:
+            self._report_no_paint()
             return
         from dataclasses import replace
 
-        near: Near = near_of(Entry(self._edited, id="edited"))
-        self._desk.set_state(replace(self._desk.state, near=near, duplicates=None, sort="nearest"))
+        near: Near = near_of(Entry(self.edited, id="edited"))
+        self._session.set_state(replace(self._session.state, near=near, duplicates=None, sort="nearest"))
 
-    def _tell_none(self) -> None:
+    def _report_no_paint(self) -> None:
         self._window.show_message(
             Message(
                 "take",
                 tr("No paint is being edited."),
-                todo=tr("Open Designer: the paint that it shows can be taken at once."),
+                todo=tr("Open a paint in Designer, then try again."),
             )
         )
 
     def _received(self, topic: str, value: dict[str, Any]) -> None:
         if topic == "paint":
-            self._edited = paint_from_json(value, "the live link")
+            self.edited = paint_from_json(value, "the live link")
             self._window.dismiss_message("take")
             self._show_peers()
 
@@ -163,13 +163,13 @@ class LinkPart:
             "swatch": "Color Swatch",
         }
         peers = self.link.peers
-        told = ", ".join(names.get(role, role) for role in peers)
-        text = tr("Linked: {programs}").format(programs=told) if told else tr("Not linked")
-        if self._edited is not None:
-            text = tr("{link} · edited: {paint}").format(link=text, paint=self._edited.name[:40])
+        connected = ", ".join(names.get(role, role) for role in peers)
+        text = tr("Connected: {programs}").format(programs=connected) if connected else tr("Not connected")
+        if self.edited is not None:
+            text = tr("{link} · in Designer: {paint}").format(link=text, paint=self.edited.name[:40])
         self._window.link_cell.set(text)
 
     def _enable(self) -> None:
-        one = bool(self._desk.selected)
+        one = bool(self._session.selected)
         for action in self._sends:
             action.setEnabled(one)

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import Near
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Entry
 from brdf_suite.errors import SuiteError
@@ -21,69 +22,69 @@ def near_of(entry: Entry) -> Near:
     return Near(entry.name or entry.code or tr("(no name)"), tuple(rows))  # type: ignore[arg-type]  # three by three
 
 
-class NearPart:
+class NearPart(Feature):
     """Commands that search by colour. They search the whole palette that is shown, without its groups."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         add = window.add_command
         self._near = add(
-            "paint", mark("Find the &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",
-            tip=mark("Order the swatches by ΔE00 to the selected one, the mean over 15°, 45° and 110°"),
+            "paint", mark("Find &Nearest"), "Ctrl+Shift+F", self.find, "nearest", icon="crosshair",
+            tip=mark("Sort by mean ΔE00 over 15°, 45° and 110° to the selected swatch"),
         )  # fmt: skip
         self._other = add(
-            "paint", mark("Find the Nearest in the &Other Pane"), None, self.find_other, "nearest_other",
-            tip=mark("Order the other pane by ΔE00 to the swatch that is selected here"),
+            "paint", mark("Find Nearest in &Other Pane"), None, self.find_other, "nearest_other",
+            tip=mark("Sort the other pane by mean ΔE00 to the swatch selected here"),
         )  # fmt: skip
         self._clipboard = add(
-            "paint", mark("Find the Nearest to the Clip&board"), None, self.find_clipboard, "nearest_clipboard",
-            tip=mark("Order by ΔE00 to the paint, colour or L*a*b* numbers on the clipboard"),
+            "paint", mark("Find Nearest to Clip&board"), None, self.find_clipboard, "nearest_clipboard",
+            tip=mark("Sort by mean ΔE00 to the paint, colour or L*a*b* values on the clipboard"),
         )  # fmt: skip
         window.menu("paint").addSeparator()
         window.toolbar.addAction(self._near)
-        desk.selection_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
-        desk.state_changed.connect(lambda _pane: self._enable())
+        session.selection_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
+        session.state_changed.connect(lambda _pane: self._enable())
         self._enable()
 
     def find(self) -> None:
         """Order the pane by the difference to what is selected."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if entries:
             self.find_near(near_of(entries[0]))
 
     def find_other(self) -> None:
         """Order the other pane by the difference to what is selected here."""
-        entries = self._desk.selected_entries
+        entries = self._session.selected_entries
         if entries and self._window.has_two_panes:
-            self.find_near(near_of(entries[0]), 1 - self._desk.front)
+            self.find_near(near_of(entries[0]), 1 - self._session.front)
 
     def find_clipboard(self) -> None:
         """Order the pane by the difference to what the clipboard holds."""
         from PySide6.QtGui import QGuiApplication
 
-        from brdf_color_swatch.features.transfer import taken
+        from brdf_color_swatch.features.transfer import read_data
 
         try:
-            carried = taken(QGuiApplication.clipboard().mimeData())
+            carried = read_data(QGuiApplication.clipboard().mimeData())
             if not carried.entries:
-                raise SuiteError(tr("The clipboard holds no swatch, paint or colour."))
+                raise SuiteError(tr("The clipboard contains no swatch, paint or colour."))
         except SuiteError as error:
-            self._desk.library.fails(error, "edit", tr("What is shown is as it was."))
+            self._session.library.fails(error, "edit", tr("The order is unchanged."))
             return
         self.find_near(near_of(carried.entries[0]))
 
     def find_near(self, near: Near, pane: int | None = None) -> None:
         """Order a pane by the difference to a colour."""
-        pane = self._desk.front if pane is None else pane
-        state = self._desk.states[pane]
-        self._desk.set_state(replace(state, near=near, duplicates=None, sort="nearest"), pane)
+        pane = self._session.front if pane is None else pane
+        state = self._session.states[pane]
+        self._session.set_state(replace(state, near=near, duplicates=None, sort="nearest"), pane)
         view = self._window.panes[pane]
-        if pane == self._desk.front and view.model.rowCount():
-            self._desk.reveal((view.model.id_at(0),), pane)
+        if pane == self._session.front and view.model.rowCount():
+            self._session.reveal((view.model.id_at(0),), pane)
 
     def _enable(self) -> None:
-        some = bool(self._desk.selected)
+        some = bool(self._session.selected)
         self._near.setEnabled(some)
         self._other.setEnabled(some and self._window.has_two_panes)
-        self._clipboard.setEnabled(self._desk.palette is not None)
+        self._clipboard.setEnabled(self._session.palette is not None)

@@ -71,7 +71,7 @@ def can_take(data: QMimeData) -> bool:
     return any(data.hasFormat(kind) for kind in TAKEN)
 
 
-def taken(data: QMimeData) -> Carried:
+def read_data(data: QMimeData) -> Carried:
     """Return what a drag or the clipboard holds; nothing where it holds no colour.
 
     Raises
@@ -80,9 +80,9 @@ def taken(data: QMimeData) -> Carried:
         It says that it holds swatches or a paint, and they are not valid; or a paint file cannot be read.
     """
     if data.hasFormat(MIME):
-        return _whole(data.data(MIME).data())
+        return _whole(bytes(data.data(MIME).data()))
     if data.hasFormat(PAINT_MIME):
-        return Carried((_of_paint(_json(data.data(PAINT_MIME).data())),))
+        return Carried((_of_paint(_json(bytes(data.data(PAINT_MIME).data()))),))
     if data.hasUrls():
         files = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
         paints = [path for path in files if path.suffix.lower() == PAINT_ENDING]
@@ -94,7 +94,7 @@ def taken(data: QMimeData) -> Carried:
         if found:
             return Carried(tuple(found))
     if data.hasColor():
-        colour = QColor(data.colorData())  # type: ignore[call-overload]  # the binding gives a QVariant
+        colour = QColor(data.colorData())
         values = (colour.redF(), colour.greenF(), colour.blueF())
         name = colour.name()
         return Carried((Entry(FlatColour(name, "RGB", values, space="sRGB"), id=new_id()),))
@@ -114,7 +114,7 @@ def entries_of_text(text: str) -> list[Entry]:
         value = _json(stripped.encode("utf-8"))
         if isinstance(value, dict) and value.get("format") == "brdfpalette":
             palette = palette_from_json(value, "the clipboard")
-            return [_renewed(entry) for entry in palette.entries]
+            return [_with_new_id(entry) for entry in palette.entries]
         return [_of_paint(value)]
     found = []
     for line in stripped.splitlines()[:_MOST_LINES]:
@@ -153,7 +153,7 @@ def _flat(line: str, match: re.Match[str], model: str, values: tuple[float, ...]
 def _whole(content: bytes) -> Carried:
     value = _json(content)
     if not isinstance(value, dict) or not {"owner", "source", "palette"} <= set(value):
-        raise SuiteError("The clipboard says that it holds swatches, and it does not.")
+        raise SuiteError("The swatches on the clipboard are damaged.")
     palette = palette_from_json(value["palette"], "the clipboard")
     return Carried(palette.entries, (), str(value["source"]), str(value["owner"]))
 
@@ -162,7 +162,7 @@ def _of_paint(value: object) -> Entry:
     return Entry(any_paint_from_json(value, "the clipboard"), id=new_id())
 
 
-def _renewed(entry: Entry) -> Entry:
+def _with_new_id(entry: Entry) -> Entry:
     from dataclasses import replace
 
     return replace(entry, id=new_id())
@@ -172,7 +172,7 @@ def _json(content: bytes) -> object:
     try:
         return json.loads(content.decode("utf-8"))
     except (ValueError, RecursionError) as error:
-        raise SuiteError(f"The clipboard holds a text that is no paint ({error}).") from error
+        raise SuiteError(f"The text on the clipboard is not a valid paint ({error}).") from error
 
 
 def hexes_of(lab: Sequence[Sequence[float]]) -> list[str]:

@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import Qt
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.grid.view_state import SIZES
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 
 _FORMS = (
-    ("sphere", mark("As &Spheres")),
-    ("panel", mark("As Curved &Panels")),
-    ("flop_strip", mark("As &Flop Strips")),
-    ("chips", mark("As Flat &Chips")),
+    ("sphere", mark("Show as &Spheres")),
+    ("panel", mark("Show as Curved &Panels")),
+    ("flop_strip", mark("Show as &Flop Strips")),
+    ("chips", mark("Show as Flat &Chips")),
 )
 _STEP = 1.25
 
 
-class ViewPart:
+class ViewPart(Feature):
     """Commands on what is shown."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self.show_second: Callable[[bool], None] = lambda _shown: None
         """Set by who owns the panes."""
         view, add = window.menu("view"), window.add_command
@@ -34,10 +36,10 @@ class ViewPart:
                 "view",
                 text,
                 f"{number}",
-                lambda key=key: desk.set_look(form=key, as_list=False),
+                partial(session.set_look, form=key, as_list=False),
                 f"form_{key}_command",
             )
-        self._list = add("view", mark("As a &List"), "Ctrl+L", self._toggle_list, "list")
+        self._list = add("view", mark("Show as &List"), "Ctrl+L", self._toggle_list, "list")
         self._list.setCheckable(True)
         view.addSeparator()
         add(
@@ -56,12 +58,12 @@ class ViewPart:
             "smaller",
             icon="magnifying-glass-minus",
         )
-        add("view", mark("Search &Text"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
+        add("view", mark("Searc&h"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
         add(
             "view",
-            mark("Let &All Pass"),
+            mark("Clear Filte&rs"),
             "Ctrl+Backspace",
-            lambda: desk.set_state(desk.state.cleared()),
+            lambda: session.set_state(session.state.cleared()),
             "clear",
         )
         view.addSeparator()
@@ -71,18 +73,18 @@ class ViewPart:
         self._second.setCheckable(True)
         add("view", mark("Go to the &Other Pane"), "F6", self._other_pane, "other_pane")
         window.toolbar.addAction(self._second)
-        desk.look_changed.connect(lambda _old, look: self._list.setChecked(look.as_list))
+        session.look_changed.connect(lambda _old, look: self._list.setChecked(look.as_list))
         for pane in window.panes:
-            pane.close_asked.connect(lambda: self._second.setChecked(False))
+            pane.close_requested.connect(lambda: self._second.setChecked(False))
         # What a first start shows where nothing was chosen yet: keys work at once.
         window.panes[0].view.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _toggle_list(self) -> None:
-        self._desk.set_look(as_list=not self._desk.look.as_list)
+        self._session.set_look(as_list=not self._session.look.as_list)
 
     def _scale(self, by: float) -> None:
-        size = round(self._desk.look.size * by)
-        self._desk.set_look(size=min(SIZES[1], max(SIZES[0], size)))
+        size = round(self._session.look.size * by)
+        self._session.set_look(size=min(SIZES[1], max(SIZES[0], size)))
 
     def _search(self) -> None:
         self._window.bar.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
@@ -95,6 +97,6 @@ class ViewPart:
 
     def _other_pane(self) -> None:
         if self._window.has_two_panes:
-            pane = self._window.panes[1 - self._desk.front]
-            self._desk.set_front(pane.number)
+            pane = self._window.panes[1 - self._session.front]
+            self._session.set_front(pane.number)
             pane.view.setFocus(Qt.FocusReason.OtherFocusReason)

@@ -29,7 +29,7 @@ def rows_of(entries: Sequence[Entry], before: Rows | None = None) -> Rows:
     return Rows(columns, codes)
 
 
-def finished_rows(rows: Rows, progress: Progress) -> Rows:
+def finish_rows(rows: Rows, progress: Progress) -> Rows:
     """Return rows with what was not read worked out from the reflectances: a millisecond a paint, for a thread."""
     work = ColumnsWork(rows.entries, known=rows.columns)
     whole = max(1, work.left)

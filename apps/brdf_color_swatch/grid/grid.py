@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from PySide6.QtCore import QEvent, QItemSelection, QItemSelectionModel, QPoint, QRect, Qt
+from PySide6.QtCore import QEvent, QItemSelection, QItemSelectionModel, QItemSelectionRange, QPoint, QRect, Qt
 from PySide6.QtGui import (
     QDrag,
     QDragLeaveEvent,
@@ -65,15 +65,17 @@ class SwatchGrid(GridView):
     def selected_rows(self) -> list[int]:
         """Return the rows that are selected, in their order; from ranges, as an index for each of many takes long."""
         rows = {
-            row for one in self.selectionModel().selection() for row in range(one.top(), one.bottom() + 1)
+            row
+            for one in _ranges(self.selectionModel().selection())
+            for row in range(one.top(), one.bottom() + 1)
         }
         return sorted(rows)
 
     def visualRegionForSelection(self, selection: QItemSelection) -> QRegion:
         region, seen = QRegion(), set(self.seen())
-        if len(selection) > 50:
+        if selection.count() > 50:
             return QRegion(self.viewport().rect())
-        for one in selection:
+        for one in _ranges(selection):
             for row in seen.intersection(range(one.top(), one.bottom() + 1)):
                 region += self.visualRect(self.model().index(row, 0))
         return region
@@ -147,7 +149,7 @@ class SwatchGrid(GridView):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            self.size_asked.emit(round(self.tiles.size * 1.15 ** (event.angleDelta().y() / 120.0)))
+            self.size_requested.emit(round(self.tiles.size * 1.15 ** (event.angleDelta().y() / 120.0)))
             event.accept()
             return
         super().wheelEvent(event)
@@ -222,3 +224,7 @@ class SwatchGrid(GridView):
         # Tab goes on to the next name, as in every list; Return stays.
         super().closeEditor(editor, hint)
         self.setFocus(Qt.FocusReason.OtherFocusReason)
+
+
+def _ranges(selection: QItemSelection) -> list[QItemSelectionRange]:
+    return [selection.at(number) for number in range(selection.count())]

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QAbstractTableModel, QMimeData, QModelIndex, QObject, Qt, Signal
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QMimeData,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    Signal,
+)
 
 from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
+from brdf_suite.documents.palette import Entry
 
 ID_ROLE = Qt.ItemDataRole.UserRole + 1
 SORT_KEYS: tuple[str, ...] = (
@@ -32,12 +41,12 @@ _TITLES = {
     "date": mark("Date"),
 }
 _TIPS = {
-    "name": mark("Name of the paint; F2 renames it"),
-    "code": mark("The maker's or your own code"),
+    "name": mark("Name of the paint (rename: F2)"),
+    "code": mark("Manufacturer's code or your own"),
     "gloss": mark("Gloss at 20° in gloss units (GU), coat and base together"),
     "flop": mark("Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour"),
-    "tags": mark("Words to search by"),
-    "date": mark("When it was last changed, year-month-day"),
+    "tags": mark("Search terms"),
+    "date": mark("Date of the last change (year-month-day)"),
 }
 NAME, CODE = 0, 1
 TAGS, DATE = SORT_KEYS.index("tags"), SORT_KEYS.index("date")
@@ -50,7 +59,7 @@ FLAGS = (
 
 
 @dataclass(frozen=True)
-class Shown:
+class VisibleRows:
     """What a pane shows: places in ``rows`` in their order, and the headings over them."""
 
     rows: Rows
@@ -61,23 +70,23 @@ class Shown:
 
 
 class SwatchModel(QAbstractTableModel):
-    """Rows of :class:`Shown`.
+    """Rows of :class:`VisibleRows`.
 
-    Signals: ``renamed(id, column, text)`` where the user has written a name or a code; ``sort_asked(key, descending)``
-    where a column's head was clicked.
+    Signals: ``renamed(id, column, text)`` when the user has edited a name or a code;
+    ``sort_requested(key, descending)`` when a column header was clicked.
     """
 
     renamed = Signal(str, str, str)
-    sort_asked = Signal(str, bool)
+    sort_requested = Signal(str, bool)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.shown = Shown(Rows.empty())
+        self.shown = VisibleRows(Rows.empty())
         self._by_id: dict[str, int] | None = None
         self.mime_types: tuple[str, ...] = ()
-        self.mime_of: Any = None
+        self.mime_of: Callable[[list[str]], QMimeData | None] | None = None
 
-    def show(self, shown: Shown) -> None:
+    def show(self, shown: VisibleRows) -> None:
         """Show other swatches."""
         self.beginResetModel()
         self.shown = shown
@@ -95,7 +104,7 @@ class SwatchModel(QAbstractTableModel):
             self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
         return self._by_id.get(key)
 
-    def entry_at(self, row: int) -> Any:
+    def entry_at(self, row: int) -> Entry:
         """Return the entry in a row."""
         return self.shown.rows.entries[self.shown.places[row]]
 
@@ -105,13 +114,13 @@ class SwatchModel(QAbstractTableModel):
 
     # What Qt asks.
 
-    def rowCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(self.shown.places)
 
-    def columnCount(self, parent: QModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
+    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(SORT_KEYS)
 
-    def flags(self, index: QModelIndex) -> Qt.ItemFlag:
+    def flags(self, index: QModelIndex | QPersistentModelIndex) -> Qt.ItemFlag:
         if not index.isValid():
             return Qt.ItemFlag.ItemIsDropEnabled
         return FLAGS | Qt.ItemFlag.ItemIsEditable if index.column() in (NAME, CODE) else FLAGS
@@ -133,7 +142,7 @@ class SwatchModel(QAbstractTableModel):
             return plain_tip(tip.format(axis=axis, angle=angle))
         return None
 
-    def data(self, index: QModelIndex, role: int = 0) -> Any:
+    def data(self, index: QModelIndex | QPersistentModelIndex, role: int = 0) -> Any:
         if not index.isValid() or index.row() >= len(self.shown.places):
             return None
         place = self.shown.places[index.row()]
@@ -143,14 +152,16 @@ class SwatchModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.TextAlignmentRole and key not in ("name", "code", "tags", "date"):
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         if role == Qt.ItemDataRole.ToolTipRole:
-            return plain_tip(rows.told(place, self.shown.figure.get(place)))
+            return plain_tip(rows.describe(place, self.shown.figure.get(place)))
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return rows.spoken(place)
+            return rows.describe_aloud(place)
         if role == ID_ROLE:
             return rows.ids[place]
         return None
 
-    def setData(self, index: QModelIndex, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
+    def setData(
+        self, index: QModelIndex | QPersistentModelIndex, value: Any, role: int = Qt.ItemDataRole.EditRole
+    ) -> bool:
         key = SORT_KEYS[index.column()]
         text = str(value).strip()
         if role != Qt.ItemDataRole.EditRole or text == self.data(index):
@@ -160,7 +171,7 @@ class SwatchModel(QAbstractTableModel):
 
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         if column >= 0:
-            self.sort_asked.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
+            self.sort_requested.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
 
     # Drag and drop; what is dropped is taken by the pane.
 
@@ -173,5 +184,5 @@ class SwatchModel(QAbstractTableModel):
     def mimeTypes(self) -> list[str]:
         return list(self.mime_types)
 
-    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:
+    def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:  # type: ignore[override]  # Qt takes None for no data
         return self.mime_of(self.ids_of(indexes)) if self.mime_of is not None else None

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 from brdf_color_swatch.features.transfer import TAKEN
 from brdf_color_swatch.grid.chip_delegate import ChipDelegate
 from brdf_color_swatch.grid.grid import SwatchGrid
-from brdf_color_swatch.grid.model import SORT_KEYS, Shown, SwatchModel
+from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile
 
 _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop": 56}
@@ -35,23 +35,24 @@ _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop"
 class Pane(QFrame):
     """Grid and list over one model and one selection.
 
-    Signals: ``worked_in()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
-    ``renamed(id, key, text)``, ``sort_asked(key, descending)``, ``dropped(event, row)``,
-    ``menu_asked(point)`` in screen coordinates,
-    ``close_asked()``, ``action_asked(key)`` for a button of the empty page, ``seen_changed()``, ``size_asked(size)``.
+    Signals: ``activated()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
+    ``renamed(id, key, text)``, ``sort_requested(key, descending)``, ``dropped(event, row)``,
+    ``menu_requested(point)`` in screen coordinates,
+    ``close_requested()``, ``action_requested(key)`` for a button of the empty page, ``seen_changed()``,
+    ``size_requested(size)``.
     """
 
-    worked_in = Signal()
+    activated = Signal()
     selected = Signal(object)
     opened = Signal(str)
     renamed = Signal(str, str, str)
-    sort_asked = Signal(str, bool)
+    sort_requested = Signal(str, bool)
     dropped = Signal(object, int)
-    menu_asked = Signal(QPoint)
-    close_asked = Signal()
-    action_asked = Signal(str)
+    menu_requested = Signal(QPoint)
+    close_requested = Signal()
+    action_requested = Signal(str)
     seen_changed = Signal()
-    size_asked = Signal(int)
+    size_requested = Signal(int)
 
     def __init__(
         self, number: int, picture_of: Callable[[int, int], object], parent: QWidget | None = None
@@ -60,6 +61,7 @@ class Pane(QFrame):
         self.number = number
         self._picture_of = picture_of
         self._quiet = False
+        self._note, self._bar, self._buttons = PlainLabel(), QProgressBar(), QHBoxLayout()
         self.setObjectName(f"pane_{number}")
         self.setAccessibleName(tr("Swatches") if number == 0 else tr("Swatches, second pane"))
         self.model = SwatchModel(self)
@@ -88,7 +90,7 @@ class Pane(QFrame):
         place = shown.places[row]
         return shown.rows.tile(place, self._picture_of(self.number, row), shown.figure.get(place))
 
-    def show_shown(self, shown: Shown) -> None:
+    def show_rows(self, shown: VisibleRows) -> None:
         """Show these swatches; what was selected stays so where it is still there, and so does the place."""
         current = self.grid.currentIndex()
         key = self.model.id_at(current.row()) if current.isValid() else ""
@@ -106,7 +108,7 @@ class Pane(QFrame):
         self.grid.verticalScrollBar().setValue(top)
         self.list.verticalScrollBar().setValue(top_list)
         self._quiet = False
-        self._tell_selected()
+        self._report_selected()
 
     def show_note(self, text: str, actions: tuple[tuple[str, str], ...] = (), *, busy: bool = False) -> None:
         """Show a word instead of swatches, with buttons (text, key); empty text shows the swatches."""
@@ -121,7 +123,7 @@ class Pane(QFrame):
             for label, key in actions:
                 button = QPushButton(label)
                 button.setObjectName(f"note_{key}")
-                button.clicked.connect(lambda _=False, key=key: self.action_asked.emit(key))
+                button.clicked.connect(lambda _=False, key=key: self.action_requested.emit(key))
                 self._buttons.addWidget(button)
         self._noted = bool(text)
         self._turn()
@@ -201,16 +203,16 @@ class Pane(QFrame):
         self.head.setMinimumHeight(30)
         self._mark = PlainLabel("▸")
         self._mark.setObjectName("front_mark")
-        self._mark.setToolTip(tr("The pane that is worked in"))
+        self._mark.setToolTip(tr("Active pane"))
         self._title = ElidedLabel()
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
         self._close = QToolButton()
         self._close.setIcon(icon("x"))
         self._close.setAutoRaise(True)
-        self._close.setToolTip(tr("Close this pane"))
-        self._close.setAccessibleName(tr("Close this pane"))
-        self._close.clicked.connect(self.close_asked)
+        self._close.setToolTip(tr("Close pane"))
+        self._close.setAccessibleName(tr("Close pane"))
+        self._close.clicked.connect(self.close_requested)
         row.addWidget(self._mark)
         row.addWidget(self._title, 1)
         row.addWidget(self._count)
@@ -223,15 +225,12 @@ class Pane(QFrame):
         page.setAcceptDrops(True)
         page.installEventFilter(self)
         self._noted = False
-        self._note = PlainLabel()
         self._note.setWordWrap(True)
         self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._note.setMinimumWidth(120)
-        self._bar = QProgressBar()
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)
         self._bar.setMaximumWidth(240)
-        self._buttons = QHBoxLayout()
         box = QVBoxLayout(page)
         box.setContentsMargins(24, 24, 24, 24)
         box.addStretch(2)
@@ -247,17 +246,17 @@ class Pane(QFrame):
 
     def _join(self) -> None:
         self.model.renamed.connect(self.renamed)
-        self.model.sort_asked.connect(self.sort_asked)
+        self.model.sort_requested.connect(self.sort_requested)
         self.grid.dropped.connect(self.dropped)
         self.grid.seen_changed.connect(self.seen_changed)
-        self.grid.size_asked.connect(self.size_asked)
-        self.grid.selectionModel().selectionChanged.connect(lambda *_: self._tell_selected())
+        self.grid.size_requested.connect(self.size_requested)
+        self.grid.selectionModel().selectionChanged.connect(lambda *_: self._report_selected())
         self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
         for view in (self.grid, self.list):
             view.activated.connect(self._open)
             view.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
             view.customContextMenuRequested.connect(
-                lambda point, view=view: self.menu_asked.emit(view.viewport().mapToGlobal(point))
+                lambda point, view=view: self.menu_requested.emit(view.viewport().mapToGlobal(point))
             )
             view.installEventFilter(self)
             view.viewport().installEventFilter(self)
@@ -271,22 +270,22 @@ class Pane(QFrame):
             self.opened.emit(self.model.id_at(index.row()))
 
     def _speak(self, index: QModelIndex) -> None:
-        """Let a screen reader tell the swatch that the keys have come to: its name and its colour."""
+        """Describe the current swatch to a screen reader: its name and its colour."""
         if not index.isValid():
             return
         shown = self.model.shown
-        text = shown.rows.spoken(shown.places[index.row()])
+        text = shown.rows.describe_aloud(shown.places[index.row()])
         self.grid.setAccessibleDescription(text)
         if self.grid.hasFocus() and QAccessible.isActive():
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self.grid, text))
 
-    def _tell_selected(self) -> None:
+    def _report_selected(self) -> None:
         if not self._quiet:
             self.selected.emit(tuple(self.model.id_at(row) for row in self.grid.selected_rows()))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):
-            self.worked_in.emit()
+            self.activated.emit()
         if event.type() == QEvent.Type.MouseButtonPress and watched in (
             self.head,
             self._mark,

@@ -125,7 +125,7 @@ class Rows:
         value = self.lab[place, ANGLES_DEG.index(float(angle)), "Lab".index(axis) if axis != "L" else 0]
         return _number(value, 1)
 
-    def told(self, place: int, delta_e: float | None = None) -> str:
+    def describe(self, place: int, delta_e: float | None = None) -> str:
         """Return the tool tip of a row: figures with their units."""
         entry = self.entries[place]
         lines = [self.name(place)[:200]]
@@ -136,7 +136,7 @@ class Rows:
             for angle, lab in zip(ANGLES_DEG, self.lab[place], strict=True)
             if np.isfinite(lab[0]) and not entry.is_flat
         ]
-        if entry.is_flat:
+        if isinstance(entry.content, FlatColour):
             lab = self.lab[place, 1]
             lines.append(tr("Flat colour, {model}").format(model=entry.content.model))
             lines.append(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")
@@ -147,14 +147,14 @@ class Rows:
             if gloss:
                 lines.append(tr("Gloss 20°: {gloss} GU").format(gloss=gloss))
         if delta_e is not None:
-            lines.append(tr("ΔE00 to what is searched for: {value}").format(value=f"{delta_e:.2f}"))
+            lines.append(tr("ΔE00 to the search target: {value}").format(value=f"{delta_e:.2f}"))
         if entry.tags:
             lines.append(tr("Tags: {tags}").format(tags=", ".join(entry.tags)))
         if entry.group:
             lines.append(tr("Group: {group}").format(group=group_title(entry.group)[:200]))
         return "\n".join(lines).replace("* -", "* −")
 
-    def spoken(self, place: int) -> str:
+    def describe_aloud(self, place: int) -> str:
         """Return what a screen reader says of a row."""
         lab = self.lab[place, 1]
         name = self.name(place)[:200]

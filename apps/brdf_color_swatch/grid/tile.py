@@ -148,12 +148,12 @@ class TilePainter:
         painter.fillRect(box, _GROUND)
         if form == "sphere":
             disc = QRectF(box).adjusted(*(0.06 * self.size * way for way in (1, 1, -1, -1)))
-            ramp = QRadialGradient(disc.center() - QPointF(0.2, 0.25) * self.size, 0.75 * self.size)
+            shade = QRadialGradient(disc.center() - QPointF(0.2, 0.25) * self.size, 0.75 * self.size)
             for number, colour in enumerate(colours):
-                ramp.setColorAt(0.1 + 0.8 * number / max(1, len(colours) - 1), colour)
+                shade.setColorAt(0.1 + 0.8 * number / max(1, len(colours) - 1), colour)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(ramp)
+            painter.setBrush(shade)
             painter.drawEllipse(disc)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
             return

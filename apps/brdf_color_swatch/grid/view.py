@@ -12,6 +12,7 @@ from PySide6.QtCore import (
     QEvent,
     QItemSelection,
     QModelIndex,
+    QPersistentModelIndex,
     QPoint,
     QRect,
     QSize,
@@ -48,14 +49,16 @@ class _NameDelegate(QStyledItemDelegate):
         super().__init__(grid)
         self._grid = grid
 
-    def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: QModelIndex) -> QWidget:
+    def createEditor(
+        self, parent: QWidget, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex
+    ) -> QWidget:
         editor = QLineEdit(parent)
         editor.setAlignment(Qt.AlignmentFlag.AlignCenter)
         editor.setMaxLength(200)
         return editor
 
     def updateEditorGeometry(
-        self, editor: QWidget, _option: QStyleOptionViewItem, index: QModelIndex
+        self, editor: QWidget, _option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
     ) -> None:
         editor.setGeometry(self._grid.tiles.name_box(self._grid.visualRect(index)))
 
@@ -63,12 +66,12 @@ class _NameDelegate(QStyledItemDelegate):
 class GridView(QAbstractItemView):
     """Swatches as tiles under headings.
 
-    ``tile_of(row)`` says what a tile shows; it is asked for those alone that are seen. Signals: ``size_asked(size)``
-    where Ctrl and the wheel ask for another; ``seen_changed()`` where other swatches are seen than before;
-    ``dropped(event, row)`` with the row before which it fell.
+    ``tile_of(row)`` returns the content of a tile; it is called for visible tiles only. Signals:
+    ``size_requested(size)`` on Ctrl+wheel; ``seen_changed()`` when other swatches become visible;
+    ``dropped(event, row)`` with the row before which the drop fell.
     """
 
-    size_asked = Signal(int)
+    size_requested = Signal(int)
     seen_changed = Signal()
     dropped = Signal(object, int)
 
@@ -171,7 +174,7 @@ class GridView(QAbstractItemView):
         else:
             self._lay_out()
 
-    def visualRect(self, index: QModelIndex) -> QRect:
+    def visualRect(self, index: QModelIndex | QPersistentModelIndex) -> QRect:
         if not index.isValid() or index.column() != 0 or index.row() >= self.layout_.count:
             return QRect()
         left, top, width, height = self.layout_.box(index.row())
@@ -183,7 +186,7 @@ class GridView(QAbstractItemView):
 
     def scrollTo(
         self,
-        index: QModelIndex,
+        index: QModelIndex | QPersistentModelIndex,
         hint: QAbstractItemView.ScrollHint = QAbstractItemView.ScrollHint.EnsureVisible,
     ) -> None:
         if not index.isValid() or index.row() >= self.layout_.count:
@@ -229,7 +232,7 @@ class GridView(QAbstractItemView):
         # What is seen already is moved; only what comes into view is painted.
         self.viewport().scroll(dx, dy)
 
-    def isIndexHidden(self, index: QModelIndex) -> bool:
+    def isIndexHidden(self, index: QModelIndex | QPersistentModelIndex) -> bool:
         return index.column() != 0
 
     # Painting.

@@ -54,7 +54,7 @@ class PaneState:
     near: Near | None = None
 
     @property
-    def is_narrowed(self) -> bool:
+    def is_filtered(self) -> bool:
         """Whether some of the scope may be hidden."""
         return bool(self.text.strip() or self.ranges or self.duplicates is not None)
 
@@ -79,7 +79,7 @@ class PaneState:
 
     def cleared(self) -> PaneState:
         """Return this state with nothing that hides a swatch."""
-        return replace(self, text="", ranges=(), duplicates=None, near=None, sort=_calm(self.sort))
+        return replace(self, text="", ranges=(), duplicates=None, near=None, sort=_without_nearest(self.sort))
 
 
 @dataclass(frozen=True)
@@ -114,5 +114,5 @@ _GOOD: dict[str, Callable[[Any], bool]] = {
 }
 
 
-def _calm(sort: str) -> str:
+def _without_nearest(sort: str) -> str:
     return "own" if sort == "nearest" else sort

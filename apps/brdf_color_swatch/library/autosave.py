@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from datetime import datetime
+from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
-from brdf_qt.documents.recovery import Recovery
+from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
@@ -40,10 +41,19 @@ class PaletteRecovery(Recovery[Palette]):
         super().__init__(store, form, failed, parent)
         self._tasks = tasks
         self._key = f"autosave {id(self)}"
-        self._encodes = self._wants_another = False
+        self._encodes = self._encode_again = False
         store.clean_changed.connect(self._saved)
         self._timer.timeout.disconnect(self.write)
-        self._timer.timeout.connect(self._write_beside)
+        self._timer.timeout.connect(self.write_in_background)
+
+    @property
+    def file(self) -> Path:
+        """The file of the autosave; it exists while there is unsaved work."""
+        return self._file
+
+    def saved(self) -> Recovered[Palette]:
+        """Return what the file of the autosave holds."""
+        return self._read(self._file)
 
     def write(self) -> bool:
         """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
@@ -52,19 +62,21 @@ class PaletteRecovery(Recovery[Palette]):
 
     def _drop(self) -> None:
         self._tasks.cancel(self._key)
-        self._encodes = self._wants_another = False
+        self._encodes = self._encode_again = False
 
     def _saved(self, clean: bool) -> None:
         """What is being encoded is older than what was saved: it shall not be offered instead of it."""
         if clean:
             self._drop()
 
-    def _write_beside(self) -> None:
+    def write_in_background(self) -> None:
+        """Write the unsaved palette now; a large one is encoded by a thread."""
+        self._timer.stop()
         if self._store.is_clean or len(self._store.value) < _MANY:
             self.write()
             return
         if self._encodes:
-            self._wants_another = True
+            self._encode_again = True
             return
         path, stamp = self._store.path, self._store.stamp
         head = {
@@ -74,23 +86,23 @@ class PaletteRecovery(Recovery[Palette]):
         }
         self._encodes = True
         self._tasks.submit(
-            self._key, _encoded, (head, self._store.value), self._encoded_is, self._is_not_encoded
+            self._key, encode_autosave, (head, self._store.value), self._on_encoded, self._on_encoding_failed
         )
 
-    def _encoded_is(self, content: bytes) -> None:
-        self._put(content)
-        self._go_on()
+    def _on_encoded(self, content: bytes) -> None:
+        self.write_encoded(content)
+        self._encode_next()
 
-    def _is_not_encoded(self, error: Exception) -> None:
+    def _on_encoding_failed(self, error: Exception) -> None:
         self._failed(error)
-        self._go_on()
+        self._encode_next()
 
-    def _go_on(self) -> None:
-        wants, self._encodes, self._wants_another = self._wants_another, False, False
+    def _encode_next(self) -> None:
+        wants, self._encodes, self._encode_again = self._encode_again, False, False
         if wants and not self._closed:
-            self._write_beside()
+            self.write_in_background()
 
-    def _put(self, content: bytes) -> None:
+    def write_encoded(self, content: bytes) -> None:
         """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""
         if self._closed or self._store.is_clean:
             return
@@ -107,7 +119,7 @@ class PaletteRecovery(Recovery[Palette]):
             self.written_again.emit()
 
 
-def _encoded(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
+def encode_autosave(request: tuple[dict[str, Any], Palette], progress: Progress) -> bytes:
     """Return the autosave's content: entry by entry, so that the window's thread gets its turns in between."""
     head, palette = request
     progress(0.0, "")

@@ -9,9 +9,10 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.grid.view_state import Scope
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette, new_id
@@ -36,96 +37,96 @@ def new_palette() -> Palette:
 def shipped_palette() -> Palette:
     """Return the paints that come with the suite as a palette."""
     entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
-    return Palette(tr("Shipped Paints"), tuple(entries))
+    return Palette(tr("Sample Paints"), tuple(entries))
 
 
-class FilePart:
+class FilePart(Feature):
     """Commands on palettes as a whole."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         keys = QKeySequence.StandardKey
         add = window.add_command
         new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
         opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
         window.menu("file").addMenu(window.recent_menu)
-        add("file", mark("Open the S&hipped Paints"), None, self.open_shipped, "shipped")
+        add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
         window.menu("file").addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
-        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close, "close", icon="x")
+        self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close_palette, "close", icon="x")
         window.menu("file").addSeparator()
         for action in (new, opened, self._close):
             window.add_library_button(action)
         for action in (new, opened, self._save):
             window.toolbar.addAction(action)
         window.toolbar.addSeparator()
-        window.open_asked.connect(self.open)
+        window.open_requested.connect(self.open)
         window.recent_cleared.connect(self._clear_recent)
-        window.tree.menu_asked.connect(self._menu)
+        window.tree.menu_requested.connect(self._menu)
         for pane in window.panes:
-            pane.action_asked.connect(lambda key, number=pane.number: self._act(key, number))
-        desk.library.settled.connect(lambda _key: window.show_recent(desk.library.recent()))
-        desk.library.items_changed.connect(self._enable)
-        desk.state_changed.connect(lambda _pane: self._enable())
-        desk.front_changed.connect(self._enable)
-        window.show_recent(desk.library.recent())
+            pane.action_requested.connect(lambda key, number=pane.number: self._act(key, number))
+        session.library.settled.connect(lambda _key: window.show_recent(session.library.recent()))
+        session.library.items_changed.connect(self._enable)
+        session.state_changed.connect(lambda _pane: self._enable())
+        session.front_changed.connect(self._enable)
+        window.show_recent(session.library.recent())
         self._enable()
 
     def new(self) -> None:
         """Begin an empty palette, and let it be named at once."""
-        key = self._desk.library.add_palette(new_palette())
-        self._desk.show_scope(Scope(key))
+        key = self._session.library.add_palette(new_palette())
+        self._session.show_scope(Scope(key))
 
     def open(self, path: Path | None) -> None:
         """Open a file of any palette format, or ask for one; any other material goes into the palette in front."""
-        desk = self._desk
+        session = self._session
         if path is not None and _names_material(path):
             self._add_material(str(path))
             return
-        key = desk.library.ask_open(path)
+        key = session.loader.ask_open(path)
         if key is not None:
-            desk.show_scope(Scope(key))
+            session.show_scope(Scope(key))
 
     def open_shipped(self) -> None:
         """Open the shipped paints as a palette without a file."""
         try:
             palette = shipped_palette()
         except SuiteError as error:
-            self._desk.library.fails(error, "open")
+            self._session.library.fails(error, "open")
             return
-        self._desk.show_scope(Scope(self._desk.library.add_palette(palette)))
+        self._session.show_scope(Scope(self._session.library.add_palette(palette)))
 
     def save(self) -> None:
         """Save the palette in front."""
         self._finish_typing()
-        self._desk.library.save(self._desk.state.scope.palette)
+        self._session.library.save(self._session.state.scope.palette)
 
     def save_as(self) -> None:
         """Save the palette in front to a file that is asked for."""
         self._finish_typing()
-        self._desk.library.save_as(self._desk.state.scope.palette)
+        self._session.library.save_as(self._session.state.scope.palette)
 
     def save_all(self) -> None:
         """Save every palette with changes; the first that is not saved ends it."""
         self._finish_typing()
-        for item in self._desk.library.items:
-            if not item.is_clean and not self._desk.library.save(item.key):
+        for item in self._session.library.items:
+            if not item.is_clean and not self._session.library.save(item.key):
                 return
 
-    def close(self) -> None:
+    def close_palette(self) -> None:
         """Take the palette in front out of the library; its file stays."""
         self._finish_typing()
-        key = self._desk.state.scope.palette
-        items = self._desk.library.items
+        key = self._session.state.scope.palette
+        items = self._session.library.items
         place = next((place for place, item in enumerate(items) if item.key == key), None)
-        if place is None or not self._desk.library.close(key):
+        if place is None or not self._session.library.close(key):
             return
-        rest = self._desk.library.items
+        rest = self._session.library.items
         read = [item for item in (*rest[place:], *reversed(rest[:place])) if item.palette is not None]
         if read:
-            self._desk.show_scope(Scope(read[0].key))
+            self._session.show_scope(Scope(read[0].key))
 
     def _finish_typing(self) -> None:
         """Take what is still being typed: a shortcut leaves no field."""
@@ -138,23 +139,23 @@ class FilePart:
         try:
             document = load_document(name)
         except SuiteError as error:
-            self._not_added(error)
+            self._on_add_failed(error)
             return
         if document is not None:
             self._add_paint(document)
             return
         # Measured data and models have no document: the virtual instruments read a paint from them.
-        self._desk.library.tasks.submit(
-            f"add {name}", _read_paint, name, done=self._add_paint, failed=self._not_added
+        self._session.library.tasks.submit(
+            f"add {name}", _read_paint, name, done=self._add_paint, failed=self._on_add_failed
         )
 
     def _add_paint(self, paint: AnyPaint) -> None:
-        if self._desk.palette is None:
+        if self._session.palette is None:
             self.new()
-        add_entries(self._desk, tr("Add a paint"), [Entry(paint, id=new_id())])
+        add_entries(self._session, tr("Add paint"), [Entry(paint, id=new_id())])
 
-    def _not_added(self, error: Exception) -> None:
-        self._desk.library.fails(error, "open", tr("The palette is as it was."))
+    def _on_add_failed(self, error: Exception) -> None:
+        self._session.library.fails(error, "open", tr("The palette is unchanged."))
 
     def _clear_recent(self) -> None:
         from brdf_qt.program.settings import settings
@@ -164,9 +165,9 @@ class FilePart:
 
     def _act(self, what: str, number: int) -> None:
         """Do what a button of an empty page offers."""
-        desk = self._desk
-        desk.set_front(number)
-        key = desk.state.scope.palette
+        session = self._session
+        session.set_front(number)
+        key = session.state.scope.palette
         if what == "new":
             self.new()
         elif what == "open":
@@ -174,17 +175,17 @@ class FilePart:
         elif what == "shipped":
             self.open_shipped()
         elif what == "cancel":
-            desk.library.cancel_reading(key)
-        elif what == "again" and desk.library.item(key) is not None:
-            desk.library.want(key)
+            session.loader.cancel_reading(key)
+        elif what == "again" and session.library.item(key) is not None:
+            session.loader.load(key)
         elif what == "close":
-            self.close()
+            self.close_palette()
         elif what == "clear":
-            desk.set_state(desk.state.cleared())
+            session.set_state(session.state.cleared())
 
     def _menu(self, scope: Scope, point: QPoint) -> None:
-        if scope.palette and scope.palette != self._desk.state.scope.palette:
-            self._desk.show_scope(scope)
+        if scope.palette and scope.palette != self._session.state.scope.palette:
+            self._session.show_scope(scope)
         menu = QMenu(self._window)
         keys = ["new", "open", "shipped"]
         if scope.palette:
@@ -198,7 +199,7 @@ class FilePart:
         menu.popup(point)
 
     def _enable(self) -> None:
-        item = self._desk.item
+        item = self._session.item
         there = item is not None and item.palette is not None
         for key in ("save", "save_as"):
             action = self._window.command(key)

@@ -44,6 +44,12 @@ class Item:
     palette: OpenPalette | None = None
     waiting: list[Callable[[], None]] = field(default_factory=list)
 
+    def run_waiting(self) -> None:
+        """Call those that wait for the palette."""
+        waiting, self.waiting = self.waiting, []
+        for then in waiting:
+            then()
+
     @property
     def title(self) -> str:
         """The palette's name once it is known, and until then the file's."""

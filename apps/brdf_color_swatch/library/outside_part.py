@@ -1,45 +1,48 @@
-"""A palette's file that another program has written: noticed, told, and read or merged where the user says so."""
+"""A palette's file that another program has written: noticed, reported, and reloaded or merged at the user's choice."""
 
 from __future__ import annotations
+
+from collections.abc import Callable
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.library.reading import Read
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.progress import Progress
 
-_MOST_TOLD = 6
+_MOST_LISTED = 6
 
 
-class OutsidePart:
+class OutsidePart(Feature):
     """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
-        desk.library.changed_outside.connect(self._offer)
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
+        session.library.changed_outside.connect(self._offer)
 
     def _offer(self, key: str) -> None:
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None or item.path is None:
             return
         what = tr("“{name}” was changed by another program.").format(name=item.path.name)
         reload_it = (
             tr("Reload"),
-            lambda: self._desk.library.read_again(key, lambda read: self._reload(key, read)),
+            lambda: self._session.loader.reread(key, lambda read: self._reload(key, read)),
         )
         if item.palette.store.is_clean:
-            todo = tr("Reload shows what the file holds now; Undo brings this back.")
-            actions = (reload_it, (tr("Keep Mine"), lambda: None))
+            todo = tr("Reload loads the current file. It can be undone.")
+            actions: tuple[tuple[str, Callable[[], None]], ...] = (reload_it, (tr("Keep Mine"), lambda: None))
         else:
             todo = tr(
-                "Your changes are not saved. Merge keeps both; Reload takes the file's. Either can be undone."
+                "You have unsaved changes. Merge combines both versions; Reload discards yours. Both can be undone."
             )
             merge = (
                 tr("Merge"),
-                lambda: self._desk.library.read_again(key, lambda read: self._merge(key, read)),
+                lambda: self._session.loader.reread(key, lambda read: self._merge(key, read)),
             )
             actions = (merge, reload_it, (tr("Keep Mine"), lambda: None))
         self._window.show_message(
@@ -49,17 +52,17 @@ class OutsidePart:
         )
 
     def _reload(self, key: str, read: Read) -> None:
-        self._desk.library.take_outside(key, read.palette, read, tr("Reload from disk"))
+        self._session.loader.adopt_file(key, read.palette, read, tr("Reload from disk"))
 
     def _merge(self, key: str, read: Read) -> None:
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None:
             return
         opened = item.palette
         mine = opened.store.value
-        self._desk.library.tasks.submit(
+        self._session.library.tasks.submit(
             f"merge {key}",
-            _merged,
+            _merge_palettes,
             (opened.base, mine, read.palette),
             lambda merged: self._take(key, mine, merged, read),
             lambda error: self._window.show_message(message_of(error, f"outside {key}")),
@@ -68,37 +71,40 @@ class OutsidePart:
     def _take(self, key: str, mine: Palette, merged: object, read: Read) -> None:
         from brdf_suite.palettes.merge import Merge
 
-        item = self._desk.library.item(key)
+        item = self._session.library.item(key)
         if item is None or item.palette is None or not isinstance(merged, Merge):
             return
         if item.palette.store.value is not mine:
             # An edit came while it was merged: it is merged as well.
             self._merge(key, read)
             return
-        self._desk.library.take_outside(key, merged.palette, read, tr("Merge with the file"))
-        told = [*merged.conflicts, *merged.taken]
-        if not told:
+        self._session.loader.adopt_file(key, merged.palette, read, tr("Merge with file"))
+        changes = [*merged.conflicts, *merged.taken]
+        if not changes:
             return
-        more = len(told) - _MOST_TOLD
-        lines = told[:_MOST_TOLD] + ([tr("{count} more").format(count=more)] if more > 0 else [])
+        more = len(changes) - _MOST_LISTED
+        lines = changes[:_MOST_LISTED] + ([tr("{count} more").format(count=more)] if more > 0 else [])
         if merged.conflicts:
-            what = tr(
-                "The file was merged; {count} of your changes met others of the same thing, and stay."
-            ).format(count=len(merged.conflicts))
+            count = len(merged.conflicts)
+            what = (
+                tr("File merged with 1 conflict; your version was kept.")
+                if count == 1
+                else tr("File merged with {count} conflicts; your version was kept.").format(count=count)
+            )
         else:
-            what = tr("The file was merged with your changes.")
+            what = tr("File merged with your changes.")
         self._window.show_message(
             Message(
                 "merged",
                 what,
                 todo="\n".join(lines),
                 severity="warning" if merged.conflicts else "info",
-                actions=((tr("Undo"), self._desk.library.history.undo),),
+                actions=((tr("Undo"), self._session.library.history.undo),),
             )
         )
 
 
-def _merged(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
+def _merge_palettes(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
     from brdf_suite.palettes.merge import merge
 
     progress(0.0, "")

@@ -45,7 +45,7 @@ def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
         try:
             return load_palette(path), (), True
         except DocumentError as error:
-            # Perhaps another program's file under our ending; otherwise this is what is to be told.
+            # Perhaps another program's file under our ending; otherwise this is the error to report.
             own = error
     # With it come the parsers of every format, which our own palettes need not wait for.
     from brdf_suite.files.palettes import read_palette

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, Q
 
 from brdf_color_swatch.features.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.library import Item
+from brdf_color_swatch.library.item import Item
 
 _SCOPE = Qt.ItemDataRole.UserRole
 _TAGS = Scope("", (), "\0tags")
@@ -43,15 +43,15 @@ class _Line:
 
 
 class LibraryTree(QTreeWidget):
-    """Signals: ``scope_chosen(scope)``, ``opened(scope)`` (Return or double click on a palette that is not read),
-    ``renamed(scope, name)``, ``dropped(event, scope)``, ``group_dropped(path, scope)``, ``menu_asked(scope, point)``.
+    """Signals: ``scope_chosen(scope)``, ``renamed(scope, name)``, ``dropped(event, scope)``,
+    ``group_dropped(path, scope)``, ``menu_requested(scope, point)``.
     """
 
     scope_chosen = Signal(object)
     renamed = Signal(object, str)
     dropped = Signal(object, object)
     group_dropped = Signal(object, object)
-    menu_asked = Signal(object, QPoint)
+    menu_requested = Signal(object, QPoint)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -87,7 +87,7 @@ class LibraryTree(QTreeWidget):
         top = self.verticalScrollBar().value()
         self.clear()
         for line in lines:
-            made = self._made(line)
+            made = self._build_item(line)
             self.addTopLevelItem(made)
             if line.scope not in known or line.scope in opened:
                 made.setExpanded(True)
@@ -112,7 +112,7 @@ class LibraryTree(QTreeWidget):
 
     def rename(self, scope: Scope) -> None:
         """Write the name of a line anew, in its place."""
-        item = self._item(scope)
+        item = self.item_of(scope)
         if item is not None:
             self.setCurrentItem(item)
             self.editItem(item)
@@ -123,7 +123,7 @@ class LibraryTree(QTreeWidget):
 
     # Lines.
 
-    def _made(self, line: _Line) -> QTreeWidgetItem:
+    def _build_item(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])
         item.setData(0, _SCOPE, line.scope)
         item.setToolTip(0, plain_tip(line.tip))
@@ -135,7 +135,7 @@ class LibraryTree(QTreeWidget):
             flags |= Qt.ItemFlag.ItemIsDragEnabled
         item.setFlags(flags)
         for child in line.children:
-            item.addChild(self._made(child))
+            item.addChild(self._build_item(child))
         return item
 
     def _all(self) -> list[QTreeWidgetItem]:
@@ -152,15 +152,16 @@ class LibraryTree(QTreeWidget):
         scope = item.data(0, _SCOPE)
         return scope if isinstance(scope, Scope) else Scope()
 
-    def _item(self, scope: Scope) -> QTreeWidgetItem | None:
+    def item_of(self, scope: Scope) -> QTreeWidgetItem | None:
+        """Return the line of a scope; ``None`` where there is none."""
         return next((item for item in self._all() if self._scope(item) == scope), None)
 
     def _mark_chosen(self) -> None:
-        item = self._item(self._chosen) or self._item(Scope(self._chosen.palette))
+        item = self.item_of(self._chosen) or self.item_of(Scope(self._chosen.palette))
         if item is not None:
             self.setCurrentItem(item)
         else:
-            self.setCurrentItem(None)  # type: ignore[arg-type]  # Qt takes a null pointer for none
+            self.setCurrentItem(None)  # type: ignore[call-overload]  # Qt takes a null pointer for none
 
     def _choose(self, item: QTreeWidgetItem | None) -> None:
         if item is None or self._quiet:
@@ -185,7 +186,7 @@ class LibraryTree(QTreeWidget):
     def _ask_menu(self, point: QPoint) -> None:
         item = self.itemAt(point)
         scope = self._scope(item) if item is not None else Scope()
-        self.menu_asked.emit(scope, self.viewport().mapToGlobal(point))
+        self.menu_requested.emit(scope, self.viewport().mapToGlobal(point))
 
     # Drops.
 
@@ -211,7 +212,8 @@ class LibraryTree(QTreeWidget):
         self.viewport().update()
         scope = self._scope(item) if item is not None else Scope()
         if event.source() is self:
-            moved = self._scope(self.currentItem()) if self.currentItem() is not None else Scope()
+            current = self.currentItem()
+            moved = self._scope(current) if current is not None else Scope()
             # The tree itself moves nothing: the palette is changed, and then the tree shows it.
             event.setDropAction(Qt.DropAction.IgnoreAction)
             event.accept()
@@ -230,7 +232,7 @@ class LibraryTree(QTreeWidget):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
         item = self.itemAt(event.position().toPoint())
-        # A click on what is chosen already goes back to all of it, where a search had narrowed another scope.
+        # A click on the current scope shows all of it again, also after a search in another scope.
         if item is not None and event.button() is Qt.MouseButton.LeftButton:
             self._choose(item)
 
@@ -239,11 +241,11 @@ def _line_of(item: Item) -> _Line:
     scope = Scope(item.key)
     palette = item.palette.store.value if item.palette is not None else None
     signs = {"closed": "file", "reading": "hourglass", "open": "palette", "wrong": "warning-octagon"}
-    tip = str(item.path) if item.path is not None else tr("Not in a file yet")
+    tip = str(item.path) if item.path is not None else tr("Not saved to a file")
     if item.state == "wrong":
         tip = item.problem
     elif item.state == "closed":
-        tip = tr("{file}\nNot read yet; choose it to read it.").format(file=tip)
+        tip = tr("{file}\nNot loaded; select it to load it.").format(file=tip)
     title = item.title[:200]
     if palette is None:
         return _Line(scope, title, tip, "", signs[item.state])
@@ -261,7 +263,7 @@ def _line_of(item: Item) -> _Line:
         return tuple(
             _Line(
                 Scope(item.key, path),
-                _counted(path[-1] or tr("(no name)"), counts[path]),
+                _with_count(path[-1] or tr("(no name)"), counts[path]),
                 known[path].notes[:300],
                 known[path].colour,
                 "folder",
@@ -274,16 +276,16 @@ def _line_of(item: Item) -> _Line:
     children = groups(())
     if tags:
         under = tuple(
-            _Line(Scope(item.key, (), tag), _counted(tag, tags[tag]), "", "", "tag")
+            _Line(Scope(item.key, (), tag), _with_count(tag, tags[tag]), "", "", "tag")
             for tag in sorted(tags, key=str.casefold)
         )
         children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
     mark = "" if item.is_clean else " •"
-    tip = tip if item.is_clean else tr("{file}\nThere are changes that are not saved.").format(file=tip)
-    return _Line(scope, _counted(title, len(palette)) + mark, tip, palette.colour, "palette", children)
+    tip = tip if item.is_clean else tr("{file}\nUnsaved changes.").format(file=tip)
+    return _Line(scope, _with_count(title, len(palette)) + mark, tip, palette.colour, "palette", children)
 
 
-def _counted(name: str, count: int) -> str:
+def _with_count(name: str, count: int) -> str:
     return f"{name}  {count}"
 
 

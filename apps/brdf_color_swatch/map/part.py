@@ -13,8 +13,9 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from brdf_color_swatch.desk import Desk
+from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.map.points import MapPoints
+from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 
 if TYPE_CHECKING:
@@ -29,19 +30,19 @@ _HANDLES_PX = 24
 _KINDS = {
     "space": (
         mark("a* b* L*"),
-        mark("Every swatch in three dimensions; left drag turns, Ctrl and left drag selects"),
+        mark("All swatches in three dimensions. Left drag rotates, Ctrl+left drag selects"),
     ),
-    "flop": (mark("Flop over L*"), mark("Flop index over the lightness at 45°; left drag selects")),
-    "ab": (mark("a* b*"), mark("b* over a* at 45°; left drag selects")),
-    "gloss": (mark("Gloss over flop"), mark("Gloss at 20° over the flop index; left drag selects")),
+    "flop": (mark("Flop over L*"), mark("Flop index over lightness at 45°. Left drag selects")),
+    "ab": (mark("a* b*"), mark("b* over a* at 45°. Left drag selects")),
+    "gloss": (mark("Gloss over flop"), mark("Gloss at 20° over flop index. Left drag selects")),
 }
 
 
-class MapPart:
+class MapPart(Feature):
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
-    def __init__(self, desk: Desk, window: SwatchWindow) -> None:
-        self._desk, self._window = desk, window
+    def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
+        super().__init__(session, window)
         self.space: SpaceMap | None = None
         self.plane: PlaneMap | None = None
         self._built = False
@@ -58,7 +59,7 @@ class MapPart:
         head.setSpacing(4)
         self.kinds = QuietComboBox()
         self.kinds.setObjectName("map_kind")
-        self.kinds.setAccessibleName(tr("Kind of map"))
+        self.kinds.setAccessibleName(tr("Type of map"))
         for place, (key, (title, tip)) in enumerate(_KINDS.items()):
             self.kinds.addItem(tr(title), key)
             self.kinds.setItemData(place, tr(tip), Qt.ItemDataRole.ToolTipRole)
@@ -67,7 +68,7 @@ class MapPart:
         self.lasso = ChoiceButton(tr("Lasso"))
         self.lasso.setObjectName("map_lasso")
         self.lasso.setToolTip(
-            tr("Left drag draws around swatches: Ctrl adds to the selection, Alt takes away")
+            tr("Left drag selects swatches with a lasso. Ctrl adds to the selection, Alt removes")
         )
         self.lasso.toggled.connect(self._set_lasso)
         head.addStretch(1)
@@ -75,27 +76,30 @@ class MapPart:
         box.addLayout(head)
         self.stack = QStackedWidget()
         self.stack.setMinimumSize(200, 160)
-        self._note = PlainLabel()
-        self._note.setWordWrap(True)
-        self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.stack.addWidget(self._note)
+        self.note = PlainLabel()
+        self.note.setWordWrap(True)
+        self.note.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.stack.addWidget(self.note)
         box.addWidget(self.stack, 1)
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
-            "view", mark("&Map of the Colours"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
+            "view", mark("Colour &Map"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
         )
         self.action.setCheckable(True)
         window.toolbar.addAction(self.action)
         self.dock.visibilityChanged.connect(self._visible)
-        self._soon = QTimer(window, singleShot=True, interval=0, timeout=self._show)
-        desk.shown_changed.connect(lambda _pane: self._later())
-        desk.front_changed.connect(self._later)
-        desk.selection_changed.connect(lambda _pane: self._show_chosen())
-        window.add_command("view", mark("Fra&me the Map"), "F", self.frame, "frame_map")
-        self._points: MapPoints | None = None
+        self._soon = QTimer(window)
+        self._soon.setSingleShot(True)
+        self._soon.setInterval(0)
+        self._soon.timeout.connect(self._show)
+        session.shown_changed.connect(lambda _pane: self._later())
+        session.front_changed.connect(self._later)
+        session.selection_changed.connect(lambda _pane: self._show_chosen())
+        window.add_command("view", mark("Fra&me All in Map"), "F", self.frame, "frame_map")
+        self.points: MapPoints | None = None
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the map shows what the pane shows."""
         return self.dock.isHidden() or (self._built and not self._soon.isActive())
 
@@ -109,7 +113,7 @@ class MapPart:
         settings().setValue(_KEY, kind)
         self._show()
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Show a map by a script: ``map=flop``."""
         if key != "map" or value not in _KINDS:
             return False
@@ -142,13 +146,15 @@ class MapPart:
         self.dock.show()
         docks = [window.library_dock, self.dock, window.inspector_dock]
         # Taken from the swatches alone, and no more than they can spare: library and inspector keep theirs.
-        room = window.width() - library - inspector - window.centralWidget().minimumSizeHint().width()
+        centre = window.centralWidget()
+        spared = centre.minimumSizeHint().width() if centre is not None else 0
+        room = window.width() - library - inspector - spared
         wide = min(round(0.32 * window.width()), room - _HANDLES_PX)
         widths = [library, max(self.dock.minimumSizeHint().width(), wide), inspector]
         window.resizeDocks(docks, widths, Qt.Orientation.Horizontal)
         self._beside = library, inspector
 
-    def _give_back(self) -> None:
+    def _restore_widths(self) -> None:
         """Give the room of the panel back to the swatches, where Qt gives it to the inspector."""
         library, inspector = self._beside or (0, 0)
         self._beside = None
@@ -161,7 +167,7 @@ class MapPart:
     def _visible(self, shown: bool) -> None:
         self.action.setChecked(not self.dock.isHidden())
         if self.dock.isHidden() and self._beside is not None:
-            self._give_back()
+            self._restore_widths()
         if shown:
             self._later()
 
@@ -170,7 +176,7 @@ class MapPart:
             self._soon.start()
 
     def _show(self) -> None:
-        points = MapPoints.of(self._desk.shown[self._desk.front])
+        points = MapPoints.of(self._session.shown[self._session.front])
         # Until the user chooses: flat colours have no flop, and would lie in one line.
         self.kind = self.chosen_kind or ("ab" if points.are_flat else "flop")
         self.kinds.setCurrentIndex(self.kinds.findData(self.kind))
@@ -178,10 +184,10 @@ class MapPart:
         if self.dock.isHidden():
             return
         self._built = True
-        self._points = points
+        self.points = points
         self.lasso.setEnabled(self.kind == "space")
         if not len(points):
-            self._tell(tr("The map shows the swatches of the pane; there are none."))
+            self._show_note(tr("No swatches to show."))
             return
         if self.kind == "space":
             view = self._space()
@@ -194,9 +200,9 @@ class MapPart:
         self.stack.setCurrentWidget(view)
         self._show_chosen()
 
-    def _tell(self, text: str) -> None:
-        self._note.setText(text)
-        self.stack.setCurrentWidget(self._note)
+    def _show_note(self, text: str) -> None:
+        self.note.setText(text)
+        self.stack.setCurrentWidget(self.note)
 
     def _plane(self) -> PlaneMap:
         if self.plane is None:
@@ -211,8 +217,10 @@ class MapPart:
     def _space(self) -> SpaceMap | None:
         if self.space is None:
             if QGuiApplication.platformName() in ("offscreen", "minimal") or not _has_gl():
-                self._tell(
-                    tr("The map in three dimensions needs OpenGL, and there is none here. The planes work.")
+                self._show_note(
+                    tr(
+                        "The three-dimensional map needs OpenGL, which is not available here. Use one of the planes."
+                    )
                 )
                 return None
             from brdf_color_swatch.map.space import SpaceMap
@@ -229,9 +237,9 @@ class MapPart:
             self.space.setCursor(Qt.CursorShape.CrossCursor if on else Qt.CursorShape.ArrowCursor)
 
     def _show_chosen(self) -> None:
-        if self.dock.isHidden() or self._points is None:
+        if self.dock.isHidden() or self.points is None:
             return
-        ids = set(self._desk.selected)
+        ids = set(self._session.selected)
         if self.kind == "space" and self.space is not None:
             self.space.show_chosen(ids)
         elif self.plane is not None:
@@ -239,15 +247,15 @@ class MapPart:
 
     def _chosen(self, ids: tuple[str, ...], mode: str) -> None:
         """Select what was chosen in the map, in the pane."""
-        before = self._desk.selected
+        before = self._session.selected
         if mode == "add":
             ids = tuple(dict.fromkeys((*before, *ids)))
         elif mode == "drop":
             ids = tuple(key for key in before if key not in set(ids))
-        pane = self._window.panes[self._desk.front]
+        pane = self._window.panes[self._session.front]
         if ids:
             focused = self._window.focusWidget()
-            self._desk.reveal(ids)
+            self._session.reveal(ids)
             if focused is not None:
                 focused.setFocus(Qt.FocusReason.OtherFocusReason)
         else:

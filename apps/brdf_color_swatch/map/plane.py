@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg
+import pyqtgraph as pg  # type: ignore[import-untyped]  # pyqtgraph has no types
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
@@ -139,7 +139,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.addItem(self.cloud)
         self.setMenuEnabled(False)
         self.hideButtons()
-        self.setAccessibleName(tr("Map of the swatches in two dimensions"))
+        self.setAccessibleName(tr("Two-dimensional colour map"))
         self.getViewBox().setMouseEnabled(x=True, y=True)
         self.viewport().installEventFilter(self)
         self.viewport().setMouseTracking(True)
@@ -185,7 +185,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.viewport() and isinstance(event, QMouseEvent) and self._mouse(event):
             return True
-        return super().eventFilter(watched, event)
+        return bool(super().eventFilter(watched, event))
 
     def _mouse(self, event: QMouseEvent) -> bool:
         at = event.position()
@@ -202,7 +202,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             self.viewport().update()
             return True
         if kind == QEvent.Type.MouseMove and not event.buttons():
-            self._tell(event)
+            self._show_name(event)
         if kind == QEvent.Type.MouseButtonRelease and self._line.is_drawn:
             self._close(event)
             return True
@@ -217,12 +217,12 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         at = self.pixels()
         if click:
             found = nearest(at, points[0])
-            ids = () if found is None else (self._points.ids[found],)
+            ids: tuple[str, ...] = () if found is None else (self._points.ids[found],)
         else:
             ids = tuple(self._points.ids[place] for place in np.flatnonzero(inside(at, points)))
         self.chosen.emit(ids, mode_of(event))
 
-    def _tell(self, event: QMouseEvent) -> None:
+    def _show_name(self, event: QMouseEvent) -> None:
         if self._points is None:
             return
         found = nearest(self.pixels(), (event.position().x(), event.position().y()))

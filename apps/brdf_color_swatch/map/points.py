@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_color_swatch.grid.model import Shown
+from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import Rows
 
 PLANES = ("flop", "ab", "gloss")
@@ -28,7 +28,7 @@ class MapPoints:
     codes: np.ndarray
 
     @staticmethod
-    def of(shown: Shown) -> MapPoints:
+    def of(shown: VisibleRows) -> MapPoints:
         """Return the points of what a pane shows."""
         rows: Rows = shown.rows
         places = np.asarray(shown.places, int)

@@ -8,7 +8,7 @@ import numpy as np
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from OpenGL import GL
-from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget
+from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget  # type: ignore[import-untyped]  # pyqtgraph has no types
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPalette, QVector3D
 from PySide6.QtOpenGL import QOpenGLVertexArrayObject
@@ -41,7 +41,7 @@ class _Words(QWidget):
             ("+a*", (_REACH + 8, 0, 0)), ("−a*", (-_REACH - 8, 0, 0)), ("+b*", (0, _REACH + 8, 0)),
             ("−b*", (0, -_REACH - 8, 0)), ("L* 100", (0, 0, _TOP + 6)), ("L* 0", (0, 0, -6)),
         ]  # fmt: skip
-        at, _depth = self._view.projected(np.array([place for _, place in marks], float))
+        at, _depth = self._view.project(np.array([place for _, place in marks], float))
         for (text, _place), (x, y) in zip(marks, at, strict=True):
             if np.isfinite(x):
                 wide = painter.fontMetrics().horizontalAdvance(text)
@@ -57,10 +57,11 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     """
 
     chosen = Signal(object, str)
+    mousePos: QPointF  # noqa: N815 - the name is pyqtgraph's
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setAccessibleName(tr("Map of the swatches in three dimensions"))
+        self.setAccessibleName(tr("Three-dimensional colour map"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.lasso = False
@@ -146,9 +147,11 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def _distance(self) -> float:
         """How far away the whole body of colours fits into the view; the angle of view is that of the width."""
         share = min(1.0, self.height() / max(1, self.width()))
-        return 1.22 * _REACH / (math.tan(math.radians(0.5 * self.opts["fov"])) * max(0.2, share))
+        fov_deg = float(self.opts["fov"])
+        distance: float = 1.22 * _REACH / (math.tan(math.radians(0.5 * fov_deg)) * max(0.2, share))
+        return distance
 
-    def projected(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return where points (n, 3) of a*, b*, L* are in this widget (n, 2), and how far away (n,)."""
         area = self.getViewport()
         matrix = self.projectionMatrix(area, area) * self.viewMatrix()
@@ -162,7 +165,7 @@ class SpaceMap(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def pixels(self) -> tuple[np.ndarray, np.ndarray]:
         """Return where the swatches (n, 2) are in this widget, and how far away (n,)."""
         lab = self._points.lab if self._points is not None else np.zeros((0, 3))
-        return self.projected(lab[:, [1, 2, 0]])
+        return self.project(lab[:, [1, 2, 0]])
 
     # The mouse.
 

@@ -16,19 +16,25 @@ from brdf_color_swatch.panels.range_slider import RangeField
 
 DEFAULT_TOLERANCE = 1.0
 _FIELDS = {
-    "hue": (mark("Hue"), "°", 1.0, 0, mark("CIE hue angle at 45°; from past to means over 0°")),
+    "hue": (
+        mark("Hue"),
+        "°",
+        1.0,
+        0,
+        mark("CIE hue angle at 45°. A range from 330° to 30° passes through 0°"),
+    ),
     "lightness": (mark("Lightness"), "", 1.0, 0, mark("CIE L* at 45°")),
     "chroma": (mark("Chroma"), "", 1.0, 0, mark("CIE C* at 45°")),
-    "flop": (mark("Flop"), "", 0.5, 1, mark("Flop index from 15°, 45° and 110°; 0 is solid")),
+    "flop": (mark("Flop"), "", 0.5, 1, mark("Flop index from 15°, 45° and 110° (0: solid)")),
     "gloss": (mark("Gloss"), "GU", 1.0, 0, mark("Gloss at 20° in gloss units")),
 }
 
 
 class FiltersPanel(QWidget):
-    """Signals: ``range_edited(key, low, high)``, ``duplicates_asked(tolerance or None)``, ``cleared()``."""
+    """Signals: ``range_edited(key, low, high)``, ``duplicates_requested(tolerance or None)``, ``cleared()``."""
 
     range_edited = Signal(str, float, float)
-    duplicates_asked = Signal(object)
+    duplicates_requested = Signal(object)
     cleared = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -46,26 +52,24 @@ class FiltersPanel(QWidget):
             field.edited.connect(lambda low, high, key=key: self.range_edited.emit(key, low, high))
             self.fields[key] = field
             box.addWidget(field)
-        self.duplicates = QCheckBox(tr("Only duplicates within"))
+        self.duplicates = QCheckBox(tr("Duplicates within"))
         self.duplicates.setObjectName("duplicates")
-        tip = tr(
-            "Shows swatches alone that another one is within this ΔE00 of, at every angle, group by group"
-        )
+        tip = tr("Show only swatches within this ΔE00 of another at every angle, by group")
         self.duplicates.setToolTip(plain_tip(tip))
-        self.tolerance = NumberField(
-            tr("Tolerance of duplicates"), "ΔE00", 0.0, 20.0, 0.1, 2, DEFAULT_TOLERANCE
-        )
+        self.tolerance = NumberField(tr("Duplicate tolerance"), "ΔE00", 0.0, 20.0, 0.1, 2, DEFAULT_TOLERANCE)
         self.tolerance.setToolTip(plain_tip(tip))
         row = QHBoxLayout()
         row.addWidget(self.duplicates, 1)
         row.addWidget(self.tolerance)
         box.addLayout(row)
-        self.clear = QPushButton(tr("Let All Pass"))
+        self.clear = QPushButton(tr("Clear Filters"))
         self.clear.setObjectName("clear_filters")
         self.clear.clicked.connect(self.cleared)
         box.addWidget(self.clear, 0, Qt.AlignmentFlag.AlignRight)
-        self.duplicates.clicked.connect(lambda _on: self._ask())
-        self.tolerance.edited.connect(lambda _value: self._ask() if self.duplicates.isChecked() else None)
+        self.duplicates.clicked.connect(lambda _on: self._request_duplicates())
+        self.tolerance.edited.connect(
+            lambda _value: self._request_duplicates() if self.duplicates.isChecked() else None
+        )
 
     def show_state(self, state: PaneState) -> None:
         """Show what the pane in front lets pass."""
@@ -74,10 +78,10 @@ class FiltersPanel(QWidget):
         self.duplicates.setChecked(state.duplicates is not None)
         if state.duplicates is not None:
             self.tolerance.set_value(state.duplicates)
-        self.clear.setEnabled(bool(state.is_narrowed or state.near is not None))
+        self.clear.setEnabled(bool(state.is_filtered or state.near is not None))
 
-    def _ask(self) -> None:
-        self.duplicates_asked.emit(self.tolerance.value() if self.duplicates.isChecked() else None)
+    def _request_duplicates(self) -> None:
+        self.duplicates_requested.emit(self.tolerance.value() if self.duplicates.isChecked() else None)
 
 
 def _hue_colour(hue: float) -> QColor:

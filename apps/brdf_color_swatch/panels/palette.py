@@ -36,7 +36,7 @@ class PalettePanel(QWidget):
         self.name.editingFinished.connect(self._named)
         self.colour = QPushButton()
         self.colour.setObjectName("palette_colour")
-        self.colour.setToolTip(tr("A colour that marks the palette or group in the library"))
+        self.colour.setToolTip(tr("Colour that marks the palette or group in the library"))
         self.colour.setAccessibleName(tr("Colour of the palette or group"))
         self.colour.clicked.connect(self._choose)
         self.none = QToolButton()

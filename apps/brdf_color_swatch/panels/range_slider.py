@@ -42,7 +42,7 @@ class _Track(QWidget):
     ) -> None:
         super().__init__(parent)
         self._ends = (low, high)
-        self._values = [low, high]
+        self.values = [low, high]
         self._step, self._colour_at, self._wraps = step, colour_at, wraps
         self._held: int | None = None
         self._keyed = 0
@@ -50,13 +50,13 @@ class _Track(QWidget):
         self.setMinimumHeight(22)
 
     def set_values(self, low: float, high: float) -> None:
-        self._values = [low, high]
+        self.values = [low, high]
         self.update()
 
     def sizeHint(self) -> QSize:
         return QSize(160, 22)
 
-    def _x(self, value: float) -> float:
+    def x_of(self, value: float) -> float:
         low, high = self._ends
         return _HANDLE + (self.width() - 2 * _HANDLE) * (value - low) / (high - low)
 
@@ -81,7 +81,7 @@ class _Track(QWidget):
             painter.fillRect(track, ramp)
         shade = QColor(self.palette().color(role.Window))
         shade.setAlpha(200)
-        first, last = self._x(self._values[0]), self._x(self._values[1])
+        first, last = self.x_of(self.values[0]), self.x_of(self.values[1])
         hidden = (
             [QRectF(track.left(), track.top() - 1, first - track.left(), _TRACK + 2),
              QRectF(last, track.top() - 1, track.right() - last, _TRACK + 2)]
@@ -102,9 +102,9 @@ class _Track(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         x = event.position().x()
-        away = [abs(self._x(value) - x) for value in self._values]
+        away = [abs(self.x_of(value) - x) for value in self.values]
         if abs(away[0] - away[1]) < 1e-6:
-            self._held = 0 if x < self._x(self._values[0]) else 1
+            self._held = 0 if x < self.x_of(self.values[0]) else 1
         else:
             self._held = 0 if away[0] < away[1] else 1
         self._keyed = self._held
@@ -132,7 +132,7 @@ class _Track(QWidget):
         else:
             step = self._step * (10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1)
             self._held = self._keyed
-            self._to(self._values[self._keyed] + way * step)
+            self._to(self.values[self._keyed] + way * step)
             self._held = None
 
     def focusInEvent(self, event: QFocusEvent) -> None:
@@ -149,15 +149,15 @@ class _Track(QWidget):
     def _to(self, value: float) -> None:
         assert self._held is not None
         low, high = self._ends
-        values = list(self._values)
+        values = list(self.values)
         values[self._held] = min(high, max(low, value))
         if not self._wraps and values[0] > values[1]:
             values[1 - self._held] = values[self._held]
         self._set(*values)
 
     def _set(self, low: float, high: float) -> None:
-        if [low, high] != self._values:
-            self._values = [low, high]
+        if [low, high] != self.values:
+            self.values = [low, high]
             self.update()
             self.moved.emit(low, high)
 
@@ -193,7 +193,7 @@ class RangeField(QWidget):
         self.track = _Track(*ends, step, colour_at, wraps=wraps)
         self.track.setAccessibleName(name)
         self.track.setToolTip(
-            plain_tip(f"{tip}\n{tr('Space takes the other end, a double click lets all pass.')}".strip())
+            plain_tip(f"{tip}\n{tr('Space switches the handle; double-click clears the filter.')}".strip())
         )
         self._wraps = wraps
         label = PlainLabel(name)

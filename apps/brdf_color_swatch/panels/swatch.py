@@ -31,15 +31,15 @@ class _Chips(QWidget):
         self.setMinimumHeight(56)
 
     def show_readings(self, readings: Sequence[tuple[str, tuple[float, float, float]]]) -> None:
-        codes = codes_of(np.array([lab for _, lab in readings])) if readings else []
+        codes = codes_of(np.array([lab for _, lab in readings])) if readings else np.zeros((0, 3))
         self._readings = [
             (name, lab, QColor(*(int(part) for part in code)))
             for (name, lab), code in zip(readings, codes, strict=True)
         ]
-        told = [f"{name} L* {lab[0]:.1f} a* {lab[1]:.1f} b* {lab[2]:.1f}" for name, lab, _ in self._readings]
+        lines = [f"{name} L* {lab[0]:.1f} a* {lab[1]:.1f} b* {lab[2]:.1f}" for name, lab, _ in self._readings]
         self.setAccessibleName(tr("Measured colours"))
-        self.setAccessibleDescription("; ".join(told))
-        self.setToolTip(plain_tip("\n".join(told)))
+        self.setAccessibleDescription("; ".join(lines))
+        self.setToolTip(plain_tip("\n".join(lines)))
         self.setVisible(bool(readings))
         self.update()
 
@@ -58,7 +58,7 @@ class _Chips(QWidget):
 
 
 class _Notes(QPlainTextEdit):
-    """Text of several lines, told once the field is left: one step, however much was typed."""
+    """Multi-line text, emitted when the field loses focus: one undo step per edit."""
 
     finished = Signal(str)
 
@@ -80,7 +80,7 @@ class _Notes(QPlainTextEdit):
         self.finish()
 
     def finish(self) -> None:
-        """Tell what was typed, where that is something else than before."""
+        """Emit the text if it has changed."""
         text = self.toPlainText()
         if text != self._shown:
             self._shown = text
@@ -114,9 +114,9 @@ class SwatchPanel(QWidget):
             form.addRow(label, field)
         self.fields["name"].setMaxLength(200)
         self.fields["code"].setMaxLength(200)
-        self.fields["tags"].setPlaceholderText(tr("words, divided by commas"))
+        self.fields["tags"].setPlaceholderText(tr("comma-separated"))
         self.fields["tags"].setToolTip(
-            tr("Words to search by, divided by commas. With several swatches: +word adds, -word takes away.")
+            tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
         )
         self.notes = _Notes()
         self.notes.setObjectName("swatch_notes")
@@ -139,13 +139,11 @@ class SwatchPanel(QWidget):
         """Show what is selected; fields in which they differ are marked by an ellipsis."""
         one = entries[0] if len(entries) == 1 else None
         if not entries:
-            title = tr("Nothing is selected. Click a swatch, or drag around several.")
+            title = tr("No swatch selected. Click one, or drag around several.")
         elif one is not None:
             title = group_title(one.group) if one.group else ""
         else:
-            title = tr("{count} swatches are selected; a field is written into all of them.").format(
-                count=len(entries)
-            )
+            title = tr("{count} swatches selected. Edits apply to all.").format(count=len(entries))
         self.title.setText(title)
         self.title.setVisible(bool(title))
         values = {

@@ -26,7 +26,7 @@ _SEARCH_AFTER_MS = 120
 _ONE_LINE_PX = 540
 """Narrower, the bar has two lines."""
 SORT_TITLES = {
-    "own": mark("Own order"),
+    "own": mark("Palette order"),
     "hue": mark("Hue path"),
     "lightness": mark("Lightness"),
     "flop": mark("Flop"),
@@ -38,15 +38,15 @@ SORT_TITLES = {
     "nearest": mark("Nearest first"),
 }
 _FORM_TITLES = {
-    "sphere": (mark("Sphere"), "circle", mark("A sphere in the light booth")),
-    "panel": (mark("Panel"), "rectangle", mark("A curved panel in the light booth")),
-    "flop_strip": (mark("Flop"), "square-half", mark("The flop from 15° at the left to 110° at the right")),
-    "chips": (mark("Chips"), "columns", mark("Flat chips: the measured colour at 15°, 45° and 110°")),
+    "sphere": (mark("Sphere"), "circle", mark("Sphere in the light booth")),
+    "panel": (mark("Panel"), "rectangle", mark("Curved panel in the light booth")),
+    "flop_strip": (mark("Flop"), "square-half", mark("Flop from 15° (left) to 110° (right)")),
+    "chips": (mark("Chips"), "columns", mark("Measured colours at 15°, 45° and 110° as flat chips")),
 }
 
 
 class SearchField(QLineEdit):
-    """Text to search by; it is told shortly after the last letter, and Escape clears it."""
+    """Search text, emitted shortly after the last key press; Escape clears it."""
 
     searched = Signal(str)
     left_downwards = Signal()
@@ -56,7 +56,7 @@ class SearchField(QLineEdit):
         self.setObjectName("search")
         self.setPlaceholderText(tr("Search names, codes, tags, notes"))
         self.setAccessibleName(tr("Search names, codes, tags and notes"))
-        self.setToolTip(tr("Every word must be in the name, code, tags, notes or group (Ctrl+F)"))
+        self.setToolTip(tr("Every word must occur in name, code, tags, notes or group (Ctrl+F)"))
         self.setClearButtonEnabled(True)
         self.addAction(icon("magnifying-glass"), QLineEdit.ActionPosition.LeadingPosition)
         self._timer = QTimer(self, singleShot=True, interval=_SEARCH_AFTER_MS)
@@ -99,16 +99,14 @@ class TopBar(QWidget):
         self.sort = QuietComboBox()
         self.sort.setObjectName("sort")
         self.sort.setAccessibleName(tr("Order of the swatches"))
-        self.sort.setToolTip(
-            tr("Order of the swatches; own order is the one in which they can be put by hand")
-        )
+        self.sort.setToolTip(tr("Order of the swatches. Swatches can be moved by hand in palette order"))
         for key, title in SORT_TITLES.items():
             self.sort.addItem(tr(title), key)
         self.sort.activated.connect(lambda _place: self.sort_chosen.emit(self.sort.currentData()))
         self.light = QuietComboBox()
         self.light.setObjectName("light")
-        self.light.setAccessibleName(tr("Light on all swatches"))
-        self.light.setToolTip(tr("The light booth, or another light, for all swatches"))
+        self.light.setAccessibleName(tr("Light for all swatches"))
+        self.light.setToolTip(tr("Light for all swatches"))
         for name in lights:
             self.light.addItem(name.replace("_", " ").capitalize(), name)
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
@@ -159,7 +157,7 @@ class TopBar(QWidget):
         self.size_slider.setRange(*SIZES)
         self.size_slider.setMinimumWidth(48)
         self.size_slider.setMaximumWidth(140)
-        self.size_slider.setAccessibleName(tr("Size of the swatches, pixels"))
+        self.size_slider.setAccessibleName(tr("Swatch size in pixels"))
         self.size_slider.valueChanged.connect(self.size_chosen)
         self._paint_grey()
         row.addWidget(self.size_slider, 1)
@@ -192,13 +190,13 @@ class TopBar(QWidget):
         self.sort.setCurrentIndex(place)
         self.way.setIcon(icon("sort-descending" if state.descending else "sort-ascending"))
         self.way.setEnabled(state.sort not in ("own", "nearest"))
-        told = (
-            tr("Largest first; click for the other way")
+        direction = (
+            tr("Descending; click for ascending")
             if state.descending
-            else tr("Smallest first; click for the other way")
+            else tr("Ascending; click for descending")
         )
-        self.way.setToolTip(plain_tip(told))
-        self.way.setAccessibleName(told)
+        self.way.setToolTip(plain_tip(direction))
+        self.way.setAccessibleName(direction)
 
     def show_look(self, look: Look) -> None:
         """Show form, size and light."""
@@ -209,7 +207,7 @@ class TopBar(QWidget):
             self.size_slider.setValue(look.size)
         self.size_slider.setEnabled(not look.as_list)
         self.size_slider.setToolTip(
-            plain_tip(tr("Size of the swatches: {size} pixels (Ctrl and wheel)").format(size=look.size))
+            plain_tip(tr("Swatch size: {size} pixels (Ctrl+wheel)").format(size=look.size))
         )
         place = self.light.findData(look.booth)
         if place >= 0:

@@ -1,7 +1,7 @@
 """Pictures of swatches: from memory, from the disk, or drawn in a process of its own; only those that are seen.
 
-Whoever paints asks for what it paints; what is not there is looked for on the disk by a thread, and what is not there
-either is drawn by :mod:`brdf_suite.palettes.swatches.process`, newest wishes first. Nothing of it waits in the window.
+A view requests the pictures that it paints. Missing ones are looked up on the disk by a thread; those not stored there
+are rendered by :mod:`brdf_suite.palettes.swatches.process`, newest requests first. The window never waits for them.
 
 A paint over which that process dies is found by asking for one at a time, and is refused alone. That nothing can be
 drawn is a verdict on a form in a light, and another form or light is tried anew.
@@ -13,7 +13,7 @@ import base64
 import json
 import logging
 from collections import OrderedDict
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -53,7 +53,7 @@ class Pictures(QObject):
     unavailable(text)
         Nothing can be drawn of this form in this light, and why. The readings stand for the pictures.
     waiting_changed(count)
-        How many of the wanted are still to come.
+        How many of the requested are still to come.
     """
 
     arrived = Signal(object)
@@ -80,17 +80,24 @@ class Pictures(QObject):
         self._refused: dict[str, str] = {}
         self._not_stored: set[str] = set()
         self._suspects: set[str] = set()
-        self._wanted: dict[str, Entry] = {}
+        self._pending: dict[str, Entry] = {}
         self._ids: dict[str, list[str]] = {}
-        self._asked: set[str] = set()
-        self._looking = self._closed = False
-        self._deaths = self._number = 0
-        self._told = ""
+        self._in_process: set[str] = set()
+        self._reading_store = self._closed = False
+        self._deaths = self.request_number = 0
+        self._problem = ""
         self._waiting = 0
         self._fresh: set[str] = set()
-        self._pump_timer = QTimer(self, singleShot=True, interval=0, timeout=self._pump)
-        self._tell_timer = QTimer(self, singleShot=True, interval=16, timeout=self._tell)
-        self._lines_timer = QTimer(self, singleShot=True, interval=0, timeout=self._read)
+        self._pump_timer = self._timer(0, self._pump)
+        self._arrival_timer = self._timer(16, self._emit_arrived)
+        self._lines_timer = self._timer(0, self._read)
+
+    def _timer(self, interval_ms: int, act: Callable[[], None]) -> QTimer:
+        timer = QTimer(self)
+        timer.setSingleShot(True)
+        timer.setInterval(interval_ms)
+        timer.timeout.connect(act)
+        return timer
 
     # What is asked.
 
@@ -106,15 +113,15 @@ class Pictures(QObject):
         if look == self._look and size == self._shown_size:
             return
         if self._look is None or (look.form, look.environment) != (self._look.form, self._look.environment):
-            self._told, self._deaths = "", 0
+            self._problem, self._deaths = "", 0
         if look != self._look:
             self._keys.clear()
             self._not_stored.clear()
             self._suspects.clear()
-            self._wanted.clear()
+            self._pending.clear()
             self._look = look
-            self._asked.clear()
-            self._number += 1
+            self._in_process.clear()
+            self.request_number += 1
         self._shown_size = size
         self._pump_timer.start()
 
@@ -132,42 +139,42 @@ class Pictures(QObject):
     def is_stale(self, entry: Entry) -> bool:
         """Whether the picture is still to come."""
         if self._look is None:
-            return not self._told
+            return not self._problem
         key = self._key(entry)
-        return key not in self._kept and key not in self._refused and not self._told
+        return key not in self._kept and key not in self._refused and not self._problem
 
     def refusal(self, entry: Entry) -> str:
         """Return why there is no picture of an entry; empty where there is or may be one."""
         return "" if self._look is None else self._refused.get(self._key(entry), "")
 
-    def want(self, entries: Iterable[Entry]) -> None:
-        """Have pictures of these, the first ones first; older wishes are forgotten."""
-        if self._look is None or self._closed or self._told:
+    def request(self, entries: Iterable[Entry]) -> None:
+        """Request pictures of these entries, the first ones first; earlier requests are dropped."""
+        if self._look is None or self._closed or self._problem:
             return
-        self._wanted = {}
+        self._pending = {}
         self._ids = {}
         for entry in entries:
             key = self._key(entry)
             self._ids.setdefault(key, []).append(entry.id)
             if key not in self._kept and key not in self._refused:
-                self._wanted.setdefault(key, entry)
+                self._pending.setdefault(key, entry)
         self._note_waiting()
         self._pump_timer.start()
 
     @property
     def waiting(self) -> int:
-        """How many of the wanted pictures are still to come."""
-        return 0 if self._told or self._closed else len(self._wanted)
+        """How many of the requested pictures are still to come."""
+        return 0 if self._problem or self._closed else len(self._pending)
 
     @property
     def problem(self) -> str:
-        """What :attr:`unavailable` told; empty while pictures can be drawn."""
-        return self._told
+        """The text of :attr:`unavailable`; empty while pictures can be drawn."""
+        return self._problem
 
     def close(self) -> None:
         """End process and thread; nothing is drawn any more."""
         self._closed = True
-        for timer in (self._pump_timer, self._tell_timer, self._lines_timer):
+        for timer in (self._pump_timer, self._arrival_timer, self._lines_timer):
             timer.stop()
         self._tasks.stop()
         if self._store is not None:
@@ -193,20 +200,20 @@ class Pictures(QObject):
         return key
 
     def _pump(self) -> None:
-        if self._closed or self._told or self._look is None:
+        if self._closed or self._problem or self._look is None:
             return
-        if not self._looking:
-            keys = [key for key in self._wanted if key not in self._not_stored][:_LOOKED_UP]
+        if not self._reading_store:
+            keys = [key for key in self._pending if key not in self._not_stored][:_LOOKED_UP]
             if keys:
-                self._looking = True
+                self._reading_store = True
                 self._tasks.submit("store", self._look_up, tuple(keys), self._found, self._not_found)
-        if not self._asked:
-            ready = [(key, one) for key, one in self._wanted.items() if key in self._not_stored]
+        if not self._in_process:
+            ready = [(key, one) for key, one in self._pending.items() if key in self._not_stored]
             # Over one of these the process has died: alone it is known which.
             alone = [pair for pair in ready if pair[0] in self._suspects][:1]
             batch = alone or ready[:_BATCH]
             if batch:
-                self._ask(batch)
+                self._send_request(batch)
 
     def _look_up(
         self, keys: tuple[str, ...], _progress: Progress
@@ -218,7 +225,7 @@ class Pictures(QObject):
         return keys, self._store.get(keys)
 
     def _found(self, answer: tuple[tuple[str, ...], dict[str, np.ndarray]]) -> None:
-        self._looking = False
+        self._reading_store = False
         keys, pictures = answer
         for key in keys:
             if key in pictures:
@@ -229,23 +236,22 @@ class Pictures(QObject):
         self._pump()
 
     def _not_found(self, error: Exception) -> None:
-        # The store itself tells of no error that matters; whatever this is, pictures are drawn all the same.
+        # The store reports no error that matters; whatever this is, the pictures are rendered instead.
         log.error("The pictures on the disk cannot be looked through.", exc_info=error)
-        self._looking = False
-        self._not_stored.update(self._wanted)
+        self._reading_store = False
+        self._not_stored.update(self._pending)
         self._pump()
 
-    def _ask(self, batch: list[tuple[str, Entry]]) -> None:
+    def _send_request(self, batch: list[tuple[str, Entry]]) -> None:
         from brdf_suite.documents.palette_store import entry_to_json
 
-        items = []
+        items: list[dict[str, Any]] = []
         for key, entry in batch:
             content = entry_to_json(entry)
-            items.append(
-                {"key": key, **{name: content[name] for name in ("paint", "flat") if name in content}}
-            )
-        self._asked = {key for key, _ in batch}
-        request = {"id": self._number, "look": self._look.to_json(), "items": items}
+            item: dict[str, Any] = {name: content[name] for name in ("paint", "flat") if name in content}
+            items.append({"key": key} | item)
+        self._in_process = {key for key, _ in batch}
+        request = {"id": self.request_number, "look": self._look.to_json(), "items": items}
         if self._process.state() == QProcess.ProcessState.NotRunning:
             self._process.start(self._program[0], self._program[1:])
         self._process.write(json.dumps(request).encode("utf-8") + b"\n")
@@ -254,39 +260,40 @@ class Pictures(QObject):
         for _ in range(_LINES_A_TURN):
             if self._closed or not self._process.canReadLine():
                 return
-            self._take(json.loads(self._process.readLine().data()))
+            self.receive(json.loads(bytes(self._process.readLine().data())))
         # The rest in a later turn, so that a scroll step comes between.
         self._lines_timer.start()
 
-    def _take(self, answer: dict[str, Any]) -> None:
+    def receive(self, answer: dict[str, Any]) -> None:
+        """Take an answer of the rendering process; late ones of a former look are ignored."""
         key = str(answer.get("key", ""))
         if "picture" in answer:
-            self._lives(key)
+            self._mark_alive(key)
             data = base64.b64decode(answer["picture"])
             self._keep(key, data, round((len(data) / 3) ** 0.5))
         elif "refused" in answer:
-            self._lives(key)
+            self._mark_alive(key)
             if "fault" in answer:
                 log.error("A picture could not be drawn.\n%s", answer["fault"])
             self._refuse(key, str(answer["refused"]))
-        elif answer.get("id") != self._number:
+        elif answer.get("id") != self.request_number:
             # The end of what was asked for a look that is shown no more; it says nothing of this one.
             self._pump()
         elif "failed" in answer or "unavailable" in answer:
-            self._give_up(str(answer.get("failed") or answer.get("unavailable")))
+            self.give_up(str(answer.get("failed") or answer.get("unavailable")))
         elif "done" in answer:
-            self._asked.clear()
+            self._in_process.clear()
             self._pump()
 
-    def _lives(self, key: str) -> None:
+    def _mark_alive(self, key: str) -> None:
         self._deaths = 0
         self._suspects.discard(key)
 
     def _refuse(self, key: str, why: str) -> None:
         self._refused[key] = why
-        self._wanted.pop(key, None)
+        self._pending.pop(key, None)
         self._fresh.update(self._ids.get(key, ()))
-        self._tell_timer.start()
+        self._arrival_timer.start()
 
     def _keep(self, key: str, data: bytes, size: int) -> None:
         image = QImage(data, size, size, 3 * size, QImage.Format.Format_RGB888)
@@ -307,16 +314,16 @@ class Pictures(QObject):
         self._bytes += _bytes(pixmap)
         while self._bytes > MOST_BYTES and len(self._kept) > 1:
             self._bytes -= _bytes(self._kept.popitem(last=False)[1])
-        entry = self._wanted.pop(key, None)
+        entry = self._pending.pop(key, None)
         if entry is not None:
             self._last[id(entry.content)] = (entry.content, pixmap)
             while len(self._last) > 600:
                 self._last.popitem(last=False)
         self._fresh.update(self._ids.get(key, ()))
-        if not self._tell_timer.isActive():
-            self._tell_timer.start()
+        if not self._arrival_timer.isActive():
+            self._arrival_timer.start()
 
-    def _tell(self) -> None:
+    def _emit_arrived(self) -> None:
         fresh, self._fresh = self._fresh, set()
         self._note_waiting()
         if fresh:
@@ -330,35 +337,36 @@ class Pictures(QObject):
     # The process.
 
     def _ended(self, *_: object) -> None:
-        if self._closed or self._told:
+        if self._closed or self._problem:
             return
         while self._process.canReadLine():
-            self._take(json.loads(self._process.readLine().data()))
-        if self._told:
+            self.receive(json.loads(bytes(self._process.readLine().data())))
+        if self._problem:
             return
-        unanswered = {key for key in self._asked if key not in self._kept and key not in self._refused}
-        self._asked.clear()
+        unanswered = {key for key in self._in_process if key not in self._kept and key not in self._refused}
+        self._in_process.clear()
         if unanswered:
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The process that draws the pictures ended again and again."))
+                self.give_up(tr("The rendering process ended repeatedly. Choose another form or light."))
                 return
             if unanswered <= self._suspects:
                 for key in unanswered:
-                    self._refuse(key, tr("The process that draws the pictures ended over this paint."))
+                    self._refuse(key, tr("The rendering process ended while rendering this paint."))
             self._suspects.update(unanswered)
         self._pump_timer.start()
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
-            self._give_up(
-                tr("The pictures cannot be drawn: {reason}.").format(reason=self._process.errorString())
+            self.give_up(
+                tr("The swatches cannot be rendered: {reason}.").format(reason=self._process.errorString())
             )
 
-    def _give_up(self, why: str) -> None:
-        self._told = why
-        self._wanted.clear()
-        self._asked.clear()
+    def give_up(self, why: str) -> None:
+        """Stop rendering this form in this light, and report the reason."""
+        self._problem = why
+        self._pending.clear()
+        self._in_process.clear()
         self._note_waiting()
         self.unavailable.emit(why)
 

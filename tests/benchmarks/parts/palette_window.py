@@ -43,7 +43,7 @@ def measure(file: Path) -> dict[str, object]:
     app = create_application("Color Swatch")
     program = ColorSwatch()
     program.window.resize(*SIZE)
-    program.desk.set_look(form="sphere", size=96, as_list=False)
+    program.session.set_look(form="sphere", size=96, as_list=False)
     program.window.show()
     wait(app, lambda: program.is_complete)
     pane = program.window.panes[0]

@@ -1,4 +1,4 @@
-"""What the window shows of the library: the panes' states, the look, and which pane is in front. No widget here."""
+"""What the window shows of the library: pane states, look and active pane. Contains no widgets."""
 
 from __future__ import annotations
 
@@ -11,19 +11,21 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, Signal
 
+from brdf_color_swatch.grid.filtering import filter_and_sort, is_slow
 from brdf_color_swatch.grid.layout import Part
-from brdf_color_swatch.grid.model import Shown
-from brdf_color_swatch.grid.narrowing import is_slow, narrowed
+from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import Rows, group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.library import Item, Library
+from brdf_color_swatch.library.item import Item
+from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.loading import PaletteLoader
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 Edit = Callable[[Palette], Palette]
 
 
-class Desk(QObject):
+class PaletteSession(QObject):
     """The state between library and window.
 
     Signals
@@ -31,14 +33,14 @@ class Desk(QObject):
     shown_changed(pane)
         A pane shows other swatches, or the same in another order.
     state_changed(pane)
-        What narrows or orders a pane is something else.
+        The filter or order of a pane changed.
     front_changed()
         The other pane is worked in.
     selection_changed(pane)
         Other swatches are selected in a pane.
     look_changed(old, new)
         Form, size, light, or list for grid.
-    reveal_asked(pane, ids)
+    reveal_requested(pane, ids)
         These swatches are to be selected and seen.
     working_changed(pane)
         The order of a pane is being worked out, or is there.
@@ -49,14 +51,15 @@ class Desk(QObject):
     front_changed = Signal()
     selection_changed = Signal(int)
     look_changed = Signal(object, object)
-    reveal_asked = Signal(int, object)
+    reveal_requested = Signal(int, object)
     working_changed = Signal(int)
 
     def __init__(self, library: Library, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.library = library
+        self.loader = PaletteLoader(library)
         self.states = [PaneState(), PaneState()]
-        self.shown = [Shown(Rows.empty()), Shown(Rows.empty())]
+        self.shown = [VisibleRows(Rows.empty()), VisibleRows(Rows.empty())]
         self._selected: list[tuple[str, ...]] = [(), ()]
         self._busy = [False, False]
         self._front = 0
@@ -103,12 +106,12 @@ class Desk(QObject):
             return
         self.states[pane] = state
         if state.scope.palette != before.scope.palette and self.library.item(state.scope.palette) is not None:
-            self.library.want(state.scope.palette)
+            self.loader.load(state.scope.palette)
         self.state_changed.emit(pane)
         self.refresh(pane)
 
     def show_scope(self, scope: Scope, pane: int | None = None) -> None:
-        """Show a palette, a group or a tag; what narrowed the pane before stays only within one palette."""
+        """Show a palette, a group or a tag; filters of the pane stay only within one palette."""
         pane = self._front if pane is None else pane
         state = self.states[pane]
         if scope.palette != state.scope.palette:
@@ -131,20 +134,20 @@ class Desk(QObject):
             self._working(pane, True)
             self.library.tasks.submit(
                 task,
-                lambda request, progress: narrowed(*request, progress),
+                lambda request, progress: filter_and_sort(request[0], request[1], progress),
                 (rows, state),
                 lambda shown: self._take(pane, shown),
                 lambda error: self._fail(pane, error),
             )
         else:
             self.library.tasks.cancel(task)
-            self._take(pane, narrowed(rows, state))
+            self._take(pane, filter_and_sort(rows, state))
 
     def is_working(self, pane: int) -> bool:
         """Whether what a pane shows is that of before, and the new order still to come."""
         return self._busy[pane]
 
-    def _take(self, pane: int, shown: Shown) -> None:
+    def _take(self, pane: int, shown: VisibleRows) -> None:
         state = self.states[pane]
         self._working(pane, False)
         self.shown[pane] = _with_empty_groups(shown, state, self.library.palette(state.scope.palette))
@@ -211,12 +214,12 @@ class Desk(QObject):
 
     def reveal(self, ids: tuple[str, ...], pane: int | None = None) -> None:
         """Select swatches of a pane and let them be seen."""
-        self.reveal_asked.emit(self._front if pane is None else pane, ids)
+        self.reveal_requested.emit(self._front if pane is None else pane, ids)
 
     # Edits.
 
     def edit(self, name: str, change: Edit, key: str | None = None) -> bool:
-        """Change a palette (that in front) in one step; a refusal is told, and nothing changes."""
+        """Change a palette (that in front) in one step; a refusal is reported, and nothing changes."""
         key = self.state.scope.palette if key is None else key
         return self.edit_many(name, {key: change})
 
@@ -230,7 +233,7 @@ class Desk(QObject):
                     return False
                 edits.append((key, change(palette)))
         except SuiteError as error:
-            self.library.fails(error, "edit", tr("The palette is as it was."))
+            self.library.fails(error, "edit", tr("The palette is unchanged."))
             return False
         self.library.settled.emit("edit")
         return self.library.edit(name, *edits)
@@ -260,9 +263,9 @@ def _still_there(scope: Scope, palette: Palette | None) -> Scope:
     return replace(scope, group=group)
 
 
-def _with_empty_groups(shown: Shown, state: PaneState, palette: Palette | None) -> Shown:
+def _with_empty_groups(shown: VisibleRows, state: PaneState, palette: Palette | None) -> VisibleRows:
     """Show the headings of empty groups too, so that something can be put there; not while a search narrows."""
-    if palette is None or state.is_narrowed or not state.keeps_order or state.scope.tag:
+    if palette is None or state.is_filtered or not state.keeps_order or state.scope.tag:
         return shown
     depth = len(state.scope.group)
     titles = {part.title for part in shown.parts}

@@ -1,4 +1,4 @@
-"""From all the rows of a palette to those that a pane shows, in its order and under its headings."""
+"""Filtering, sorting and grouping: the rows of a palette that a pane shows."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_color_swatch.grid.layout import Part
-from brdf_color_swatch.grid.model import Shown
+from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows, group_title
 from brdf_color_swatch.grid.view_state import PaneState
 from brdf_suite.palettes.duplicates import duplicates
@@ -24,14 +24,14 @@ _ORDERS = {"hue": "hue path"}
 
 
 def is_slow(rows: Rows, state: PaneState) -> bool:
-    """Whether :func:`narrowed` would hold up a window: what it needs is not worked out yet, and is much."""
+    """Whether :func:`filter_and_sort` would block the window: a slow order or search that is not yet cached."""
     if len(rows) < _MANY:
         return False
     slow_order = state.sort == "hue" and _order_key(state) not in rows.kept
     return slow_order or (state.duplicates is not None and ("alike", state.duplicates) not in rows.kept)
 
 
-def narrowed(rows: Rows, state: PaneState, progress: Progress | None = None) -> Shown:
+def filter_and_sort(rows: Rows, state: PaneState, progress: Progress | None = None) -> VisibleRows:
     """Return what a pane of that state shows of ``rows``."""
     inside = matching(rows.columns, filter_of(state), rows.texts if state.text.strip() else None)
     if state.near is not None:
@@ -40,17 +40,17 @@ def narrowed(rows: Rows, state: PaneState, progress: Progress | None = None) -> 
         return _duplicates(rows, state, inside, progress)
     if state.sort in ("own", "nearest"):
         places, parts = by_group(rows, np.flatnonzero(inside).tolist())
-        return Shown(rows, tuple(places), parts)
+        return VisibleRows(rows, tuple(places), parts)
     order = _order(rows, state)
     places = order[inside[order]].tolist()
-    return Shown(rows, tuple(places), (Part("", 0, len(places)),))
+    return VisibleRows(rows, tuple(places), (Part("", 0, len(places)),))
 
 
 def filter_of(state: PaneState) -> Filter:
     """Return the filter of a pane's state."""
     ranges = {key: (low, high) for key, low, high in state.ranges}
     scope = state.scope
-    return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)  # type: ignore[arg-type]  # the keys are its fields
+    return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)
 
 
 def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, ...]]:
@@ -62,20 +62,21 @@ def by_group(rows: Rows, places: Sequence[int]) -> tuple[list[int], tuple[Part, 
     parts: list[Part] = []
     for path, inside in members.items():
         if inside:
-            title = group_title(path) if path else (tr("In no group") if len(members) > 1 else "")
+            title = group_title(path) if path else (tr("Ungrouped") if len(members) > 1 else "")
             parts.append(Part(title, len(order), len(inside)))
             order.extend(inside)
     return order, tuple(parts)
 
 
-def _nearest(rows: Rows, state: PaneState, inside: np.ndarray) -> Shown:
+def _nearest(rows: Rows, state: PaneState, inside: np.ndarray) -> VisibleRows:
+    assert state.near is not None
     found = nearest(rows.columns, np.asarray(state.near.lab), MOST_NEAREST, among=inside)
     places = found.indices.tolist()
     figures = dict(zip(places, found.delta_e.tolist(), strict=True))
-    return Shown(rows, tuple(places), (Part("", 0, len(places)),), figures)
+    return VisibleRows(rows, tuple(places), (Part("", 0, len(places)),), figures)
 
 
-def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Progress | None) -> Shown:
+def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Progress | None) -> VisibleRows:
     assert state.duplicates is not None
     key = ("alike", state.duplicates)
     if key not in rows.kept:
@@ -87,16 +88,16 @@ def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Prog
         if len(members) < 2:
             continue
         if math.isnan(group.widest):  # not worked out of a group that large
-            title = tr("{count} alike").format(count=len(members))
+            title = tr("{count} similar").format(count=len(members))
         else:
-            title = tr("{count} alike, up to ΔE00 {widest} apart").format(
+            title = tr("{count} similar, differences up to ΔE00 {widest}").format(
                 count=len(members), widest=f"{group.widest:.2f}"
             )
         if group.chained:
             title = tr("{title}, by steps").format(title=title)
         parts.append(Part(title, len(places), len(members)))
         places.extend(members)
-    return Shown(rows, tuple(places), tuple(parts))
+    return VisibleRows(rows, tuple(places), tuple(parts))
 
 
 def _order_key(state: PaneState) -> tuple[str, str, bool]:
@@ -106,12 +107,12 @@ def _order_key(state: PaneState) -> tuple[str, str, bool]:
 def _order(rows: Rows, state: PaneState) -> np.ndarray:
     key = _order_key(state)
     if key not in rows.kept:
-        rows.kept[key] = _worked_out(rows, state.sort, descending=state.descending)
+        rows.kept[key] = _compute_order(rows, state.sort, descending=state.descending)
     found: np.ndarray = rows.kept[key]
     return found
 
 
-def _worked_out(rows: Rows, sort: str, *, descending: bool) -> np.ndarray:
+def _compute_order(rows: Rows, sort: str, *, descending: bool) -> np.ndarray:
     by = _ORDERS.get(sort, sort)
     if by in ORDERS:
         return ordered(rows.columns, by, descending=descending)  # type: ignore[arg-type]  # it is one of them
