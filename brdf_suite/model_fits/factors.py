@@ -269,7 +269,7 @@ def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> floa
 def _mean(
     whole: FactorizationWithPeak, samples: FactorizationSamples, choice: MeanChoice
 ) -> tuple[FactorizationWithPeak, Floats]:
-    """Correct α for the mean, and tell by what."""
+    """Correct α for the mean; return the correction too."""
     if choice == "off":
         return whole, np.ones(3)
     alone = samples.values if whole.peak is None else samples.values - whole.peak.eval(samples.wi, samples.wo)

@@ -81,7 +81,7 @@ def test_bins_that_are_hardly_known_count_little() -> None:
     assert blind.kd == pytest.approx(3.0 * np.array(TRUTH.kd), rel=0.05)
 
 
-def test_lobes_that_send_back_more_than_they_get_are_told(table: IsotropicTable, found: FileFit) -> None:
+def test_lobes_that_send_back_more_than_they_get_are_reported(table: IsotropicTable, found: FileFit) -> None:
     assert not any("times the light" in notice for notice in found.notices)
     bright = replace(table, values=table.values * 20.0)
     notices = fit_reflectance_lobes("bright", bright, replace(QUICK, starts=1)).notices

@@ -156,7 +156,7 @@ def missing_share(reflectance: Reflectance) -> float:
 
 
 def is_isotropic(reflectance: Reflectance) -> bool:
-    """Return whether turning light and view together changes nothing, as far as 512 pairs of directions tell.
+    """Return whether turning light and view together changes nothing, as far as 512 pairs of directions show.
 
     A change of 1 % of a value, or of a hundredth of the median, counts: tables are not even to the last digit.
     """

@@ -54,7 +54,7 @@ class Photographed(SimulatorSource):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Photographs of a simulated rig: nine positions, eight exposures, noise, and a curve that nobody is told."""
+    """Photographs of a simulated rig: nine positions, eight exposures, noise, and an unknown response curve."""
     folder = tmp_path_factory.mktemp("rig") / "titan"
     settings = SimulatorSettings(
         size=(176, 176),
@@ -109,9 +109,9 @@ def test_the_table_is_near_the_paint(whole: tuple[Acquired, Path]) -> None:
     assert found.positions_done == tuple(range(POSITIONS))
     assert not found.positions_failed
     assert np.median(errors(found.table)) < 0.04
-    told = found.to_json()
-    assert told["readings"] > 5_000
-    assert json.loads(json.dumps(told)) == told
+    document = found.to_json()
+    assert document["readings"] > 5_000
+    assert json.loads(json.dumps(document)) == document
     assert not work_path(output).exists()
     assert [file.name for file in output.parent.iterdir()] == [output.name]
 
@@ -311,7 +311,7 @@ def test_positions_that_lack_different_photographs_give_the_same_response(
     np.testing.assert_allclose(np.log(found.exposure[:, codes] / expected.exposure[:, codes]), 0.0, atol=0.02)
 
 
-def test_nothing_readable_is_told_with_its_reason(own: Path, tmp_path: Path) -> None:
+def test_nothing_readable_is_reported_with_its_reason(own: Path, tmp_path: Path) -> None:
     road = Acquisition.open(own, OPTIONS)
     for position in road.session.positions:
         for name in position.photographs:
