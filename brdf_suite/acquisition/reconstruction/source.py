@@ -105,7 +105,7 @@ class FolderSource:
         return self.findings(None)
 
     def position(self, k: int) -> Stack:
-        """Read one position; what cannot be read, or contradicts the session, is left out and told."""
+        """Read one position; photographs that cannot be read or contradict the session are skipped and reported."""
         from brdf_suite.acquisition.session.finding import exposures_lost
         from brdf_suite.acquisition.session.series import read_position
 
@@ -114,8 +114,8 @@ class FolderSource:
                 raise finding.error()
         lost = exposures_lost(self._checked, k)
         found = read_position(self.folder, self.session, k, leave_out=lost)
-        told = [one for one in self._checked if one.position == k and one.severity == "exposure"]
-        return _stack(found, told)
+        skipped = [one for one in self._checked if one.position == k and one.severity == "exposure"]
+        return _stack(found, skipped)
 
     def series(self, kind: SeriesKind) -> Stack | None:
         """Read a calibration series."""
@@ -183,8 +183,8 @@ class FolderSource:
         return found
 
 
-def _stack(found: PhotographSeries, told: list[SessionFinding]) -> Stack:
-    findings = tuple(f"{one.path}: {one.reason}" for one in (*told, *found.findings))
+def _stack(found: PhotographSeries, skipped: list[SessionFinding]) -> Stack:
+    findings = tuple(f"{one.path}: {one.reason}" for one in (*skipped, *found.findings))
     return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
 
 

@@ -72,7 +72,7 @@ class WorkFile:
         Raises
         ------
         FileError
-            Somebody changed the file while it was open.
+            Another process changed the file while it was open.
         """
         try:
             self._stream.seek(record.start)
