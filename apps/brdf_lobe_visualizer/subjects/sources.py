@@ -97,7 +97,7 @@ def _described(material: Material) -> PlottedMaterial:
         return _noted(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
-        from brdf_suite.inspection.figures.figures import is_isotropic
+        from brdf_suite.reflectance.checks import is_isotropic
 
         known = material.document is not None or is_isotropic(value)
     return _noted(replace(subject, isotropic=known))
