@@ -9,6 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry, format_movement_notice
+from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+from brdf_suite.acquisition.geometry.sphere.outline import find_outline
+from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
+from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
+from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
@@ -18,7 +25,6 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
     from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
     from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
 
 HIGHLIGHT_STEP_DEG = 5.0
@@ -47,13 +53,6 @@ class FoundGeometry:
 
 def find_geometry(photographs: SessionPhotographs, progress: Progress | None = None) -> FoundGeometry:
     """Find the sphere and, where the options say so, correct it and the light."""
-    from brdf_suite.acquisition.geometry.lens import Lens
-    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
-    from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
-    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-    from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
-    from brdf_suite.acquisition.radiance.white_reference import with_refined_white
-
     angles = tuple(position.angle_deg for position in photographs.session.positions)
     shiny = highlight_positions(angles, photographs.positions) if photographs.options.refine else ()
     union, kept = _read(
@@ -140,9 +139,6 @@ def _where_it_stood(
     progress: Progress | None,
 ) -> tuple[PhotographUnion, SphereOutline, Refinement]:
     """Refine the rig on the longest part without movement: a sum over two places has a blurred outline."""
-    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
-    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-
     moved = frozenset(refinement.moved_positions)
     chosen = tuple(k for k in photographs.positions if k not in moved)
     angles = tuple(position.angle_deg for position in photographs.session.positions)
@@ -157,8 +153,6 @@ def _where_it_stood(
 def _read(
     photographs: SessionPhotographs, wide: tuple[int, ...], shiny: tuple[int, ...], progress: Progress | None
 ) -> tuple[PhotographUnion, dict[int, MergedRadiance]]:
-    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
-
     union: PhotographUnion | None = None
     kept: dict[int, MergedRadiance] = {}
     wanted = sorted({*wide, *shiny})
@@ -192,8 +186,6 @@ def _irradiance(photographs: SessionPhotographs) -> tuple[tuple[float, float, fl
             "but for one factor per channel."
         )
         return None, (sentence,)
-    from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white
-
     left, top, width, height = photographs.session.white.region
     merged = photographs.merged_stack(white, None, (slice(top, top + height), slice(left, left + width)))
     if not merged.good.any():
@@ -206,8 +198,6 @@ def _irradiance(photographs: SessionPhotographs) -> tuple[tuple[float, float, fl
 def _movements(photographs: SessionPhotographs, refinement: Refinement) -> tuple[str, ...]:
     if not refinement.movements:
         return ()
-    from brdf_suite.acquisition.geometry.refinement.refinement import format_movement_notice
-
     return (
         format_movement_notice(
             refinement, [position.photographs[0] for position in photographs.session.positions]

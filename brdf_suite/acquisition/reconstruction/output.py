@@ -10,6 +10,8 @@ from brdf_suite.acquisition.reconstruction.options import Acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import kept_calibration, kept_positions, reconstruct
 from brdf_suite.errors import FileError
+from brdf_suite.files.measured.brdftable import write_brdftable
+from brdf_suite.files.measured.merl import write_merl
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
@@ -113,14 +115,10 @@ def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) ->
 
 
 def _write_own(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    from brdf_suite.files.measured.brdftable import write_brdftable
-
     return write_brdftable(table, path)
 
 
 def _write_merl(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    from brdf_suite.files.measured.merl import write_merl
-
     return (*write_merl(table, path), "coverage and uncertainty are not held by this format")
 
 

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.intrinsics import calibrate_intrinsics
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
 from brdf_suite.acquisition.reconstruction.calibration import Calibration
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
@@ -21,6 +22,8 @@ from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.acquisition.reconstruction.response import find_response
 from brdf_suite.acquisition.reconstruction.source import FolderSource, PhotographSource, Stack
+from brdf_suite.acquisition.session.store import read_session, session_path
+from brdf_suite.acquisition.table.samples import SphereSampler
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
@@ -33,7 +36,7 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
     from brdf_suite.acquisition.response.fit import ResponseFit
     from brdf_suite.acquisition.response.response import Response
-    from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
+    from brdf_suite.acquisition.table.samples import PositionSamples
 
 
 class Acquisition(SessionPhotographs):
@@ -69,8 +72,6 @@ class Acquisition(SessionPhotographs):
         FileError
             ``session.json`` is missing, or is no session; the message names the field.
         """
-        from brdf_suite.acquisition.session.store import read_session, session_path
-
         return cls(FolderSource(session_path(folder).parent, read_session(folder)), options)
 
     def calibrate_response(self, progress: Progress | None = None) -> Response | None:
@@ -95,8 +96,6 @@ class Acquisition(SessionPhotographs):
         board = self.session.camera.board
         if board is None:
             return None
-        from brdf_suite.acquisition.geometry.intrinsics import calibrate_intrinsics
-
         with self.clock.step("read"):
             pictures = self.source.board()
         with self.clock.step("calibrate"):
@@ -163,8 +162,6 @@ class Acquisition(SessionPhotographs):
 
     def sampler(self) -> SphereSampler:
         """Return what turns radiance into readings, for the geometry and the mask that hold now."""
-        from brdf_suite.acquisition.table.samples import SphereSampler
-
         return SphereSampler(self.calibration.geometry, self.mask(None), self.options.grazing_deg)
 
     def samples(

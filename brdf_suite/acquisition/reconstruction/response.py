@@ -9,8 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from brdf_suite.acquisition.radiance.dark_frame import black_codes
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.acquisition.reconstruction.source import first_readable
+from brdf_suite.acquisition.response.fit import calibrate_response
+from brdf_suite.acquisition.response.response import srgb_response
+from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
@@ -32,11 +36,6 @@ class FoundResponse:
 
 def find_response(photographs: SessionPhotographs, progress: Progress | None = None) -> FoundResponse:
     """Recover the response as the session and the options of ``photographs`` ask."""
-    from brdf_suite.acquisition.radiance.dark_frame import black_codes
-    from brdf_suite.acquisition.response.fit import calibrate_response
-    from brdf_suite.acquisition.response.response import srgb_response
-    from brdf_suite.acquisition.response.samples import ResponseSamples, spread
-
     camera = photographs.session.camera
     kind = "linear" if photographs.options.response == "linear" else camera.response
     dark = photographs.series("dark")

@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.photographs.reading import read_photograph
+from brdf_suite.acquisition.session import series as photograph_series
+from brdf_suite.acquisition.session.check import check_session
+from brdf_suite.acquisition.session.finding import exposures_lost
+from brdf_suite.acquisition.session.series import read_mask, read_position
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import session_to_json
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
 
@@ -106,9 +112,6 @@ class FolderSource:
 
     def position(self, k: int) -> Stack:
         """Read one position; photographs that cannot be read or contradict the session are skipped and reported."""
-        from brdf_suite.acquisition.session.finding import exposures_lost
-        from brdf_suite.acquisition.session.series import read_position
-
         for finding in self._checked:
             if finding.severity == "position" and finding.position == k:
                 raise finding.error()
@@ -119,8 +122,6 @@ class FolderSource:
 
     def series(self, kind: SeriesKind) -> Stack | None:
         """Read a calibration series."""
-        from brdf_suite.acquisition.session import series as photograph_series
-
         readers = {
             "dark": photograph_series.read_dark,
             "white": photograph_series.read_white,
@@ -131,8 +132,6 @@ class FolderSource:
 
     def board(self) -> list[tuple[str, Codes]]:
         """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
-        from brdf_suite.acquisition.photographs.reading import read_photograph
-
         board = self.session.camera.board
         lost = {finding.place for finding in self._checked}
         found = []
@@ -145,14 +144,10 @@ class FolderSource:
 
     def mask(self, k: int | None) -> Bools | None:
         """Read the masks."""
-        from brdf_suite.acquisition.session.series import read_mask
-
         return read_mask(self.folder, self.session, k)
 
     def digest(self, k: int | None) -> str:
         """Hash the content of the files, and what the session says of them."""
-        from brdf_suite.acquisition.session.store import session_to_json
-
         session = self.session
         found = hashlib.sha256()
         if k is None:
@@ -175,8 +170,6 @@ class FolderSource:
 
     def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Check the folder."""
-        from brdf_suite.acquisition.session.check import check_session
-
         found = check_session(self.folder, self.session, progress)
         # What is read afterwards goes by it, without another look at every file.
         self.__dict__["_checked"] = found
