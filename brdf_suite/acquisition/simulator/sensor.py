@@ -63,7 +63,6 @@ class Sensor:
 
         ``shot`` distinguishes photographs, so that each has noise of its own.
         """
-        # numba is met here and not on import: the command's start needs none of it.
         settings = self.settings
         codes = np.empty((len(exposures_s), *rate.shape), np.uint16)
         table = curve_table(settings.curve)
