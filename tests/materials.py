@@ -10,8 +10,8 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.files.measured import write_measured
+from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions, factor_reflectance, save_factored
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.model_fits.factors import FactoringOptions, factor_reflectance, save_factored
 from brdf_suite.pipeline.material import load_document, load_material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples

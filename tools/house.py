@@ -38,11 +38,11 @@ OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsub
 # Modules that may import inside functions, with the reason.
 LATE_IMPORTS: dict[str, str] = {}
 
-# Words that are not used in docstrings, interface texts and documents. This file has to name them.
-UNWANTED_WORDS = re.compile(
-    r"\b(told|tell|tells|telling|whoever|nobody|somebody|had back|gone on with)\b", re.IGNORECASE
-)
-TELLING_WORDS = re.compile(r"\b(told|tell|tells|telling)\b", re.IGNORECASE)
+# Words that are not used in docstrings, interface texts and documents. This file has to name them. The method
+# ``tell()`` of Python's files has its name from Python.
+_TELLING = r"told|(?<!file\.)(?<!stream\.)tell|tells|telling"
+UNWANTED_WORDS = re.compile(rf"\b({_TELLING}|whoever|nobody|somebody|had back|gone on with)\b", re.IGNORECASE)
+TELLING_WORDS = re.compile(rf"\b({_TELLING})\b", re.IGNORECASE)
 REASON_FOR_LENGTH = re.compile(r"\blong because\b\s+(.+?)(?:\.\s|\.?$)", re.IGNORECASE | re.DOTALL)
 
 

@@ -1,4 +1,4 @@
-"""What tells a file from what it was before, so that what was read of it may be kept."""
+"""The stamp of a file, time of change and size: while it is the same, what was read may be kept."""
 
 from __future__ import annotations
 
@@ -11,6 +11,6 @@ def file_stamp(asked: object) -> tuple[int, int] | None:
         return None
     try:
         status = Path(asked).stat()
-    except (OSError, ValueError):  # a shipped name, or a file that whoever reads it will miss
+    except (OSError, ValueError):  # a shipped name, or a file whose reader will report that it is missing
         return None
     return status.st_mtime_ns, status.st_size

@@ -19,7 +19,7 @@ from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.designed.layers import split_layers
 
-#: Where the errors are told: incidences, each at the judged aspecular angles as far as a view stands no lower.
+#: Where the errors are evaluated: incidences, each at the judged aspecular angles as far as a view stands no lower.
 JUDGED_INCIDENCES_DEG = (10.0, 20.0, 30.0, 45.0, 60.0, 65.0, 75.0, 80.0)
 LOWEST_VIEW_DEG = 85.0
 

@@ -251,5 +251,5 @@ def convert(
         return Conversion(read_from, write_to, written.format.name, dict(value.facts), written.notes)
     item = load_material(source)
     written = write_measured(item.reflectance, write_to)
-    told = (*item.notices, *written.notes)
-    return Conversion(read_from, write_to, written.format.name, {"name": item.name}, told)
+    notices = (*item.notices, *written.notes)
+    return Conversion(read_from, write_to, written.format.name, {"name": item.name}, notices)

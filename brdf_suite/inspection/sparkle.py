@@ -29,7 +29,7 @@ from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 
 ANGLES_DEG = (15.0, 45.0, 75.0)
-"""Aspecular angles at which the figure is told."""
+"""Aspecular angles at which the figure is reported."""
 CONTRAST = 0.5
 DISTANCE_MM = 500.0
 RESOLVED_MM = DISTANCE_MM * math.tan(math.radians(1.0 / 60.0))

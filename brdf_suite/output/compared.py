@@ -21,7 +21,7 @@ PICTURE_ENDINGS = (LIGHT_ENDING, SHOWN_ENDING)
 
 
 def is_picture(name_or_path: str | os.PathLike[str]) -> bool:
-    """Tell by its ending whether a picture is meant, and not a paint.
+    """Return whether a name is that of a picture, by its ending, and not that of a paint.
 
     >>> is_picture("/pictures/reference.EXR"), is_picture("blue")
     (True, False)

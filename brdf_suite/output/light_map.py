@@ -20,7 +20,7 @@ def picture_of_lights(
 ) -> NDArray[np.uint8]:
     """Return the map (width/2, width, 3), sRGB, exposed for its mean, a ring about each light.
 
-    The area of a ring goes with the light's share, from the smallest to the largest that can be told apart; a black
+    The area of a ring goes with the light's share, from the smallest to the largest that can be distinguished; a black
     and a white line make it visible on anything.
     """
     height = width // 2

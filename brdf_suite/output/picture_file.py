@@ -124,19 +124,21 @@ def write_picture(
     display = LINEAR if linear else Display(space, dithered=bits == 8)
     view = replace(metered(renderer, view, size), clipping_marks=False, gamut_marks=False)
     strips = renderer.strips(view, size, settings.samples, display=display, transparent=settings.transparent)
-    told = _told(strips, size, progress)
+    drawn = _report_strips(strips, size, progress)
     if not linear:
-        write_png_strips(path, size, told, metadata, space)
+        write_png_strips(path, size, drawn, metadata, space)
         return
     assert space.primaries is not None
     (rx, ry), (gx, gy), (bx, by) = space.primaries
     chromaticities = (rx, ry, gx, gy, bx, by, *space.white_xy)
     channels = 4 if settings.transparent else 3
-    converted = (_in_space(strip[..., :channels], space) for strip in told)
+    converted = (_in_space(strip[..., :channels], space) for strip in drawn)
     write_exr_strips(path, size, converted, chromaticities, _attributes(metadata), half=bits == 16)
 
 
-def _told(strips: Iterator[NDArray[Any]], size: Size, progress: Progress | None) -> Iterator[NDArray[Any]]:
+def _report_strips(
+    strips: Iterator[NDArray[Any]], size: Size, progress: Progress | None
+) -> Iterator[NDArray[Any]]:
     done = 0
     report(progress, 0.0, "drawing")
     for strip in strips:

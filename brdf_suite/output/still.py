@@ -130,7 +130,7 @@ def render_to_file(
     with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_paint_fit(fit)
         start = perf_counter()
-        # The picture's words tell the exposure that was measured, where it is automatic.
+        # The metadata give the exposure that was measured, where it is automatic.
         shown = metered(loaded.scene.renderer, loaded.composed(view, size), size)
         write_picture(
             loaded.scene.renderer,

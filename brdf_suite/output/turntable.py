@@ -166,4 +166,4 @@ def _new_folder(path: Path) -> Iterator[Path]:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     finally:
         if temporary.exists():
-            shutil.rmtree(temporary, ignore_errors=True)  # the first error is the one to tell
+            shutil.rmtree(temporary, ignore_errors=True)  # the first error is the one to report

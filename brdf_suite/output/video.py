@@ -80,7 +80,7 @@ def writing_video(
     program = ffmpeg()
     check_video(size)
     described = {"title": metadata.get("Title", ""), "comment": metadata.get("Description", "")}
-    with replacing(path) as temporary, tempfile.TemporaryFile() as told:
+    with replacing(path) as temporary, tempfile.TemporaryFile() as messages:
         command = [
             *(program, "-hide_banner", "-loglevel", "error", "-nostdin", "-y"),
             *("-f", "rawvideo", "-pixel_format", "rgb24", "-video_size", f"{size[0]}x{size[1]}"),
@@ -91,7 +91,7 @@ def writing_video(
             str(temporary),
         ]
         with subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=told
+            command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=messages
         ) as process:
             assert process.stdin is not None
             try:
@@ -106,15 +106,15 @@ def writing_video(
                 _drop(process.stdin)
                 raise
         if failed:
-            told.seek(0)
-            words = told.read().decode(errors="replace").strip().splitlines()
+            messages.seek(0)
+            words = messages.read().decode(errors="replace").strip().splitlines()
             raise FileError(
                 path, f"the video could not be made: {words[-1] if words else 'ffmpeg gave no reason'}"
             )
 
 
 def _drop(pipe: IO[bytes]) -> None:
-    """Close a pipe that nobody reads; what of a frame is still held for it would be the next error."""
+    """Close a pipe that has no reader any more; flushing the rest of a frame would raise again."""
     with contextlib.suppress(BrokenPipeError):
         pipe.close()
 

@@ -1,7 +1,7 @@
 """A paint at other angles than it was measured at: what its model gives there, so that it keeps its look.
 
 A reading whose geometry stays keeps its numbers to the last digit; a new one is what base and coat of the paint give
-there, as CIE L*a*b*, rounded to hundredths, which no instrument tells apart.
+there, as CIE L*a*b*, rounded to hundredths, which no instrument resolves.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ _FAR_DELTA_E = 3.0
 class Feasible:
     """A paint that can be, near to one that cannot: its fit, and ΔE00 from the asked colours per reading (n,).
 
-    ``gloss_changed`` tells whether the gloss readings are others too.
+    ``gloss_changed``: whether the gloss readings differ too.
     """
 
     asked: Paint

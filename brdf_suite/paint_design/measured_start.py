@@ -1,7 +1,7 @@
 """From a measured reflectance to a designed paint: what the virtual instruments read of it, as a start.
 
-The spectrophotometer reads L*a*b* at a chosen set of angles, the glossmeter 20° and 60°. Of flakes a reflectance says
-nothing. How well the design then stands for the original is told where it was *not* read: ΔE00 at angles between and
+The spectrophotometer reads L*a*b* at a chosen set of angles, the glossmeter 20° and 60°. Flakes cannot be derived from
+a reflectance. How well the design matches the original is reported where it was *not* read: ΔE00 at angles between and
 beyond, and under other lights.
 """
 
@@ -144,8 +144,8 @@ def measured_start(
     )
     notices.append("Of flakes a reflectance says nothing: the design has none that can be seen singly.")
     report(progress, 0.5, "comparing at angles that were not used")
-    paint, used, rows, told = _nearest_rule(item.reflectance, paint, estimate)
-    notices += told
+    paint, used, rows, further = _nearest_rule(item.reflectance, paint, estimate)
+    notices += further
     report(progress, 1.0, "done")
     return MeasuredStart(paint, item.origin, geometry_set, estimate, used, rows, tuple(notices))
 
@@ -173,8 +173,8 @@ def estimated_gloss(reflectance: Reflectance) -> GlossEstimate:
 def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, list[str]]:
     """The paint with the most of the gloss readings that a clearcoat over its colours can have."""
     if estimate.gloss is None:
-        told = f"No gloss could be had of the data ({estimate.why}); {USUAL_GLOSS.gu_20:g} GU at 20° is set instead,"
-        return paint, False, [f"{told} not measured."]
+        reason = f"No gloss could be had of the data ({estimate.why}); {USUAL_GLOSS.gu_20:g} GU at 20° is set instead,"
+        return paint, False, [f"{reason} not measured."]
     read = ", ".join(f"{value:.1f} GU at {angle}°" for angle, value in estimate.readings.items())
     at_20 = estimate.gloss.gu_20
     # Both readings; else the 20° one alone; else the nearest that can be, dull or glossy.
@@ -189,10 +189,10 @@ def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, lis
         if gloss is estimate.gloss:
             return candidate, True, []
         if gloss.gu_20 == at_20:
-            told = f"The glossmeter reads {read}, which no clearcoat gives; only the 20° reading is taken."
-            return candidate, True, [told]
-        told = f"The glossmeter reads {read}, which no clearcoat over these colours gives ({reason});"
-        return candidate, False, [f"{told} {gloss.gu_20:g} GU at 20°, the nearest found, is set instead."]
+            notice = f"The glossmeter reads {read}, which no clearcoat gives; only the 20° reading is taken."
+            return candidate, True, [notice]
+        notice = f"The glossmeter reads {read}, which no clearcoat over these colours gives ({reason});"
+        return candidate, False, [f"{notice} {gloss.gu_20:g} GU at 20°, the nearest found, is set instead."]
     return (
         paint,
         False,
@@ -235,11 +235,11 @@ def _nearest_rule(
     found: dict[str, tuple[Paint, bool, tuple[HeldOut, ...], list[str]]] = {}
     refused: tuple[Paint, bool, list[str]] | None = None
     for rule in _RULES:
-        candidate, used, told = _with_gloss(replace(paint, interpolation=rule), estimate)
+        candidate, used, notices = _with_gloss(replace(paint, interpolation=rule), estimate)
         try:
             design = build_paint(candidate)
         except SuiteError as error:
-            refused = refused or (candidate, used, [*told, f"The design cannot be drawn yet: {error}"])
+            refused = refused or (candidate, used, [*notices, f"The design cannot be drawn yet: {error}"])
             continue
         given = measure(design, geometries).lab
         rows = tuple(
@@ -252,7 +252,7 @@ def _nearest_rule(
             candidate,
             used,
             rows,
-            [*told, *design.notices, *interpolation_notices(candidate, design)],
+            [*notices, *design.notices, *interpolation_notices(candidate, design)],
         )
     if not found:
         assert refused is not None
@@ -262,14 +262,14 @@ def _nearest_rule(
     best = min(means, key=lambda rule: means[rule])
     if means[first] - means[best] < _WORTH_DELTA_E:
         best = first
-    chosen, used, rows, told = found[best]
+    chosen, used, rows, notices = found[best]
     if best != first:
-        told = [
-            *told,
+        notices = [
+            *notices,
             f"Between the angles the {best} rule is used: it is nearer to the original (ΔE00 {means[best]:.1f} in "
             f"the mean) than the {first} rule ({means[first]:.1f}).",
         ]
-    return chosen, used, rows, told
+    return chosen, used, rows, notices
 
 
 def _unused(paint: Paint) -> list[Geometry]:

@@ -31,7 +31,7 @@ LEAST_STEP, USUAL_STEP, MOST_STEP = 0.1, 2.0, 20.0
 GREY_BELOW = 0.5
 """The largest C*ab of a paint that is taken for a grey, without a hue or a chroma that could be changed."""
 MISSED_FROM = 0.5
-"""ΔE00 between what is asked and what a paint and its lobes can give, from which it is told."""
+"""ΔE00 between what is asked and what a paint and its lobes can give, from which it is reported."""
 
 _FACE_DEG = 45.0
 _DECIMALS = 2

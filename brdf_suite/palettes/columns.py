@@ -192,14 +192,14 @@ class ColumnsWork:
     def _take_readings(self, rows: Sequence[int]) -> None:
         flat: list[int] = []
         colours: list[FlatColour] = []
-        told: list[int] = []
+        read_rows: list[int] = []
         readings: list[tuple[float, float, float, float, float]] = []
         for row in rows:
             content = self._entries[row].content
             if isinstance(content, Paint):
                 self._gloss[row] = content.gloss.gu_20
                 for m in content.measurements:
-                    told.append(row)
+                    read_rows.append(row)
                     readings.append((m.illumination_deg, m.aspecular_deg, *m.lab))
             elif isinstance(content, FlatColour):
                 flat.append(row)
@@ -208,8 +208,8 @@ class ColumnsWork:
         if colours:
             self._lab[flat] = flat_labs(colours)[:, None]
             self._read[flat] = True
-        if told:
-            of, table = np.array(told), np.array(readings)
+        if read_rows:
+            of, table = np.array(read_rows), np.array(readings)
             under = np.abs(table[:, 0] - LIGHT_DEG) <= _SAME_DEG
             for place, angle in enumerate(self._angles):
                 off = np.abs(table[:, 1] - angle)

@@ -2,13 +2,13 @@
 
 Three values are compared: what both started from (``base``), what this program has (``ours``), and what the file holds
 now (``theirs``). What only one side has changed is taken from it, field by field: a new name from the one and a tag
-from the other are both kept. Where both changed the same field to different values ours stays, and the conflict is told
-in words. What one side removed and the other changed is kept, and told. So:
+from the other are both kept. Where both changed the same field to different values ours stays, and the conflict is
+reported in words. What one side removed and the other changed is kept and reported. So:
 
     merge(base, ours, base) = ours,  merge(base, base, theirs) = theirs,  merge(base, x, x) = x.
 
-The order follows whoever moved something; where both did, ours holds and their new entries stand behind the one that
-they follow in their own order.
+The order follows the side that moved something; where both did, ours holds and their new entries stand behind the
+one that they follow in their own order.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ def merge(base: Palette, ours: Palette, theirs: Palette) -> Merge:
     taken: list[str] = []
     if ours == base:
         merged = theirs
-        _told(base.entries, theirs.entries, _entry_key, _entry_words, taken)
-        _told(base.groups, theirs.groups, _group_key, _group_words, taken)
+        _append_changes(base.entries, theirs.entries, _entry_key, _entry_words, taken)
+        _append_changes(base.groups, theirs.groups, _group_key, _group_words, taken)
         return Merge(merged, (), tuple(taken))
     others = _apart(base, ours, theirs)
     entries = _items(base.entries, ours.entries, others, _entry_key, _entry_words, conflicts, taken)
@@ -141,14 +141,14 @@ def _group_words(group: Group) -> str:
     return f"the group {' / '.join(group.path)}"
 
 
-def _told(
+def _append_changes(
     before: Sequence[_Item],
     after: Sequence[_Item],
     key: Callable[[_Item], Hashable],
     words: Callable[[_Item], str],
     taken: list[str],
 ) -> None:
-    """Say what has changed from one state to the other."""
+    """Append to ``taken`` what has changed from one state to the other."""
     old, new = {key(item): item for item in before}, {key(item): item for item in after}
     taken += [_sentence(f"{words(item)} is new") for name, item in new.items() if name not in old]
     taken += [_sentence(f"{words(item)} is removed") for name, item in old.items() if name not in new]

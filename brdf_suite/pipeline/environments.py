@@ -32,7 +32,7 @@ def read_environment(
         An image, or a ``.brdfstudio`` file, which is drawn at 1,024 × 512.
     layout
         One of :data:`brdf_suite.lighting.layouts.LAYOUTS`, or ``auto``: what the file says of itself, else what
-        its shape tells; the environment's notes say what was assumed.
+        its shape gives it; the environment's notes say what was assumed.
 
     Raises
     ------

@@ -114,7 +114,7 @@ def _is_even(values: Map) -> bool:
 
 
 def _held(factor: MapFactor) -> Map:
-    """The values as they are interpolated; what is darker than single precision can tell is as good as black."""
+    """The values as they are interpolated; what is darker than single precision resolves is black."""
     if not factor.logarithmic:
         return factor.values
     return np.clip(np.log(factor.values), -LARGEST_LOG, LARGEST_LOG)

@@ -74,7 +74,7 @@ def angle_errors(
 
 
 def sample_errors(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleError, ...]:
-    """The measured directions nearest to the usual geometries, told by their own angles; none is interpolated."""
+    """The measured directions nearest to the usual geometries, with their own angles; none is interpolated."""
     used = used_samples(samples)
     wi, wo, values = samples.wi[used], samples.wo[used], samples.values[used]
     theta = np.degrees(np.arccos(np.clip(wi[:, 2], 0.0, 1.0)))

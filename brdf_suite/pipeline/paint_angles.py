@@ -43,7 +43,7 @@ class PaintAngles:
         Limit of a fit; None: that of an edit.
     changed
         Where given, fitters are set up on a thread, and this is called (on any thread) whenever asking again gives
-        something else: a fitter is ready, or an optimum has come after the limit. Else whoever asks waits.
+        something else: a fitter is ready, or an optimum has come after the limit. Otherwise the caller waits.
     """
 
     def __init__(
@@ -57,7 +57,7 @@ class PaintAngles:
         self._over: WeakKeyDictionary[LobeFit, FitOverAngle] = WeakKeyDictionary()
         self._seen: WeakKeyDictionary[LobeFit, SeenWeights] = WeakKeyDictionary()
         self._weights: WeakKeyDictionary[LobeFit, MaterialWeights] = WeakKeyDictionary()
-        self._queue = None if changed is None else SeenQueue(self.tell)
+        self._queue = None if changed is None else SeenQueue(self.notify)
 
     @property
     def waits(self) -> bool:
@@ -121,7 +121,7 @@ class PaintAngles:
         return self._seen[fit]
 
     def close(self) -> None:
-        """End the solvers; nobody is called any more."""
+        """End the solvers; ``changed`` is called no more."""
         if self._queue is not None:
             self._queue.close()
         with self._lock:
@@ -143,8 +143,8 @@ class PaintAngles:
         self._set_up(key)
         return self._fitters[key]
 
-    def tell(self) -> None:
-        """Say that something has changed, where anybody wants to know."""
+    def notify(self) -> None:
+        """Call ``changed``, where one was given."""
         with self._lock:
             changed = self._changed
         if changed is not None:
@@ -158,7 +158,7 @@ class PaintAngles:
         fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
         with self._lock:
             self._fitters[key] = fitter
-        self.tell()
+        self.notify()
 
 
 class FitOverAngle:
@@ -206,7 +206,7 @@ class FitOverAngle:
 
         if isinstance(future, Future) and not future.cancelled() and future.exception() is None:
             self._late = future.result()
-            self._angles.tell()
+            self._angles.notify()
 
 
 def at_ramp(weights: AngleWeights) -> WeightsOverAngle:

@@ -42,7 +42,7 @@ def surface_names() -> list[str]:
 def name_in_view(name_or_path: str | os.PathLike[str], shipped: list[str]) -> str:
     """Return what a View holds for a shipped name (in any letter case) or a file: the name, the absolute path.
 
-    A word that is neither stays as it was typed: whoever opens it then says so about that word.
+    A word that is neither stays as it was typed: the function that opens it raises the error.
     """
     text = os.fspath(name_or_path)
     name = packaged_name(text, shipped)
@@ -140,7 +140,7 @@ def load_environment(
         A packaged name (``booth``, ``sunny``, ``overcast``), an ``.exr`` or ``.hdr`` file, or a ``.brdfstudio``
         file, which is drawn.
     layout
-        How the image is laid out, where its shape does not tell; see :func:`read_environment`.
+        How the image is laid out, where its shape does not determine it; see :func:`read_environment`.
     columns
         A wider light is averaged to about so many columns, for small pictures; see :func:`narrowed`.
     partial
@@ -160,11 +160,11 @@ def load_environment(
     if columns is not None:
         environment = narrowed(environment, columns)
     store = cache or MapCache()
-    told = len(store.notices)
+    before = len(store.notices)
     prepared = prepare_environment(
         name, environment, store.get_or_compute, subrange(progress, _READING_SHARE, 1.0), basis, partial
     )
-    return replace(prepared, notices=tuple(store.notices[told:]))
+    return replace(prepared, notices=tuple(store.notices[before:]))
 
 
 def narrowed(environment: Environment, columns: int) -> Environment:

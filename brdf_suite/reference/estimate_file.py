@@ -18,7 +18,7 @@ from brdf_suite.reference.state_file import reading_state, write_state
 
 ATTRIBUTE = "brdfSuiteReference"
 _VERSION = 2
-"""1, untold: the squares of passes, all of one size, were not multiplied by their samples."""
+"""1, without a number in the file: the squares of passes, all of one size, were not multiplied by their samples."""
 
 
 def write_estimate(

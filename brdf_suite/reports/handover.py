@@ -21,7 +21,8 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.instruments.aperture import POINT
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.instruments.under_light import has_spectra, spectrum_at
-from brdf_suite.reports.paint_report.document import ReportOptions, report_formats
+from brdf_suite.reports.paint_report.document import ReportOptions
+from brdf_suite.reports.paint_report.formats import report_formats
 
 READ_AT = GEOMETRY_SETS["five"]
 """What the virtual instrument reads of a paint that is not designed by readings."""

@@ -65,14 +65,14 @@ def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Opti
     from brdf_suite.reference.bsdfs.placed import Mask, TwoToneBsdf
     from brdf_suite.reference.bsdfs.translate import translate
 
-    first, told = _placed(paint, dress, view)
+    first, notices = _placed(paint, dress, view)
     if dress.mask is not None and dress.second is not None:
         second, more = _placed(dress.second, dress, view)
         where: dict[str, Any] = mask_coordinates(view, bounds, dress.mask.aspect)
         mask = Mask.of(dress.mask.share, where["mask_tiles"], where["mask_u"], where["mask_v"])
-        return Optics(TwoToneBsdf(first, second, mask), (*told, *(more if more != told else ())))
+        return Optics(TwoToneBsdf(first, second, mask), (*notices, *(more if more != notices else ())))
     if not first.is_plain:
-        return Optics(first, told)
+        return Optics(first, notices)
     if isinstance(paint.reflectance, LobeWeights):
         return Optics(lobe_term(material_weights(paint.reflectance), view))
     plain = translate(paint.reflectance)
@@ -89,8 +89,8 @@ def lobe_term(weights: MaterialWeights, view: View) -> Any:
 def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
     """Return what both forms of lobe weights are made of."""
     names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior")
-    told = {name: getattr(weights, name) for name in names}
-    return told | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
+    arrays = {name: getattr(weights, name) for name in names}
+    return arrays | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
 
 
 def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Optics:
@@ -103,17 +103,17 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Op
     """
     from brdf_suite.reference.scalar import AS_A_TABLE, table_bsdf
 
-    told = [instead, AS_A_TABLE]
+    notices = [instead, AS_A_TABLE]
     placed = _peel_of(paint, view)[0] > 0.0 or (paint.flakes is not None and view.sparkle.mode != "off")
     if placed or dress.normal_map is not None or dress.second is not None:
-        told.append(
+        notices.append(
             "Without LLVM there are no single flakes, no relief and no second paint: the first is shown, smooth."
         )
     if view.surface_look.ground:
-        told.append("Without LLVM there is no ground and no shadow on it.")
+        notices.append("Without LLVM there is no ground and no shadow on it.")
     if isinstance(paint.reflectance, LobeWeights):
-        return Optics(scalar_lobes(material_weights(paint.reflectance), view), tuple(told))
-    return Optics(table_bsdf(paint.reflectance), tuple(told))
+        return Optics(scalar_lobes(material_weights(paint.reflectance), view), tuple(notices))
+    return Optics(table_bsdf(paint.reflectance), tuple(notices))
 
 
 def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
@@ -129,13 +129,13 @@ def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf
     from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
     from brdf_suite.reference.flakes.countable import FlakeLayer
 
-    base, coat, ior, told = _divided(paint.reflectance, view)
+    base, coat, ior, notices = _divided(paint.reflectance, view)
     layer = None
     if paint.flakes is not None and paint.flakes.density_per_mm2 > 0.0 and view.sparkle.mode != "off":
         layer = FlakeLayer(
             paint.flakes, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
         )
-    return LayeredPaintBsdf(base, coat, _shape(dress, view), _peel(paint, view), layer), told
+    return LayeredPaintBsdf(base, coat, _shape(dress, view), _peel(paint, view), layer), notices
 
 
 def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:

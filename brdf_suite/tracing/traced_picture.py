@@ -1,4 +1,4 @@
-"""A traced picture that was written: what both renderers that trace tell of theirs."""
+"""A traced picture that was written: the fields that both tracing renderers fill."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class TracedPicture:
     notices: tuple[str, ...]
 
 
-def told_of(scene: ReferenceScene | RaytracedScene, path: Path) -> dict[str, Any]:
+def scene_facts(scene: ReferenceScene | RaytracedScene, path: Path) -> dict[str, Any]:
     """Return what a :class:`TracedPicture` takes from its scene."""
     return {
         "path": path,

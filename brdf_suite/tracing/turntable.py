@@ -95,14 +95,14 @@ def write_traced_turntable(
     shown = replace(shown, clipping_marks=False, gamut_marks=False)
     report(progress, 0.0, "starting the renderer")
     draw, name, notices = _STARTING[renderer](paint, shown, size, budget)
-    told = {
+    request = {
         "renderer": renderer,
         "paint": os.fspath(paint),
         "size": size,
         "turn": vars(turn),
         "budget": vars(budget),
     }
-    key = hashlib.sha256(json.dumps([told, view_to_json(shown)], sort_keys=True).encode()).hexdigest()
+    key = hashlib.sha256(json.dumps([request, view_to_json(shown)], sort_keys=True).encode()).hexdigest()
     folder = path.absolute().parent / (path.name + ".part")
     done, exposure_ev = _begun(folder, key, fresh)
     if done:
@@ -183,7 +183,7 @@ def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:
                     done += 1
                 return done, float(state["exposure_ev"])
     except (OSError, ValueError, KeyError, TypeError):
-        pass  # a folder that was begun and tells nothing yet: it is begun anew
+        pass  # a folder that was begun and holds no frame yet: it is begun anew
     try:
         if folder.exists():
             shutil.rmtree(folder)

@@ -24,7 +24,7 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle, SurfaceLook
 from brdf_suite.files.images.png import write_png
-from brdf_suite.model_fits.factors import factor_any
+from brdf_suite.fitting.homomorphic.reflectance_fit import factor_reflectance
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.pipeline.picture import OffscreenScene
@@ -80,7 +80,7 @@ def view_of(shared: Path) -> View:
 def pictures(path: Path, view: View, size: tuple[int, int]) -> tuple[list[list[Floats]], dict[str, float]]:
     """Return two rows of radiance pictures, measured and factored, FINER times as fine, and what they differ by."""
     item = load_material(path)
-    fit = fit_material(Material(item.name, factor_any(path).value))
+    fit = fit_material(Material(item.name, factor_reflectance(item.name, item.reflectance).value))
     fine = (size[0] * FINER, size[1] * FINER)
     rows: list[list[Floats]] = [[], []]
     away: list[NDArray[np.bool_]] = []

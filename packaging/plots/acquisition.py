@@ -23,6 +23,7 @@ from matplotlib.colors import LogNorm
 from brdf_suite.acquisition.reconstruction.coverage import coverage_map, deviation_map, within
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.table.finished import ParameterizedTable
 from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
@@ -59,7 +60,7 @@ def main() -> None:
     else:
         road = Acquisition.open(options.folder, wanted)
     road.calibrate(show_progress)
-    found = road.table(show_progress)
+    found = reconstruct(road, show_progress)
     draw_errors(found, truth, IMAGES / "acquisition_errors.png")
     draw_slices(found, truth, IMAGES / "acquisition_slices.png")
     draw_layouts(found, truth, IMAGES / "acquisition_parameterizations.jpg")

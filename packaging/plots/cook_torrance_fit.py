@@ -23,7 +23,7 @@ from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.cook_torrance import Settings
-from brdf_suite.model_fits.cook_torrance import FileFit, fit_reflectance_lobes
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -85,7 +85,7 @@ def draw(rows: list[tuple[str, FileFit]], path: Path, columns: int) -> None:
 
 def fitted(title: str, reflectance: Reflectance, lobes: int) -> tuple[str, FileFit]:
     """Fit and print a summary."""
-    found = fit_reflectance_lobes(title, reflectance, Settings(lobes=lobes))
+    found = fit_cook_torrance(title, reflectance, Settings(lobes=lobes))
     words = "two lobes" if lobes == 2 else "three lobes"
     print(title, words, found.errors_within)
     return f"{title}, {words}", found

@@ -20,11 +20,11 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
 from brdf_suite.fitting.homomorphic.plane import factor_picture
+from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions, factor_reflectance
 from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import Floats, spherical
 from brdf_suite.inspection.factor_pictures import factor_pictures
-from brdf_suite.model_fits.factors import FactoringOptions, factor_any, factor_reflectance
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.protocol import Reflectance
@@ -69,7 +69,8 @@ def gather(shared: Path) -> list[Material]:
         if isinstance(name, Path) and not name.is_file():
             print(f"{name} is not there; left out")
             continue
-        item, fit = load_material(name), factor_any(name)
+        item = load_material(name)
+        fit = factor_reflectance(item.name, item.reflectance)
         title = name.stem if isinstance(name, Path) else item.name
         found.append(Material(title.replace("_", " ").lower(), item.reflectance, fit.value))
     return found
@@ -227,8 +228,12 @@ def measured(shared: Path) -> None:
         return
     figure, axes = plt.subplots(1, len(files), figsize=(5.2 * len(files), 3.8), squeeze=False)
     for axis, path in zip(axes[0], files, strict=True):
-        samples = sample_reflectance(load_material(path).reflectance)
-        alone, apart = factor_any(path, FactoringOptions(peak="off")).value, factor_any(path).value
+        item = load_material(path)
+        samples = sample_reflectance(item.reflectance)
+        alone, apart = (
+            factor_reflectance(item.name, item.reflectance, options).value
+            for options in (FactoringOptions(peak="off"), None)
+        )
         h = warps.half_vector(samples.wi, samples.wo)
         theta_h = np.degrees(np.arccos(np.clip(h[:, 2], -1.0, 1.0)))
         theta_d = np.degrees(np.arccos(np.clip(np.sum(samples.wi * h, axis=1), -1.0, 1.0)))

@@ -307,7 +307,7 @@ def test_pipes_and_folders_are_no_environment(inside, tmp_path: Path) -> None:
         refused(inside("render", "blue", "-o", "out.png", "--environment", name), "is not a plain file")
 
 
-def test_a_fit_that_was_stopped_by_time_is_told(monkeypatch, capsys, tmp_path: Path) -> None:
+def test_a_fit_that_was_stopped_by_time_is_reported(monkeypatch, capsys, tmp_path: Path) -> None:
     def stopped(material: Material) -> LobeFit:
         found = fit_material(material)
         return replace(found, weights=replace(found.weights, time_limited=True))

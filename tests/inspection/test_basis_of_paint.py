@@ -21,18 +21,18 @@ def test_a_shipped_paint_has_the_errors_of_the_stored_search() -> None:
     search = load_search(Path(str(resource("basis", STORED_NAME))))
     few = [result for result in search.results if result.count in (1, 3, 10)]
     paint = build_reflectance(load_document("blue_metallic"))
-    told: list[float] = []
+    fractions: list[float] = []
     found = errors_over_count(
         paint,
         {result.count: result.exponents for result in few},
-        lambda fraction, _what: told.append(fraction),
+        lambda fraction, _what: fractions.append(fraction),
     )
     place = search.paints.index("blue_metallic")
     assert found.whole
     assert found.counts == (1, 3, 10)
     np.testing.assert_allclose(found.errors, [result.errors[place] for result in few], rtol=1e-6)
-    assert told[0] == 0.0
-    assert told[-1] == 1.0
+    assert fractions[0] == 0.0
+    assert fractions[-1] == 1.0
 
 
 def test_what_nothing_divides_has_the_error_of_its_colour() -> None:

@@ -74,9 +74,9 @@ def test_the_closed_form_counts_flakes_that_are_strewn_one_by_one() -> None:
         footprint=pixel,
         contrast=contrast,
     )
-    told = peaks(image, contrast)
-    assert len(told) / side**2 == pytest.approx(found.per_mm2, rel=0.12)
-    assert told.mean() == pytest.approx(found.mean_contrast, rel=0.12)
+    found_peaks = peaks(image, contrast)
+    assert len(found_peaks) / side**2 == pytest.approx(found.per_mm2, rel=0.12)
+    assert found_peaks.mean() == pytest.approx(found.mean_contrast, rel=0.12)
     assert 0.0 < found.per_footprint < CROWDED
 
 
@@ -89,7 +89,7 @@ def test_the_viewers_own_flakes_are_counted_alike_from_near() -> None:
     field = glint_field(at, across, down, density=density, size=size, roughness=ROUGHNESS, waviness=spread)
     place, stretch = tilt_place(SLOPE, ROUGHNESS)
     ratio = glint_ratio(field, np.broadcast_to(place, at.shape), np.full(len(at), stretch), spread)[:, 0]
-    told = peaks((share * (ratio - 1.0)).reshape(side, side), 0.5)
+    found_peaks = peaks((share * (ratio - 1.0)).reshape(side, side), 0.5)
     found = spots(
         density=density,
         size=size,
@@ -100,8 +100,8 @@ def test_the_viewers_own_flakes_are_counted_alike_from_near() -> None:
         contrast=0.5,
     )
     # Some 220 spots; a flake's peak lies between the places where it is drawn.
-    assert len(told) / (side * pixel / 2.0) ** 2 == pytest.approx(found.per_mm2, rel=0.2)
-    assert told.mean() == pytest.approx(found.mean_contrast, rel=0.25)
+    assert len(found_peaks) / (side * pixel / 2.0) ** 2 == pytest.approx(found.per_mm2, rel=0.2)
+    assert found_peaks.mean() == pytest.approx(found.mean_contrast, rel=0.25)
 
 
 def test_spots_follow_the_flakes() -> None:

@@ -14,10 +14,10 @@ from brdf_suite.output.compared import read_compared_picture
 
 def test_a_damaged_png_is_refused_and_never_a_traceback(tmp_path: Path) -> None:
     file = tmp_path / "a.png"
-    told = PngImagePlugin.PngInfo()
-    told.add_itxt("Comment", "what the picture shows " * 9, zip=True)
+    metadata = PngImagePlugin.PngInfo()
+    metadata.add_itxt("Comment", "what the picture shows " * 9, zip=True)
     pixels = np.random.default_rng(1).integers(0, 256, (24, 32, 3), np.uint8)
-    Image.fromarray(pixels).save(file, pnginfo=told)
+    Image.fromarray(pixels).save(file, pnginfo=metadata)
     assert np.array_equal(read_compared_picture(file).pixels, pixels)
     sound = file.read_bytes()
     rng = np.random.default_rng(2)

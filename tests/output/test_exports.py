@@ -67,17 +67,17 @@ def test_png_of_16_bits_in_display_p3_says_what_it_is(tmp_path: Path) -> None:
     assert view.camera.distance is not None
 
 
-def test_an_automatic_exposure_is_told_as_it_was_measured(tmp_path: Path) -> None:
+def test_an_automatic_exposure_is_written_as_it_was_measured(tmp_path: Path) -> None:
     view = replace(VIEW, exposure_mode="automatic", exposure_ev=0.0)
     render_to_file("blue", view, SIZE, tmp_path / "a.png", PictureSettings(samples=1))
     with Image.open(tmp_path / "a.png") as image:
-        told = view_from_json(json.loads(image.info["View"]))
+        written = view_from_json(json.loads(image.info["View"]))
         words = image.info["Description"]
         codes = np.asarray(image)
-    assert told.exposure_mode == "locked"
-    assert abs(told.exposure_ev) > 0.1
-    assert f"{told.exposure_ev:+g} EV" in words
-    render_to_file("blue", told, SIZE, tmp_path / "b.png", PictureSettings(samples=1))
+    assert written.exposure_mode == "locked"
+    assert abs(written.exposure_ev) > 0.1
+    assert f"{written.exposure_ev:+g} EV" in words
+    render_to_file("blue", written, SIZE, tmp_path / "b.png", PictureSettings(samples=1))
     with Image.open(tmp_path / "b.png") as image:
         assert (np.asarray(image) == codes).all()
 
@@ -110,7 +110,7 @@ def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "settings", "told"),
+    ("name", "settings", "message"),
     [
         ("a.jpg", PictureSettings(), "PNG or EXR"),
         ("a.png", PictureSettings(32), "8 or 16 bits"),
@@ -119,10 +119,10 @@ def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
         ("no/a.png", PictureSettings(), "folder does not exist"),
     ],
 )
-def test_what_no_file_holds_is_told_before_anything_is_made(
-    tmp_path: Path, name: str, settings: PictureSettings, told: str
+def test_what_no_file_holds_is_reported_before_anything_is_made(
+    tmp_path: Path, name: str, settings: PictureSettings, message: str
 ) -> None:
-    with pytest.raises(FileError, match=told):
+    with pytest.raises(FileError, match=message):
         render_to_file("blue", VIEW, SIZE, tmp_path / name, settings, progress=stop_at(0.0))
     for bad in ({"samples": 0}, {"colour_space": "cmyk"}):
         with pytest.raises(ValueRangeError, match=next(iter(bad))):
@@ -219,8 +219,8 @@ def test_a_video_plays_what_was_drawn(tmp_path: Path, ending: str) -> None:
                 feed(patch)
     command = [reader.get_ffmpeg_exe(), "-i", str(path), "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
     read = subprocess.run(command, capture_output=True, check=True)
-    for told in (b"64x48", b"25 fps", b"bt709/bt709/iec61966-2-1"):
-        assert told in read.stderr
+    for words in (b"64x48", b"25 fps", b"bt709/bt709/iec61966-2-1"):
+        assert words in read.stderr
     pixels = np.frombuffer(read.stdout, np.uint8).reshape(15, 48, 64, 3).astype(int)
     # BT.709 with 219 steps of luma: three codes are near.
     for index, patch in ((2, patches[0]), (7, patches[1]), (12, patches[2])):
@@ -251,7 +251,7 @@ def test_videos_that_cannot_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert [file.name for file in tmp_path.iterdir()] == ["ffmpeg"]
 
 
-def test_without_ffmpeg_the_way_on_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_ffmpeg_the_error_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     with pytest.raises(
         MissingExtraError, match=r"needs ffmpeg.*, which is not installed; `.*video` installs it"
@@ -298,11 +298,11 @@ def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(tmp_path: Path
     narrow = write_sheet(source, VIEW, (80, 60), path, 1)
     with Image.open(path) as image:
         rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))
-    # Of the title and of what is told of the light there are more lines than two; gaps part them.
+    # Of the title and of the notices about the light there are more lines than two; gaps part them.
     assert 1 + np.count_nonzero(np.diff(rows) > 1) >= 6
 
 
-def test_a_sheet_of_a_folder_tells_of_what_cannot_be_read(tmp_path: Path) -> None:
+def test_a_sheet_of_a_folder_reports_what_cannot_be_read(tmp_path: Path) -> None:
     for paint in (WHITE, BLUE):
         save_paint(paint, tmp_path / f"{paint.name}.brdfpaint")
     (tmp_path / "aa.brdfpaint").write_text("{}")
@@ -383,7 +383,7 @@ def test_captions() -> None:
     assert len(caption(fit_material(load_material("table1_white")))) == 4
 
 
-def test_text_fits_and_letters_that_no_font_has_are_told() -> None:
+def test_text_fits_and_letters_that_no_font_has_are_reported() -> None:
     font, missing = sheet_text.font_for(["Blue"], 14)
     assert missing == ""
     assert sheet_text.shortened("Blue", font, 200) == "Blue"

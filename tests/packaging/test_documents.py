@@ -1,14 +1,16 @@
-"""Links and named files of the documents exist, the index lists every page, and where.md answers with files."""
+"""Links and named files of the documents exist, the index lists every page, and the pages on the code equal it."""
 
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 CODE_BLOCK = re.compile(r"^```.*?^```", re.DOTALL | re.MULTILINE)
 LINK = re.compile(r"\]\((?![a-z]+:)([^)\s]+)\)")
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 NAMED_FILE = re.compile(r"`((?:apps|brdf_suite|docs|packaging|resources|tests)/[\w./*-]+\.\w+)`")
+ROW = re.compile(r"^\| (\d+) \| ([^|]+) \|", re.MULTILINE)
 ANSWER = re.compile(r"^\| (Where .+\?) \| `([^`]+)` \|$", re.MULTILINE)
 
 
@@ -65,3 +67,36 @@ def test_files_that_a_page_names_exist(checkout: Path) -> None:
         if not any(checkout.glob(path))
     ]
     assert missing == []
+
+
+def drawn_rooms(checkout: Path) -> list[set[str]]:
+    """Return the rooms of each row of the drawing, as modules."""
+    text = (checkout / "docs" / "development" / "rooms.md").read_text(encoding="utf-8")
+    rows = ROW.findall(text)
+    assert [int(number) for number, _ in rows] == list(range(1, len(rows) + 1))
+    return [
+        {room.removeprefix("apps/").replace("/", ".") for room in re.findall(r"`([^`]+)`", rooms)}
+        for _, rooms in rows
+    ]
+
+
+def test_the_drawing_of_the_rooms_is_the_import_contract(checkout: Path) -> None:
+    settings = tomllib.loads((checkout / "pyproject.toml").read_text(encoding="utf-8"))
+    (rows,) = (each for each in settings["tool"]["importlinter"]["contracts"] if each["id"] == "rows")
+    assert drawn_rooms(checkout) == [set(re.findall(r"[\w.]+", layer)) for layer in rows["layers"]]
+
+
+def test_every_room_of_the_code_is_in_the_drawing(checkout: Path) -> None:
+    core, apps = checkout / "brdf_suite", checkout / "apps"
+    there = {f"brdf_suite.{path.stem}" for path in core.glob("*.py")}
+    there |= {f"brdf_suite.{path.parent.name}" for path in core.glob("*/__init__.py")}
+    there |= {path.parent.name for path in apps.glob("*/__init__.py")}
+    drawn = set().union(*drawn_rooms(checkout))
+    assert there - {"brdf_suite.__init__", "brdf_suite.cli"} == drawn
+
+
+def test_the_hand_offs_from_slider_to_pixel_are_numbered_and_counted(checkout: Path) -> None:
+    text = (checkout / "docs" / "development" / "road.md").read_text(encoding="utf-8")
+    numbers = [int(number) for number, _ in ROW.findall(text)]
+    assert numbers == list(range(1, len(numbers) + 1))
+    assert f"Hand-offs: {len(numbers)}." in text

@@ -66,7 +66,7 @@ def test_the_rule_that_is_nearer_to_the_original_is_taken() -> None:
     assert load_start("blue", geometry_set("five")).paint.interpolation == "flake"
 
 
-def test_matter_without_a_mirror_lobe_gets_the_dullest_coat_and_is_told() -> None:
+def test_matter_without_a_mirror_lobe_gets_the_dullest_coat_and_a_notice() -> None:
     start = measured_start(Material("chalk.bin", Diffuser(0.5)))
     assert start.paint.name == "chalk"
     assert start.paint.gloss.gu_20 < 3.0
@@ -99,13 +99,13 @@ def test_paper_gets_the_nearest_gloss_that_can_be(shared_data: Path) -> None:
     assert any("nearest found" in notice for notice in start.notices)
 
 
-def test_brighter_than_a_paint_can_hold_is_told() -> None:
+def test_brighter_than_a_paint_can_hold_is_reported() -> None:
     start = measured_start(Material("lamp", Diffuser(40.0)))
     assert start.paint.lab_at(45.0)[0] == 250.0
     assert any("beyond what a paint holds" in notice for notice in start.notices)
 
 
-def test_what_cannot_be_read_is_told(tmp_path: Path) -> None:
+def test_what_cannot_be_read_is_reported(tmp_path: Path) -> None:
     broken = tmp_path / "broken.bsdf"
     broken.write_bytes(b"tensor_file\0 and then nothing")
     with pytest.raises(SuiteError, match="broken"):

@@ -174,7 +174,7 @@ def test_a_measured_file_is_read_at_any_angle(shared_data: Path, blue: Paint) ->
 
 
 @pytest.mark.parametrize("name", ["no_such_paint", "missing.cxf", "missing.brdfpalette", "missing.bsdf"])
-def test_what_is_not_there_is_told(name: str, tmp_path: Path) -> None:
+def test_what_is_not_there_is_reported(name: str, tmp_path: Path) -> None:
     with pytest.raises(SuiteError, match=r"missing|no_such_paint"):
         load_standards(tmp_path / name if "." in name else name)
 

@@ -267,10 +267,10 @@ def cloud(spread: float, count: int = 1300) -> Columns:
 
 
 def test_many_alike_take_little_memory_report_and_can_be_cancelled() -> None:
-    columns, told = cloud(0.1), []
+    columns, fractions = cloud(0.1), []
     tracemalloc.start()
     try:
-        (group,) = duplicates(columns, 1.0, lambda fraction, _: told.append(fraction))
+        (group,) = duplicates(columns, 1.0, lambda fraction, _: fractions.append(fraction))
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
@@ -279,11 +279,11 @@ def test_many_alike_take_little_memory_report_and_can_be_cancelled() -> None:
     assert not group.chained
     # All pairs at once would take over 100 MB.
     assert peak < 40e6
-    assert told == sorted(told)
-    assert told[-1] == 1.0
-    # Comparing and measuring are both long, and both tell.
-    assert sum(0.0 < fraction < 0.8 for fraction in told) > 10
-    assert sum(0.8 < fraction < 1.0 for fraction in told) > 100
+    assert fractions == sorted(fractions)
+    assert fractions[-1] == 1.0
+    # Comparing and measuring are both long, and both report.
+    assert sum(0.0 < fraction < 0.8 for fraction in fractions) > 10
+    assert sum(0.8 < fraction < 1.0 for fraction in fractions) > 100
 
     def stop(fraction: float, what: str) -> None:
         if fraction > 0.9:
@@ -313,7 +313,7 @@ def test_the_weighted_distance_is_never_below_the_difference(
         assert float(delta_e_2000(one, second)) <= bound * (1.0 + 1e-9) + 1e-9
 
 
-def test_a_chain_is_told_and_copies_are_found_at_no_tolerance() -> None:
+def test_a_chain_is_reported_and_copies_are_found_at_no_tolerance() -> None:
     entries = [Entry(solid_paint("g", (50.0 + 0.8 * step, 0.0, 0.0))) for step in (0, 1, 2, 2)]
     columns = Columns.of([*entries, Entry(solid_paint("far", (90.0, 0.0, 0.0)))])
     (chain,) = duplicates(columns, 1.0)

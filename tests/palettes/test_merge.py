@@ -100,7 +100,7 @@ def test_a_new_name_and_a_new_gloss_of_one_paint_go_together() -> None:
     assert found.palette.entry("1").content == replace(white, name="Weiss", gloss=Gloss(80.0))
 
 
-def test_the_same_field_changed_twice_stays_ours_and_is_told() -> None:
+def test_the_same_field_changed_twice_stays_ours_and_is_reported() -> None:
     found = merge(BASE, edited(BASE, "3", code="A"), edited(BASE, "3", code="B"))
     assert found.palette.entry("3").code == "A"
     assert found.conflicts == (
@@ -108,7 +108,7 @@ def test_the_same_field_changed_twice_stays_ours_and_is_told() -> None:
     )
 
 
-def test_two_names_that_meet_are_told_as_names() -> None:
+def test_two_names_that_meet_are_reported_as_names() -> None:
     base = Palette("P", (Entry(solid_paint("Red", (40.0, 50.0, 30.0)), "1"),))
     content = base.entries[0].content
     found = merge(

@@ -56,9 +56,9 @@ def test_the_paints_of_table_1_meet_their_readings(name: str) -> None:
 
 def test_layers_are_called_what_they_are_and_keep_their_notices() -> None:
     paint = build_paint(load_shipped_paint("blue"))
-    told = fit_material(Material("blue", replace(paint, notices=("made up",)), notices=("made up",)))
-    assert told.kind == "designed"
-    assert told.notices == ("made up",)
+    fit = fit_material(Material("blue", replace(paint, notices=("made up",)), notices=("made up",)))
+    assert fit.kind == "designed"
+    assert fit.notices == ("made up",)
     coated = fit_material(Material("coated", Coated(Lambertian((0.4, 0.2, 0.1))), notices=("before",)))
     assert coated.kind == "layered"
     assert coated.notices == ("before",)
@@ -69,18 +69,18 @@ def test_layers_are_called_what_they_are_and_keep_their_notices() -> None:
 
 
 def test_a_fit_of_measured_data_can_be_cancelled_while_it_works(shared_data: Path) -> None:
-    told: list[str] = []
+    steps: list[str] = []
 
     def cancel(_fraction: float, what: str) -> None:
-        told.append(what)
-        if told.count("fitting") == 3:
+        steps.append(what)
+        if steps.count("fitting") == 3:
             raise Cancelled
 
     with pytest.raises(Cancelled):
         fit_material(
             load_material(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf"), errors=True, progress=cancel
         )
-    assert told == ["fitting", "fitting", "fitting"]
+    assert steps == ["fitting", "fitting", "fitting"]
 
 
 def test_a_clearcoat_of_its_own_is_the_coat(tmp_path: Path) -> None:
@@ -135,7 +135,7 @@ def test_measured_files_are_judged_where_the_fit_did_not_look(shared_data: Path)
 
 
 def test_scattered_angles_are_those_of_samples(shared_data: Path) -> None:
-    """No colour is interpolated: every judged geometry is a measured one, told by its own angles."""
+    """No colour is interpolated: every judged geometry is a measured one, with its own angles."""
     found = fit_material(load_material(shared_data / "brdf" / "cayman.brdf"))
     samples = found.reflectance
     assert {round(row.illumination_deg) for row in found.angles} == {40}
@@ -196,7 +196,7 @@ def test_bad_values_are_refused_by_name(bad: float) -> None:
         fit_material(Material("bad", Bad()))
 
 
-def test_what_is_not_there_or_no_paint_is_told(tmp_path: Path) -> None:
+def test_what_is_not_there_or_no_paint_is_reported(tmp_path: Path) -> None:
     with pytest.raises(FileError, match="table1_white"):
         fit_material(load_material("nothing"), errors=True)
     noise = tmp_path / "noise.binary"

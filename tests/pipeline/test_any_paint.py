@@ -23,7 +23,7 @@ def test_shipped_paints_table_1_and_files(tmp_path: Path) -> None:
     assert load_document(path) == table_1
 
 
-def test_what_is_not_there_is_told_with_what_is() -> None:
+def test_what_is_not_there_is_reported_with_what_is() -> None:
     with pytest.raises(FileError, match="table1_ford_f8"):
         load_document("nothing")
 

@@ -15,8 +15,8 @@ from brdf_suite.documents.palette_store import load_palette, save_palette
 from brdf_suite.documents.store import load_any_paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.palettes.conversions import as_readings, face_lab
+from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions, factor_reflectance, save_factored
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.model_fits.factors import FactoringOptions, factor_reflectance, save_factored
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.designed.build import build_reflectance

@@ -62,12 +62,14 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
         assert apart["off"] != pytest.approx(apart["raised"], rel=0.01)
 
 
-def test_on_a_thread_where_somebody_waits(fitter):
-    told = threading.Event()
-    angles = PaintAngles(time_limit_s=30.0, changed=told.set)  # nothing comes late, however busy the machine
+def test_on_a_thread_where_a_caller_waits(fitter):
+    called = threading.Event()
+    angles = PaintAngles(
+        time_limit_s=30.0, changed=called.set
+    )  # nothing comes late, however busy the machine
     asked = angles.of(fitter.fit(default_paint()))
     assert asked.weights() is None
-    assert told.wait(60)
+    assert called.wait(60)
     weights = asked.weights()
     assert weights is not None
     assert asked.weights() is weights

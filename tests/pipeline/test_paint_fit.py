@@ -67,7 +67,7 @@ def test_an_unreachable_gloss_is_refused_by_name(fitter: PaintFitter) -> None:
         fitter.fit(replace(load_shipped_paint("blue"), gloss=Gloss(180.0)))
 
 
-def test_what_is_achieved_under_two_lights_is_told_apart() -> None:
+def test_what_is_achieved_under_two_lights_is_distinguished() -> None:
     silver = load_shipped_paint("fine_silver")
     paint = replace(silver, measurements=(*silver.measurements, Measurement(15.0, 15.0, (40.0, 3.0, 4.0))))
     fit = PaintFitter(time_limit_s=60.0).fit(paint)

@@ -206,19 +206,19 @@ def test_scattered_samples_look_as_their_reflectance(silver, lit) -> None:
 
 
 def test_found_once_and_in_a_window_on_a_thread(silver) -> None:
-    told = threading.Event()
-    angles = PaintAngles(changed=told.set)
+    called = threading.Event()
+    angles = PaintAngles(changed=called.set)
     given = angles.by_view(silver)
     assert given is not None
     assert given.weights() is None
-    assert told.wait(60.0)
+    assert called.wait(60.0)
     found = given.weights()
     assert found is not None
     assert given.weights() is found
     angles.close()
 
 
-def test_what_cannot_be_fitted_is_refused_and_told(caplog: pytest.LogCaptureFixture) -> None:
+def test_what_cannot_be_fitted_is_refused_and_reported(caplog: pytest.LogCaptureFixture) -> None:
     exponents = (2.0, 20.0, 1000.0)
     with pytest.raises(FittingError, match=r"red channel is negative .* with the view at"):
         seen_weights(Sheen(sign=-1.0), exponents)

@@ -245,9 +245,9 @@ def test_a_paint_without_numbers_is_refused(sphere) -> None:
 
 def test_what_is_drawn_otherwise_is_reported(sphere) -> None:
     view = View(surface="sphere", fresnel="off", surface_look=SurfaceLook(occlusion=False))
-    told = " ".join(build_reference(Material("t", Lambertian(0.5)), view, SIZE, even(), sphere).notices)
-    assert "Fresnel" in told
-    assert "always shows the shadows" in told
+    notices = " ".join(build_reference(Material("t", Lambertian(0.5)), view, SIZE, even(), sphere).notices)
+    assert "Fresnel" in notices
+    assert "always shows the shadows" in notices
     assert not scene(Lambertian(0.5), even(), sphere).notices
 
 

@@ -11,9 +11,10 @@ import pytest
 from brdf_suite.geometry.directions import illumination
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo, white_furnace
-from brdf_suite.reflectance.checks import CheckReport, check_reflectance
+from brdf_suite.reflectance.checks import CheckReport, check_reflectance, is_isotropic
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.registry import MODELS
 
 
 @dataclass(frozen=True)
@@ -122,3 +123,8 @@ class BackToTheLamp:
 def test_a_peak_away_from_the_mirror_direction_is_not_missed() -> None:
     report = check_reflectance(BackToTheLamp(), "tape", incidence_deg=(15.0, 30.0, 60.0))
     np.testing.assert_allclose(report.furnace[:, 1], 0.4, rtol=5e-3)
+
+
+def test_a_brushed_metal_is_not_isotropic() -> None:
+    assert not is_isotropic(MODELS["poulin_fournier"].default)
+    assert is_isotropic(MODELS["cook_torrance"].default)

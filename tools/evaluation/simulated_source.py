@@ -23,7 +23,7 @@ class SimulatorSource:
 
     @cached_property
     def session(self) -> Session:
-        """Return what the reconstruction is told."""
+        """Return the session that the reconstruction gets."""
         return self.simulator.session
 
     def position(self, k: int) -> Stack:
@@ -57,10 +57,10 @@ class SimulatorSource:
 
     def digest(self, k: int | None) -> str:
         """Return a hash of the settings, which decide the photographs."""
-        told = repr(
+        settings = repr(
             (self.simulator.name, repr(self.simulator.reflectance), asdict(self.simulator.settings), k)
         )
-        return hashlib.sha256(told.encode()).hexdigest()
+        return hashlib.sha256(settings.encode()).hexdigest()
 
     def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Return nothing: no file can be wrong."""

@@ -104,7 +104,7 @@ def _describe(material: Material) -> PlottedMaterial:
         return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
-        from brdf_suite.inspection.figures.figures import is_isotropic
+        from brdf_suite.reflectance.checks import is_isotropic
 
         known = material.document is not None or is_isotropic(value)
     return _add_notes(replace(subject, isotropic=known))

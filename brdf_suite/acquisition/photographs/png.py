@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.acquisition.photographs.png_filters import unfilter
 from brdf_suite.errors import FileError
 from brdf_suite.files.made_size import check_made
 
@@ -84,8 +85,6 @@ def png_parts(content: Content, path: _Path) -> PngParts:
 
 def png_pixels(content: Content, path: _Path) -> NDArray[Any]:
     """Return the pixels (h, w, channels) of a PNG, uint8 or uint16; errors as :func:`png_parts`."""
-    from brdf_suite.acquisition.photographs.png_filters import unfilter  # numba: half a second to import
-
     parts = png_parts(content, path)
     if parts.interlaced:
         raise FileError(path, "is interlaced; write it without", "IHDR")

@@ -24,6 +24,8 @@ from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_p
 from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
 from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.exr.image import read_exr
+from brdf_suite.files.images.radiance import read_radiance
 from brdf_suite.files.made_size import within_memory
 
 _Path = str | os.PathLike[str]
@@ -163,14 +165,7 @@ def _exposure(block: bytes, path: _Path) -> float | None:
 
 
 def _float_pixels(kind: Kind, path: _Path) -> NDArray[np.float32]:
-    if kind == "exr":
-        from brdf_suite.files.images.exr.image import read_exr
-
-        pixels = read_exr(path).pixels
-    else:
-        from brdf_suite.files.images.radiance import read_radiance
-
-        pixels = read_radiance(path)[0]
+    pixels = read_exr(path).pixels if kind == "exr" else read_radiance(path)[0]
     if not np.isfinite(pixels).all():
         raise FileError(path, "holds values that are no numbers (NaN or infinite)")
     return pixels

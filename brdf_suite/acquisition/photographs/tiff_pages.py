@@ -9,6 +9,8 @@ from contextlib import contextmanager
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
+from tifffile import TiffFile
+
 from brdf_suite.errors import FileError
 
 if TYPE_CHECKING:
@@ -34,8 +36,6 @@ def first_page(source: _Path | bytes, path: _Path) -> Iterator[TiffPage]:
     FileError
         It is no TIFF, damaged, or cut off.
     """
-    from tifffile import TiffFile  # some 40 ms to import, and only TIFF and EXIF need it
-
     opened = BytesIO(source) if isinstance(source, bytes) else os.fspath(source)
     try:
         # By its name alone tifffile would take a file as NDPI, whose offsets are read otherwise.

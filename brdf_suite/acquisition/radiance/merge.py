@@ -17,6 +17,7 @@ from typing import cast
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.radiance import merge_kernels as compiled_merge
 from brdf_suite.acquisition.radiance.dark_frame import Dark
 from brdf_suite.acquisition.response.response import Response
 from brdf_suite.errors import ValueRangeError
@@ -154,10 +155,6 @@ def _merge_codes(
     allowed: npt.NDArray[np.bool_],
     threads: int | None,
 ) -> MergedRadiance:
-    from brdf_suite.acquisition.radiance import (
-        merge_kernels as compiled_merge,  # numba takes half a second to import
-    )
-
     count, height, width, channels = stack.shape
     size = 1 << response.bit_depth
     if response.bit_depth < 8 * stack.itemsize and int(stack.max(initial=0)) >= size:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
+from scipy.ndimage import gaussian_filter, median_filter
 
 Floats = npt.NDArray[np.float64]
 
@@ -24,8 +25,6 @@ def shrunk(plane: Floats, noise_variance: float, sigma_px: float) -> tuple[Float
     >>> shrunk(np.full((4, 5), 2.0), 1.0, 1.0)[0].mean()
     np.float64(2.0)
     """
-    from scipy.ndimage import gaussian_filter  # a sixth of a second to import
-
     rough = plane - _local_level(plane)
     spread = _TO_DEVIATION * float(np.median(np.abs(rough - np.median(rough))))
     limit = _OUTLYING * max(spread, float(np.sqrt(noise_variance)))
@@ -43,8 +42,6 @@ def shrunk(plane: Floats, noise_variance: float, sigma_px: float) -> tuple[Float
 
 def _local_level(plane: Floats) -> Floats:
     """Return the median of 5 × 5 neighbours, which one hot pixel does not move."""
-    from scipy.ndimage import median_filter
-
     edge = min(2, min(plane.shape) - 1)
     padded = np.pad(plane, edge, mode="reflect", reflect_type="odd")
     level = median_filter(padded, 5)

@@ -8,13 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
+from brdf_suite.acquisition.radiance.dark_frame import dark_model
+from brdf_suite.acquisition.radiance.flat_field import flat_field
+from brdf_suite.acquisition.radiance.merge import merge
+from brdf_suite.acquisition.response.response import Response
+
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
-    from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
     from brdf_suite.acquisition.radiance.dark_frame import Dark
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
     from brdf_suite.acquisition.reconstruction.source import Bools, SeriesKind, Stack
-    from brdf_suite.acquisition.response.response import Response
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,13 +51,8 @@ class Calibration:
     @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Calibration:
         """Return what :meth:`to_json` gave."""
-        from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-        from brdf_suite.acquisition.response.response import Response
-
         response, intrinsics = values["response"], None
         if values["intrinsics"] is not None:
-            from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
-
             intrinsics = CameraCalibration.from_json(values["intrinsics"])
         return cls(
             None if response is None else Response.from_json(response),
@@ -84,8 +83,6 @@ class Corrections:
         box: tuple[slice, slice] | None = None,
     ) -> MergedRadiance:
         """Return the radiance of a stack, of the pixels in ``box`` (rows, columns) where it is given."""
-        from brdf_suite.acquisition.radiance.merge import merge
-
         if self.dark is not None and self.dark.hot.any():
             mask = ~self.dark.hot if mask is None else mask & ~self.dark.hot
         if box is None:
@@ -103,9 +100,6 @@ class Corrections:
 
 def corrections(series: Callable[[SeriesKind], Stack | None], response: Response | None) -> Corrections:
     """Return dark and flat field of photographs that ``series`` reads; the same give the same, bit for bit."""
-    from brdf_suite.acquisition.radiance.dark_frame import dark_model
-    from brdf_suite.acquisition.radiance.flat_field import flat_field
-
     dark_stack = series("dark")
     dark = None
     if dark_stack is not None and response is not None:

@@ -9,6 +9,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry, format_movement_notice
+from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+from brdf_suite.acquisition.geometry.sphere.outline import find_outline
+from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
+from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
+from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
+from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
@@ -17,12 +25,10 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
     from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
     from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
 HIGHLIGHT_STEP_DEG = 5.0
-"""Between the positions whose highlights are looked for: 36 of 180 tell the geometry as well as all."""
+"""Between the positions whose highlights are looked for: 36 of 180 determine the geometry as well as all."""
 
 UNION_POSITIONS = 10
 
@@ -45,23 +51,18 @@ class FoundGeometry:
     left_out: Mapping[int, str] = field(default_factory=dict)
 
 
-def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundGeometry:
+def find_geometry(photographs: SessionPhotographs, progress: Progress | None = None) -> FoundGeometry:
     """Find the sphere and, where the options say so, correct it and the light."""
-    from brdf_suite.acquisition.geometry.lens import Lens
-    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
-    from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
-    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-    from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
-    from brdf_suite.acquisition.radiance.white_reference import with_refined_white
-
-    angles = tuple(position.angle_deg for position in road.session.positions)
-    shiny = highlight_positions(angles, road.positions) if road.options.refine else ()
-    union, kept = _read(road, union_positions(angles, road.positions), shiny, subrange(progress, 0.0, 0.8))
+    angles = tuple(position.angle_deg for position in photographs.session.positions)
+    shiny = highlight_positions(angles, photographs.positions) if photographs.options.refine else ()
+    union, kept = _read(
+        photographs, union_positions(angles, photographs.positions), shiny, subrange(progress, 0.0, 0.8)
+    )
     left_out: dict[int, str] = {}
     picture = np.asarray(union.picture, np.float32)
-    lens = None if road.intrinsics is None else Lens.of(road.intrinsics.intrinsics)
-    irradiance, notices = _irradiance(road)
-    geometry = nominal_geometry(road.session, (picture.shape[0], picture.shape[1]), lens)
+    lens = None if photographs.intrinsics is None else Lens.of(photographs.intrinsics.intrinsics)
+    irradiance, notices = _irradiance(photographs)
+    geometry = nominal_geometry(photographs.session, (picture.shape[0], picture.shape[1]), lens)
     geometry = replace(geometry, irradiance_rgb=irradiance)
     highlights: list[Highlight] = []
 
@@ -69,8 +70,8 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         highlights.clear()
         for k in among:
             merged = kept.get(k)
-            if merged is None and (stack := road.readable(k)) is not None:
-                merged = road.merged_stack(stack, k)
+            if merged is None and (stack := photographs.readable(k)) is not None:
+                merged = photographs.merged_stack(stack, k)
             if merged is None:
                 continue
             clipped = merged.saturated
@@ -79,10 +80,10 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
                 highlights.append(seen)
         return list(highlights)
 
-    with road.clock.step("calibrate"):
-        outline = find_outline(union, geometry, road.mask(None))
+    with photographs.clock.step("calibrate"):
+        outline = find_outline(union, geometry, photographs.mask(None))
         figures: dict[str, Any] = {"outline_rms_px": outline.rms_px}
-        if not road.options.refine:
+        if not photographs.options.refine:
             return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
         try:
             refinement = calibrate_geometry(outline, find, subrange(progress, 0.8, 0.9))
@@ -98,7 +99,7 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
             before = list(highlights)
             try:
                 union, outline, refinement = _where_it_stood(
-                    road, refinement, geometry, shiny, find, subrange(progress, 0.9, 1.0)
+                    photographs, refinement, geometry, shiny, find, subrange(progress, 0.9, 1.0)
                 )
             except AcquisitionError as error:
                 highlights[:] = before
@@ -113,16 +114,16 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
         "highlight_rms_px": refinement.rms_px,
         "highlight_rms_deg": refinement.rms_deg,
     }
-    notices += _movements(road, refinement)
+    notices += _movements(photographs, refinement)
     for k in refinement.moved_positions:
-        name = road.session.positions[k].photographs[0]
+        name = photographs.session.positions[k].photographs[0]
         left_out.setdefault(k, f"{name}: the sphere has moved and stands elsewhere here")
     return FoundGeometry(
         picture,
         outline,
         tuple(highlights),
         refinement,
-        with_refined_white(road.session, refinement.geometry),
+        with_refined_white(photographs.session, refinement.geometry),
         figures,
         notices,
         left_out,
@@ -130,22 +131,19 @@ def find_geometry(road: Acquisition, progress: Progress | None = None) -> FoundG
 
 
 def _where_it_stood(
-    road: Acquisition,
+    photographs: SessionPhotographs,
     refinement: Refinement,
     geometry: RigGeometry,
     shiny: tuple[int, ...],
     find: Callable[[RigGeometry, tuple[int, ...]], list[Highlight]],
     progress: Progress | None,
 ) -> tuple[PhotographUnion, SphereOutline, Refinement]:
-    """Return what the longest part without movement tells alone: a sum over two places has a blurred outline."""
-    from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry
-    from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-
+    """Refine the rig on the longest part without movement: a sum over two places has a blurred outline."""
     moved = frozenset(refinement.moved_positions)
-    chosen = tuple(k for k in road.positions if k not in moved)
-    angles = tuple(position.angle_deg for position in road.session.positions)
-    union, _ = _read(road, union_positions(angles, chosen), (), subrange(progress, 0.0, 0.5))
-    outline = find_outline(union, geometry, road.mask(None))
+    chosen = tuple(k for k in photographs.positions if k not in moved)
+    angles = tuple(position.angle_deg for position in photographs.session.positions)
+    union, _ = _read(photographs, union_positions(angles, chosen), (), subrange(progress, 0.0, 0.5))
+    outline = find_outline(union, geometry, photographs.mask(None))
     among = tuple(k for k in shiny if k not in moved)
     again = calibrate_geometry(outline, lambda tried: find(tried, among), subrange(progress, 0.5, 1.0))
     movements = sorted((*refinement.movements, *again.movements), key=lambda row: row.before)
@@ -153,19 +151,17 @@ def _where_it_stood(
 
 
 def _read(
-    road: Acquisition, wide: tuple[int, ...], shiny: tuple[int, ...], progress: Progress | None
+    photographs: SessionPhotographs, wide: tuple[int, ...], shiny: tuple[int, ...], progress: Progress | None
 ) -> tuple[PhotographUnion, dict[int, MergedRadiance]]:
-    from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
-
     union: PhotographUnion | None = None
     kept: dict[int, MergedRadiance] = {}
     wanted = sorted({*wide, *shiny})
     for n, k in enumerate(wanted):
         report(progress, n / len(wanted), "reading for the geometry")
-        stack = road.readable(k)
+        stack = photographs.readable(k)
         if stack is None:
             continue
-        merged = road.merged_stack(stack, k)
+        merged = photographs.merged_stack(stack, k)
         if k in wide:
             rows, columns = merged.radiance.shape[:2]
             union = union or PhotographUnion((rows, columns))
@@ -178,36 +174,34 @@ def _read(
     return union, kept
 
 
-def _irradiance(road: Acquisition) -> tuple[tuple[float, float, float] | None, tuple[str, ...]]:
-    """Return what arrives at the sphere, by statement or by the white reference, and what to tell of it."""
-    light = road.session.light.irradiance_rgb
+def _irradiance(photographs: SessionPhotographs) -> tuple[tuple[float, float, float] | None, tuple[str, ...]]:
+    """Return the irradiance at the sphere, as stated or from the white reference, with notices."""
+    light = photographs.session.light.irradiance_rgb
     if light is not None:
         return light, ()
-    white = road.series("white")
-    if white is None or road.session.white is None:
+    white = photographs.series("white")
+    if white is None or photographs.session.white is None:
         sentence = (
             "The scale is unknown: the session states no irradiance and has no white reference, so the table is right "
             "but for one factor per channel."
         )
         return None, (sentence,)
-    from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white
-
-    left, top, width, height = road.session.white.region
-    merged = road.merged_stack(white, None, (slice(top, top + height), slice(left, left + width)))
+    left, top, width, height = photographs.session.white.region
+    merged = photographs.merged_stack(white, None, (slice(top, top + height), slice(left, left + width)))
     if not merged.good.any():
         raise AcquisitionError(f"The white reference ({white.names[0]} …) is saturated in all exposures.")
     return irradiance_from_white(
-        road.session, merged.radiance[merged.good].mean(axis=0, dtype=np.float64)
+        photographs.session, merged.radiance[merged.good].mean(axis=0, dtype=np.float64)
     ), ()
 
 
-def _movements(road: Acquisition, refinement: Refinement) -> tuple[str, ...]:
+def _movements(photographs: SessionPhotographs, refinement: Refinement) -> tuple[str, ...]:
     if not refinement.movements:
         return ()
-    from brdf_suite.acquisition.geometry.refinement.refinement import format_movement_notice
-
     return (
-        format_movement_notice(refinement, [position.photographs[0] for position in road.session.positions]),
+        format_movement_notice(
+            refinement, [position.photographs[0] for position in photographs.session.positions]
+        ),
     )
 
 

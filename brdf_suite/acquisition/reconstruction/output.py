@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_suite.acquisition.reconstruction.options import Acquired
+from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import kept_calibration, kept_positions, reconstruct
 from brdf_suite.errors import FileError
+from brdf_suite.files.measured.brdftable import write_brdftable
+from brdf_suite.files.measured.merl import write_merl
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
 
 def work_path(output: Path) -> Path:
@@ -23,14 +22,14 @@ def work_path(output: Path) -> Path:
 
 
 def acquire(
-    road: Acquisition,
+    acquisition: Acquisition,
     output: Path,
     progress: Progress | None = None,
     *,
     overwrite: bool = False,
     restart: bool = False,
 ) -> Acquired:
-    """Take all steps of ``road``, write ``output`` (``.brdftable`` or ``.binary``), and return what was written.
+    """Take all steps of ``acquisition``, write ``output`` (``.brdftable`` or ``.binary``), and return what was written.
 
     What is done is kept in ``OUTPUT.work`` until the output is whole: after a cancellation, a kill, or a failure the
     same call goes on where it was.
@@ -45,30 +44,30 @@ def acquire(
     """
     check_output(output, overwrite)
     work = work_path(output)
-    calibration = None if restart else kept_calibration(road, work)
+    calibration = None if restart else kept_calibration(acquisition, work)
     if calibration is None:
-        _check_files(road, progress)
-        road.calibrate(subrange(progress, 0.0, 0.25))
+        _check_files(acquisition, progress)
+        acquisition.calibrate(subrange(progress, 0.0, 0.25))
     else:
-        road.take_calibration(calibration)
-    found = reconstruct(road, subrange(progress, 0.25, 0.99), work, restart=restart)
+        acquisition.take_calibration(calibration)
+    found = reconstruct(acquisition, subrange(progress, 0.25, 0.99), work, restart=restart)
     write_acquired(found, output, overwrite=overwrite)
     work.unlink()
     return found
 
 
-def _check_files(road: Acquisition, progress: Progress | None) -> None:
+def _check_files(acquisition: Acquisition, progress: Progress | None) -> None:
     """Refuse what nothing can be made of, and keep the warnings for the user."""
     report(progress, 0.0, "checking the files")
-    for finding in road.check(None):
+    for finding in acquisition.check(None):
         if finding.severity == "fatal":
             raise finding.error()
         if finding.severity == "warning":
-            road.notice(f"{finding.path}: {finding.reason}.")
+            acquisition.notice(f"{finding.path}: {finding.reason}.")
 
 
 def acquire_partial(
-    road: Acquisition,
+    acquisition: Acquisition,
     output: Path,
     progress: Progress | None = None,
     *,
@@ -84,15 +83,15 @@ def acquire_partial(
     """
     check_output(output, overwrite)
     work = work_path(output)
-    done = () if restart else kept_positions(road, work)
+    done = () if restart else kept_positions(acquisition, work)
     if not done:
         raise FileError(work, "holds no finished position, so there is nothing to write yet")
-    calibration = kept_calibration(road, work)
+    calibration = kept_calibration(acquisition, work)
     if calibration is None:
         raise FileError(work, "holds no calibration")
-    road.take_calibration(calibration)
-    road.options = replace(road.options, positions=tuple(sorted(done)))
-    found = reconstruct(road, progress, work)
+    acquisition.take_calibration(calibration)
+    acquisition.options = replace(acquisition.options, positions=tuple(sorted(done)))
+    found = reconstruct(acquisition, progress, work)
     write_acquired(found, output, overwrite=overwrite)
     return found
 
@@ -116,14 +115,10 @@ def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) ->
 
 
 def _write_own(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    from brdf_suite.files.measured.brdftable import write_brdftable
-
     return write_brdftable(table, path)
 
 
 def _write_merl(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    from brdf_suite.files.measured.merl import write_merl
-
     return (*write_merl(table, path), "coverage and uncertainty are not held by this format")
 
 

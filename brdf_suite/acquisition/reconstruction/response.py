@@ -9,11 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from brdf_suite.acquisition.radiance.dark_frame import black_codes
+from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.acquisition.reconstruction.source import first_readable
+from brdf_suite.acquisition.response.fit import calibrate_response
+from brdf_suite.acquisition.response.response import srgb_response
+from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
     from brdf_suite.acquisition.response.fit import ResponseFit
     from brdf_suite.acquisition.response.response import Response
 
@@ -30,27 +34,22 @@ class FoundResponse:
     figures: Mapping[str, Any]
 
 
-def find_response(road: Acquisition, progress: Progress | None = None) -> FoundResponse:
-    """Recover the response as the session and the options of ``road`` ask."""
-    from brdf_suite.acquisition.radiance.dark_frame import black_codes
-    from brdf_suite.acquisition.response.fit import calibrate_response
-    from brdf_suite.acquisition.response.response import srgb_response
-    from brdf_suite.acquisition.response.samples import ResponseSamples, spread
-
-    camera = road.session.camera
-    kind = "linear" if road.options.response == "linear" else camera.response
-    dark = road.series("dark")
-    mask = road.mask(None)
-    chosen = road.positions
+def find_response(photographs: SessionPhotographs, progress: Progress | None = None) -> FoundResponse:
+    """Recover the response as the session and the options of ``photographs`` ask."""
+    camera = photographs.session.camera
+    kind = "linear" if photographs.options.response == "linear" else camera.response
+    dark = photographs.series("dark")
+    mask = photographs.mask(None)
+    chosen = photographs.positions
     places = [chosen[place] for place in spread(len(chosen), POSITIONS)]
     # Codes of one exposure stand in one column, so positions that lack different photographs may not be mixed.
     by_times: dict[tuple[float, ...], ResponseSamples] = {}
     positions: Counter[tuple[float, ...]] = Counter()
     for n, k in enumerate(places):
         report(progress, 0.6 * n / len(places), "reading for the response")
-        stack = road.readable(k)
+        stack = photographs.readable(k)
         if stack is None and not by_times and n == len(places) - 1:
-            stack = first_readable(road.stack, chosen)
+            stack = first_readable(photographs.stack, chosen)
         if stack is None:
             continue
         if stack.codes.dtype == np.float32:
@@ -61,7 +60,7 @@ def find_response(road: Acquisition, progress: Progress | None = None) -> FoundR
         by_times[times].add(stack.codes, mask)
         positions[times] += 1
     samples = by_times[max(by_times, key=lambda times: (positions[times], len(times)))]
-    with road.clock.step("calibrate"):
+    with photographs.clock.step("calibrate"):
         fit = calibrate_response(
             samples,
             None if dark is None else black_codes(dark.codes),

@@ -13,7 +13,13 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.photographs.reading import read_photograph
+from brdf_suite.acquisition.session import series as photograph_series
+from brdf_suite.acquisition.session.check import check_session
+from brdf_suite.acquisition.session.finding import exposures_lost
+from brdf_suite.acquisition.session.series import read_mask, read_position
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import session_to_json
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
 
@@ -105,22 +111,17 @@ class FolderSource:
         return self.findings(None)
 
     def position(self, k: int) -> Stack:
-        """Read one position; what cannot be read, or contradicts the session, is left out and told."""
-        from brdf_suite.acquisition.session.finding import exposures_lost
-        from brdf_suite.acquisition.session.series import read_position
-
+        """Read one position; photographs that cannot be read or contradict the session are skipped and reported."""
         for finding in self._checked:
             if finding.severity == "position" and finding.position == k:
                 raise finding.error()
         lost = exposures_lost(self._checked, k)
         found = read_position(self.folder, self.session, k, leave_out=lost)
-        told = [one for one in self._checked if one.position == k and one.severity == "exposure"]
-        return _stack(found, told)
+        skipped = [one for one in self._checked if one.position == k and one.severity == "exposure"]
+        return _stack(found, skipped)
 
     def series(self, kind: SeriesKind) -> Stack | None:
         """Read a calibration series."""
-        from brdf_suite.acquisition.session import series as photograph_series
-
         readers = {
             "dark": photograph_series.read_dark,
             "white": photograph_series.read_white,
@@ -131,8 +132,6 @@ class FolderSource:
 
     def board(self) -> list[tuple[str, Codes]]:
         """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
-        from brdf_suite.acquisition.photographs.reading import read_photograph
-
         board = self.session.camera.board
         lost = {finding.place for finding in self._checked}
         found = []
@@ -145,14 +144,10 @@ class FolderSource:
 
     def mask(self, k: int | None) -> Bools | None:
         """Read the masks."""
-        from brdf_suite.acquisition.session.series import read_mask
-
         return read_mask(self.folder, self.session, k)
 
     def digest(self, k: int | None) -> str:
         """Hash the content of the files, and what the session says of them."""
-        from brdf_suite.acquisition.session.store import session_to_json
-
         session = self.session
         found = hashlib.sha256()
         if k is None:
@@ -175,16 +170,14 @@ class FolderSource:
 
     def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
         """Check the folder."""
-        from brdf_suite.acquisition.session.check import check_session
-
         found = check_session(self.folder, self.session, progress)
         # What is read afterwards goes by it, without another look at every file.
         self.__dict__["_checked"] = found
         return found
 
 
-def _stack(found: PhotographSeries, told: list[SessionFinding]) -> Stack:
-    findings = tuple(f"{one.path}: {one.reason}" for one in (*told, *found.findings))
+def _stack(found: PhotographSeries, skipped: list[SessionFinding]) -> Stack:
+    findings = tuple(f"{one.path}: {one.reason}" for one in (*skipped, *found.findings))
     return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,6 +15,7 @@ import numpy as np
 
 from brdf_suite.acquisition.reconstruction.calibration import Calibration
 from brdf_suite.acquisition.reconstruction.options import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.reconstruction.work_file import (
     CALIBRATION,
@@ -36,28 +37,30 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition, Partial
     from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
+
+Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
+"""Called after each position with how many are done, of how many, and a function that makes the table so far."""
 
 ALGORITHM = 1
 """Raised whenever the same photographs would give other sums: older work is then not taken up."""
 
 
 def reconstruct(
-    road: Acquisition,
+    acquisition: Acquisition,
     progress: Progress | None = None,
     work: Path | None = None,
     partial: Partial | None = None,
     restart: bool = False,
 ) -> Acquired:
-    """Return the table of the positions of ``road``, whose calibration was taken.
+    """Return the table of the positions of ``acquisition``, whose calibration was taken.
 
     Parameters
     ----------
-    road
+    acquisition
         A session with its calibration.
     progress
-        Told after each position; may raise :class:`~brdf_suite.errors.Cancelled`, and what is done stays in ``work``.
+        Called after each position; may raise :class:`~brdf_suite.errors.Cancelled`, and what is done stays in ``work``.
     work
         Where to keep what is done; what lies there of the same session, options and calibration is taken up.
     partial
@@ -73,21 +76,21 @@ def reconstruct(
         ``work`` belongs to other photographs, is in use, or cannot be written.
     """
     with _opened(work) as kept:
-        key = work_key(road)
+        key = work_key(acquisition)
         done: dict[int, WorkRecord] = {}
         if kept is not None:
             if restart:
                 kept.empty()
             done = _taken_up(kept, key)
-            calibration = road.calibration.to_json()
+            calibration = acquisition.calibration.to_json()
             if not kept.records:
                 kept.add(CALIBRATION, {"key": key, "calibration": calibration}, {})
             elif json.dumps(kept.records[0].values["calibration"]) != json.dumps(calibration):
                 raise FileError(kept.path, "was begun with another calibration; take that one, or begin anew")
-        return _Reconstruction(road, kept, done).run(progress, partial)
+        return _Reconstruction(acquisition, kept, done).run(progress, partial)
 
 
-def kept_calibration(road: Acquisition, work: Path) -> Calibration | None:
+def kept_calibration(acquisition: Acquisition, work: Path) -> Calibration | None:
     """Return the calibration in a work file of the same session and options; None where there is none.
 
     Raises
@@ -100,21 +103,23 @@ def kept_calibration(road: Acquisition, work: Path) -> Calibration | None:
     with open_work(work) as kept:
         if not kept.records:
             return None
-        _taken_up(kept, work_key(road))
+        _taken_up(kept, work_key(acquisition))
         return Calibration.from_json(kept.records[0].values["calibration"])
 
 
-def kept_positions(road: Acquisition, work: Path) -> tuple[int, ...]:
+def kept_positions(acquisition: Acquisition, work: Path) -> tuple[int, ...]:
     """Return which positions are done in a work file of the same session and options; errors as above."""
     if not work.exists():
         return ()
     with open_work(work) as kept:
-        return tuple(_taken_up(kept, work_key(road)))
+        return tuple(_taken_up(kept, work_key(acquisition)))
 
 
-def work_key(road: Acquisition) -> str:
+def work_key(acquisition: Acquisition) -> str:
     """Return a hash of the session, the options, and the photographs that belong to no position."""
-    described = json.dumps([ALGORITHM, road.options.to_json(), road.source.digest(None)], sort_keys=True)
+    described = json.dumps(
+        [ALGORITHM, acquisition.options.to_json(), acquisition.source.digest(None)], sort_keys=True
+    )
     return hashlib.sha256(described.encode()).hexdigest()
 
 
@@ -141,13 +146,15 @@ def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
 class _Reconstruction:
     """The sums as they grow."""
 
-    def __init__(self, road: Acquisition, kept: WorkFile | None, done: dict[int, WorkRecord]) -> None:
-        self.road = road
+    def __init__(self, acquisition: Acquisition, kept: WorkFile | None, done: dict[int, WorkRecord]) -> None:
+        self.acquisition = acquisition
         self.kept = kept
         self.done = done
-        self.calibration = road.calibration
-        layouts = LAYOUTS if road.options.compare else LAYOUTS[:1]
-        self.sums = {layout: TableSums(Parameterization(layout, road.options.bins)) for layout in layouts}
+        self.calibration = acquisition.calibration
+        layouts = LAYOUTS if acquisition.options.compare else LAYOUTS[:1]
+        self.sums = {
+            layout: TableSums(Parameterization(layout, acquisition.options.bins)) for layout in layouts
+        }
         self.succeeded: list[int] = []
         self.failed: list[LeftOut] = []
         self.findings: list[str] = []
@@ -155,7 +162,7 @@ class _Reconstruction:
         self.readings = 0
 
     def run(self, progress: Progress | None, partial: Partial | None) -> Acquired:
-        positions = self.road.positions
+        positions = self.acquisition.positions
         sampler: SphereSampler | None = None
         # The next position is read while this one is reckoned: both take about as long.
         with ThreadPoolExecutor(1, "photographs") as pool:
@@ -168,17 +175,17 @@ class _Reconstruction:
                 elif record is not None:
                     self._add_kept(k, record)
                 else:
-                    reading = ahead or pool.submit(self.road.stack, k)
+                    reading = ahead or pool.submit(self.acquisition.stack, k)
                     ahead = None
                     following = positions[n + 1] if n + 1 < len(positions) else None
-                    sampler = sampler or self.road.sampler()
+                    sampler = sampler or self.acquisition.sampler()
                     try:
                         stack = reading.result()
                         if following is not None and following not in {
                             *self.done,
                             *self.calibration.left_out,
                         }:
-                            ahead = pool.submit(self.road.stack, following)
+                            ahead = pool.submit(self.acquisition.stack, following)
                         self._add_new(k, stack, sampler)
                     except FileError as error:
                         self.failed.append(LeftOut(k, str(error)))
@@ -188,7 +195,7 @@ class _Reconstruction:
             reason = f" The first: {self.failed[0].reason}" if self.failed else ""
             raise AcquisitionError(f"No position gave a reading.{reason}")
         report(progress, 0.97, "filling holes")
-        with self.road.clock.step("finish"):
+        with self.acquisition.clock.step("finish"):
             table = self._table()
             compared: dict[str, ParameterizedTable] = {
                 layout: tabulate_means(bin_means(sums, self._colour()))
@@ -203,13 +210,13 @@ class _Reconstruction:
             self.readings,
             self.calibration,
             (*self.calibration.notices, *self.findings),
-            dict(self.road.clock.seconds),
+            dict(self.acquisition.clock.seconds),
             compared,
         )
 
     def _still_valid(self, k: int) -> WorkRecord | None:
         record = self.done.get(k)
-        if record is None or record.values["digest"] != self.road.source.digest(k):
+        if record is None or record.values["digest"] != self.acquisition.source.digest(k):
             return None
         return record
 
@@ -229,8 +236,8 @@ class _Reconstruction:
         )
 
     def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
-        found, findings = self.road.checked_samples(k, sampler, stack)
-        with self.road.clock.step("table"):
+        found, findings = self.acquisition.checked_samples(k, sampler, stack)
+        with self.acquisition.clock.step("table"):
             position = {
                 layout: self._binned(found, sums.parameterization) for layout, sums in self.sums.items()
             }
@@ -241,7 +248,7 @@ class _Reconstruction:
                 arrays |= {f"{layout} places": sums.places, f"{layout} sums": sums.sums}
             values = {
                 "position": k,
-                "digest": self.road.source.digest(k),
+                "digest": self.acquisition.source.digest(k),
                 "readings": readings,
                 "findings": list(findings),
             }
@@ -262,14 +269,14 @@ class _Reconstruction:
         return position_sums(parameterization, places, found.value, weights, found.variance)
 
     def _colour(self) -> Any:
-        return self.road.session.camera.to_working
+        return self.acquisition.session.camera.to_working
 
     def _table_so_far(self) -> IsotropicTable:
         # Without the rounds of centring: this one is for a plot while the work goes on.
         return half_angle_table(bin_means(self.sums["half-angle"], self._colour(), centre=False))
 
     def _table(self) -> IsotropicTable:
-        session = self.road.session
+        session = self.acquisition.session
         facts = {
             "format": "acquired",
             "session": session.name,
@@ -278,7 +285,7 @@ class _Reconstruction:
             "positions_left_out": len(self.failed),
             "exposures": len(session.exposures_s),
             "readings": self.readings,
-            "grazing_deg": self.road.options.grazing_deg,
+            "grazing_deg": self.acquisition.options.grazing_deg,
             "notes": (*self.calibration.notices, *self.findings, *(one.reason for one in self.failed)),
             **{f"calibration_{name}": value for name, value in self.calibration.figures.items()},
         }

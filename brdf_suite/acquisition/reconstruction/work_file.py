@@ -32,6 +32,7 @@ from typing import IO, Any
 
 import numpy as np
 import numpy.typing as npt
+from filelock import FileLock, Timeout
 
 from brdf_suite.errors import FileError
 
@@ -72,7 +73,7 @@ class WorkFile:
         Raises
         ------
         FileError
-            Somebody changed the file while it was open.
+            Another process changed the file while it was open.
         """
         try:
             self._stream.seek(record.start)
@@ -163,8 +164,6 @@ def open_work(path: Path) -> Iterator[WorkFile]:
     FileError
         The folder cannot be written, the file is of another kind, or another program works with it.
     """
-    from filelock import FileLock, Timeout
-
     lock = FileLock(f"{path}.lock", timeout=0)
     try:
         lock.acquire()

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.response import kernels as compiled_response
 from brdf_suite.acquisition.response.curve import CurveBasis, curve_basis, whole_table
 from brdf_suite.acquisition.response.noise import OTHERS_SIGNAL, estimate_noise, exposure_variance
 from brdf_suite.acquisition.response.response import MIDDLE_EXPOSURE, linear_response, middle_code
@@ -66,10 +67,6 @@ def fit_channel(
     The first start needs no curve (:func:`brdf_suite.acquisition.response.response.kernels.add_start`); then each
     step measures the noise under the curve so far, and solves the equations that follow from it.
     """
-    from brdf_suite.acquisition.response import (
-        kernels as compiled_response,  # numba takes half a second to import
-    )
-
     size = 1 << samples.bit_depth
     low, inside = _measurable(samples.bit_depth, black, high)
     basis = curve_basis(samples.bit_depth, black, low, high, KNOTS)

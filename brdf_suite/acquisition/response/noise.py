@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import numpy.typing as npt
+from scipy.optimize import nnls
 
+from brdf_suite.acquisition.response import kernels as compiled_response
 from brdf_suite.acquisition.response.response import Response
 from brdf_suite.acquisition.response.samples import ResponseSamples
 from brdf_suite.errors import AcquisitionError
@@ -38,10 +40,6 @@ def estimate_noise(
     before: tuple[float, float] | None,
 ) -> tuple[float, float]:
     """Return (read, shot) of the variance of exposures about their prediction, less that of rounding."""
-    from scipy.optimize import nnls  # a sixth of a second to import
-
-    from brdf_suite.acquisition.response import kernels as compiled_response
-
     if before is None:
         step = np.gradient(curve)
         variance = np.maximum(4.0 * step * step, _SMALLEST_VARIANCE)
@@ -72,8 +70,6 @@ def estimate_noise(
 
 def time_residuals(samples: ResponseSamples, response: Response) -> Floats:
     """Return ln(time shown / time stated) of each exposure, median 0."""
-    from brdf_suite.acquisition.response import kernels as compiled_response
-
     sums = np.zeros((len(samples.times) - 1, 3))
     codes = np.arange(1 << samples.bit_depth)
     for c in range(response.channels):

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.curves import curve_table, exposure_at
+from brdf_suite.acquisition.simulator.noise import expose
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 
 Floats = NDArray[np.float64]
@@ -62,9 +63,6 @@ class Sensor:
 
         ``shot`` distinguishes photographs, so that each has noise of its own.
         """
-        # numba is met here and not on import: the command's start needs none of it.
-        from brdf_suite.acquisition.simulator.noise import expose
-
         settings = self.settings
         codes = np.empty((len(exposures_s), *rate.shape), np.uint16)
         table = curve_table(settings.curve)

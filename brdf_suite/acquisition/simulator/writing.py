@@ -12,6 +12,9 @@ from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
+from PIL.Image import Exif
+from PIL.TiffImagePlugin import IFDRational
+from tifffile import imwrite
 
 from brdf_suite.acquisition.simulator.sensor import Codes
 from brdf_suite.errors import FileError
@@ -48,9 +51,6 @@ def _png(codes: Codes, exposure_s: float) -> bytes:
 
 def exif(exposure_s: float) -> bytes:
     """Return the EXIF block (a TIFF of no picture) that holds an exposure time."""
-    from PIL.Image import Exif  # deferred, as most of the suite needs no Pillow
-    from PIL.TiffImagePlugin import IFDRational
-
     block = Exif()
     block[_EXIF_FOLDER] = {_EXPOSURE_TIME: IFDRational(*_fraction(exposure_s))}
     return block.tobytes().removeprefix(b"Exif\0\0")
@@ -62,8 +62,6 @@ def _fraction(seconds: float) -> tuple[int, int]:
 
 
 def _write_tiff(target: Path, codes: Codes, exposure_s: float) -> None:
-    from tifffile import imwrite  # deferred, as PNG needs none of it
-
     # The time stands beside the picture's size, as TIFF/EP has it, since tifffile writes no EXIF folder.
     time = (_EXPOSURE_TIME, _RATIONAL, 1, _fraction(exposure_s), True)
     imwrite(target, codes, photometric="rgb", metadata=None, software=False, extratags=[time])

@@ -31,6 +31,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
+from brdf_suite.acquisition.table import samples_kernel
 from brdf_suite.errors import ValueRangeError
 
 Singles = npt.NDArray[np.float32]
@@ -224,8 +225,6 @@ class SphereSampler:
         ValueRangeError
             Pictures of another size.
         """
-        from brdf_suite.acquisition.table import samples_kernel  # numba takes half a second to import
-
         places = self._local_places(radiance.shape[:2])
         radiance = np.ascontiguousarray(radiance, np.float32)
         noise_in = (

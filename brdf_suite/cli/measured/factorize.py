@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from brdf_suite.cli.output import print_json, progress_bar
 
 if TYPE_CHECKING:
-    from brdf_suite.model_fits.factors import FactoredFit
+    from brdf_suite.fitting.homomorphic.reflectance_fit import FactoredFit
 
 _EXAMPLES = """\
 examples:
@@ -97,14 +97,16 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def run(options: argparse.Namespace) -> int:
     """Factor, write the paint and print a summary."""
     from brdf_suite.documents.store import PAINT_ENDING
-    from brdf_suite.errors import FileError
-    from brdf_suite.model_fits.factors import (
+    from brdf_suite.errors import FileError, FittingError
+    from brdf_suite.fitting.homomorphic.reflectance_fit import (
         TABLE_ENDING,
         FactoringOptions,
         check_target,
-        factor_any,
+        factor_reflectance,
         save_factored,
     )
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.progress import report, subrange
 
     if options.output.suffix.lower() not in (PAINT_ENDING, TABLE_ENDING):
         raise FileError(
@@ -125,7 +127,14 @@ def run(options: argparse.Namespace) -> int:
         pairs=options.pairs,
     )
     with progress_bar("factoring", quiet=options.json) as progress:
-        found = factor_any(options.reflectance, chosen, progress=progress)
+        report(progress, 0.0, "reading")
+        material = load_material(options.reflectance)
+        try:
+            found = factor_reflectance(
+                material.name, material.reflectance, chosen, progress=subrange(progress, 0.1, 1.0)
+            )
+        except FittingError as error:
+            raise FittingError(f"{material.name}: {error}") from error
     save_factored(found, options.output)
     if options.json:
         print_json({**found.to_json(), "file": str(options.output)})

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from brdf_suite.cli.output import print_json, progress_bar
 
 if TYPE_CHECKING:
+    from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit
     from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors
-    from brdf_suite.model_fits.cook_torrance import FileFit
 
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
@@ -83,10 +83,12 @@ def run(options: argparse.Namespace) -> int:
     """Fit, write the files and print a summary."""
     from dataclasses import asdict, replace
 
+    from brdf_suite.errors import FittingError
+    from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
     from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
     from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
-    from brdf_suite.model_fits.cook_torrance import fit_cook_torrance, fit_reflectance_lobes
-    from brdf_suite.progress import subrange
+    from brdf_suite.pipeline.material import load_material
+    from brdf_suite.progress import report, subrange
 
     settings = Settings(
         options.lobes,
@@ -106,11 +108,21 @@ def run(options: argparse.Namespace) -> int:
         others.remove("ggx-clearcoat")
     with progress_bar("fitting", quiet=options.json) as progress:
         share = 1.0 / (1 + len(others))
-        found = fit_cook_torrance(
-            options.reflectance, settings, state=state, progress=subrange(progress, 0.0, share)
-        )
+        report(progress, 0.0, "reading")
+        material = load_material(options.reflectance)
+        title = Path(material.name).stem or material.name
+        try:
+            found = fit_cook_torrance(
+                title,
+                material.reflectance,
+                settings,
+                state=state,
+                progress=subrange(progress, 0.05 * share, share),
+            )
+        except FittingError as error:
+            raise FittingError(f"{material.name}: {error}") from error
         beside = [
-            fit_reflectance_lobes(
+            fit_cook_torrance(
                 found.name,
                 found.reflectance,
                 replace(settings, model=model),  # type: ignore[arg-type] # one of the literals

@@ -137,12 +137,12 @@ class ExportFormat:
 
 def flake_loss(item: ExportItem) -> tuple[str, ...]:
     """Return the sentences about flakes and orange peel for formats that have neither."""
-    told = []
+    losses = []
     if item.paint.flakes is not None:
-        told.append("The flakes do not sparkle there: density, size and tilt are left out.")
+        losses.append("The flakes do not sparkle there: density, size and tilt are left out.")
     if item.paint.orange_peel is not None:
-        told.append("The orange peel is left out: the surface is smooth there.")
-    return tuple(told)
+        losses.append("The orange peel is left out: the surface is smooth there.")
+    return tuple(losses)
 
 
 def readings_loss(item: ExportItem) -> tuple[str, ...]:

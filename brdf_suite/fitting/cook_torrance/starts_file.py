@@ -27,7 +27,7 @@ class StartsFile:
         Raises
         ------
         FileError
-            There is a file of this name that keeps no starts: it is somebody's, and stays.
+            A file of this name holds something other than starts; it is left unchanged.
         """
         try:
             if self._path.stat().st_size > _LARGEST:

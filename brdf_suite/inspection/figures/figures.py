@@ -19,7 +19,7 @@ from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.inspection.figures.errors import Errors, errors_between, fit_errors
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.albedo import directional_albedo
-from brdf_suite.reflectance.checks import reciprocity
+from brdf_suite.reflectance.checks import Turned, even_pairs, reciprocity
 from brdf_suite.reflectance.protocol import Reflectance
 
 INCIDENCES_DEG = (0.0, 10.0, 20.0, 30.0, 40.0, 45.0, 50.0, 60.0, 70.0, 75.0, 80.0, 85.0, 89.0)
@@ -30,9 +30,6 @@ CHANNELS = ("red", "green", "blue")
 _AZIMUTHS, _AZIMUTHS_ANISOTROPIC = 64, 128
 _LUMINANCE = np.array([0.2627, 0.6780, 0.0593])
 """Of linear Rec. 2020 (ITU-R BT.2020, table 4)."""
-_TURNS = (0.4, 1.3, 2.9)
-_SAME_TURNED = 0.01
-_SEED = 9
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,44 +143,13 @@ def reflectance_figures(request: FiguresRequest, progress: Progress | None = Non
 
 def turned(reflectance: Reflectance, azimuth_deg: float) -> Reflectance:
     """Return the reflectance as it is where the plane of incidence has that azimuth, degrees."""
-    return reflectance if azimuth_deg == 0.0 else _Turned(reflectance, math.radians(azimuth_deg))
+    return reflectance if azimuth_deg == 0.0 else Turned(reflectance, math.radians(azimuth_deg))
 
 
 def missing_share(reflectance: Reflectance) -> float:
     """Return the share, 0 to 1, of even pairs of directions at which there is no number."""
-    wi, wo = _even_pairs()
+    wi, wo = even_pairs()
     return float(np.mean(~np.isfinite(reflectance.eval(wi, wo)).all(axis=-1)))
-
-
-def is_isotropic(reflectance: Reflectance) -> bool:
-    """Return whether turning light and view together changes nothing, as far as 512 pairs of directions tell.
-
-    A change of 1 % of a value, or of a hundredth of the median, counts: tables are not even to the last digit.
-    """
-    wi, wo = (pairs[:512] for pairs in _even_pairs())
-    still = np.nan_to_num(np.asarray(reflectance.eval(wi, wo)))
-    floor = _SAME_TURNED * float(np.median(still)) + 1e-12
-    return all(
-        bool(
-            (
-                np.abs(np.nan_to_num(_Turned(reflectance, turn).eval(wi, wo)) - still)
-                <= _SAME_TURNED * still + floor
-            ).all()
-        )
-        for turn in _TURNS
-    )
-
-
-@dataclass(frozen=True, eq=False)
-class _Turned:
-    inner: Reflectance
-    turn: float
-
-    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return f_r (..., 3) in 1/sr of the directions turned about the normal."""
-        c, s = math.cos(self.turn), math.sin(self.turn)
-        about_z = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
-        return self.inner.eval(np.asarray(wi, float) @ about_z, np.asarray(wo, float) @ about_z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,16 +177,6 @@ class _InBothOrders:
             return value
         other = np.asarray(self.inner.eval(wo, wi))
         return np.where(np.isfinite(value) & np.isfinite(other), value, 0.0)
-
-
-def _even_pairs() -> tuple[Floats, Floats]:
-    """Return wi, wo (n, 3), even over both hemispheres, always the same."""
-    random = np.random.default_rng(_SEED)
-    z = random.uniform(0.02, 1.0, (2, 2048))
-    phi = random.uniform(-np.pi, np.pi, (2, 2048))
-    flat = np.sqrt(1.0 - z * z)
-    directions = np.stack((flat * np.cos(phi), flat * np.sin(phi), z), axis=-1)
-    return directions[0], directions[1]
 
 
 def angle_readings(

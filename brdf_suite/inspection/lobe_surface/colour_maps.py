@@ -2,8 +2,8 @@
 
 Both are curves in OKLab (Ottosson 2020), whose points are moved along it until neighbours differ by the same
 CAM02-UCS distance, so that equal steps of a value look like equal steps. Lightness alone orders either, so they are
-read without colour too; the hues, blue to yellow and blue to orange, are those that all kinds of colour vision tell
-apart.
+read without colour too; the hues, blue to yellow and blue to orange, are those that all kinds of colour vision
+distinguish.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A lobe surface as a mesh of its own: no doubled points, its unit and making told in words."""
+"""A lobe surface as a mesh for export: no duplicate points, with its unit and origin in words."""
 
 from __future__ import annotations
 

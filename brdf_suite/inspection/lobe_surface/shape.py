@@ -7,7 +7,7 @@ lines of constant γ and ψ; along them
     dr/dj = r_γ dγ/dj,    dr/dk = r_γ dγ/dk + r_ψ dψ/dk.
 
 The gradient is taken from differences of r and of γ, never of points: within a spike those differ by less than
-single precision tells.
+single precision resolves.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
     turned = np.empty(columns, np.float32)
     turned[1:-1] = grid.psi[2:] - grid.psi[:-2]
     turned[0] = turned[-1] = grid.psi[1] + (2.0 * np.pi - grid.psi[-2])
-    # Next to the mirror direction columns lie closer than single precision tells values apart: what may be rounding
+    # Next to the mirror direction columns lie closer than single precision resolves: what may be rounding
     # is taken away, which matters only where γ is far below what any picture shows.
     r_psi -= np.clip(r_psi, -_ROUNDING * radius, _ROUNDING * radius)
     r_psi /= turned

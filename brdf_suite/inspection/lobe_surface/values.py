@@ -57,9 +57,7 @@ class LobeSource:
         apart[near] = np.pi + 0.05 * draws.standard_normal(int(near.sum()))
         wi = spherical(theta[0], phi)
         one, other = (self.reflectance.eval(wi, spherical(theta[1], phi + side * apart)) for side in (1, -1))
-        with np.errstate(
-            invalid="ignore"
-        ):  # infinite ones are not told apart, and are worked out on both sides
+        with np.errstate(invalid="ignore"):  # infinite values cannot be compared; both sides are evaluated
             return bool(np.all(np.abs(one - other) <= _ALIKE * np.maximum(np.abs(one), 1e-12)))
 
     def brdf(self, grid: LobeGrid) -> Singles:
@@ -72,7 +70,7 @@ class LobeSource:
         seen = half if self.symmetric else columns - 1
         views = grid.directions[:, :seen]
         values = np.empty((rows, columns, 3), np.float32)
-        with np.errstate(all="ignore"):  # what comes of a fault is a hole, which is told
+        with np.errstate(all="ignore"):  # invalid values become holes, which are reported
             # The first row is one direction. Without it, half a grid is one block of an evaluation: the threads that
             # two blocks take cost more than they save.
             values[0, :seen] = self._values(grid.wi, views[:1, :1])

@@ -22,7 +22,7 @@ NEAR_DEG = 2.5
 
 
 class Samples(Hashable, Protocol):
-    """``wi``, ``wo`` (n, 3) and ``values`` (n, 3), f_r in 1/sr; told apart by identity, and never changed."""
+    """``wi``, ``wo`` (n, 3) and ``values`` (n, 3), f_r in 1/sr; compared by identity, and never changed."""
 
     @property
     def wi(self) -> Floats:

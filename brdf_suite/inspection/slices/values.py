@@ -129,15 +129,15 @@ def nice_above(value: float) -> float:
     return float(f"{10.0 * decade:.3g}")
 
 
-def slices_csv(angle: str, angle_deg: Floats, columns: Sequence[tuple[str, Floats]], told: str) -> str:
+def slices_csv(angle: str, angle_deg: Floats, columns: Sequence[tuple[str, Floats]], comment: str) -> str:
     """Return the text: ``angle`` and each of ``columns`` (name with unit, (n,)) over ``angle_deg`` (n,).
 
-    ``told`` is the comment, one line.
+    ``comment`` is one line at the top.
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow([angle, *(name for name, _ in columns)])
-    out.write("# " + " ".join(told.split()) + "\n")
+    out.write("# " + " ".join(comment.split()) + "\n")
     for row, place in enumerate(angle_deg.tolist()):
         values = [float(value[row]) for _, value in columns]
         writer.writerow([repr(place), *(repr(v) if math.isfinite(v) else "" for v in values)])

@@ -18,13 +18,13 @@ class PartialMaps:
     Attributes
     ----------
     wanted
-        How many maps there will be: one for each lobe that the environment can tell from a sharper one, the
+        How many maps there will be: one for each lobe that the environment distinguishes from a sharper one, the
         diffuse map, and the background.
     """
 
     def __init__(self, environment: Environment, exponents: Sequence[float]) -> None:
         self._exponents = tuple(float(exponent) for exponent in exponents)
-        # The background stands for the sharpest lobe that its rings can tell from it.
+        # The background stands for the sharpest lobe that its rings distinguish from it.
         self._background_exponent = largest_exponent(ring_count(environment.radiance.shape[0]))
         self._made: dict[float, FaceArray] = {}
         self._background: FaceArray | None = None

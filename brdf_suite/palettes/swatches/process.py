@@ -36,7 +36,7 @@ Answer = dict[str, object]
 
 @dataclass(frozen=True)
 class _Refusal:
-    """Why there is no picture; ``fault`` is the trace of an error that nobody has foreseen."""
+    """Why there is no picture; ``fault`` is the trace of an unexpected error."""
 
     words: str
     fault: str = ""
@@ -92,7 +92,7 @@ class SwatchServer:
                 asked.append((item.get("key"), own))
             except SuiteError as error:
                 asked.append((item.get("key"), _Refusal(str(error))))
-            except Exception as error:  # noqa: BLE001 - told for this item, and the others have their pictures
+            except Exception as error:  # noqa: BLE001 - reported for this item; the others have their pictures
                 asked.append((item.get("key"), _fault(error)))
         found: dict[str, _Found] = {
             key: pixels.tobytes() for key, pixels in self._store.get(contents).items()
@@ -114,7 +114,7 @@ class SwatchServer:
             return dict.fromkeys(contents, _Refusal(str(error)))
         except SuiteError:
             raise
-        except Exception as error:  # noqa: BLE001 - found out whose it is, and told for that one
+        except Exception as error:  # noqa: BLE001 - each item is tried alone, and the error reported for its own
             if len(contents) == 1:
                 return dict.fromkeys(contents, _fault(error))
         found: dict[str, _Found] = {}
@@ -163,7 +163,7 @@ def serve(lines: TextIO, out: TextIO, store: SwatchStore | None = None) -> None:
                 out.write(json.dumps({"id": json.loads(line).get("id"), "unavailable": str(error)}) + "\n")
                 out.flush()
                 return
-            except SuiteError as error:  # the light's file: told for the whole request
+            except SuiteError as error:  # the light's file: reported for the whole request
                 out.write(json.dumps({"id": json.loads(line).get("id"), "failed": str(error)}) + "\n")
                 out.flush()
 

@@ -2,7 +2,7 @@
 
 One SQLite file in the suite's cache folder, so that a thousand small pictures cost one open file and no names. It
 only ever saves time: many programs read and write it at once, one that is killed in the middle leaves it as it was
-before, and a file that is damaged, full or read-only is told of and done without. Each picture carries a checksum; one
+before, and a file that is damaged, full or read-only is reported and not used. Each picture carries a checksum; one
 that does not fit is as good as none. Above the limit the pictures unused for longest go.
 """
 

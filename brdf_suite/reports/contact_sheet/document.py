@@ -28,7 +28,7 @@ PDF_ENDING = ".pdf"
 
 @dataclass(frozen=True)
 class Sheet:
-    """What was written. ``problems`` tell of the paints that could not be drawn, by name.
+    """A contact sheet that was written. ``problems`` name the paints that could not be drawn, with reasons.
 
     ``width`` and ``height`` are those of a PNG in pixels; a PDF has ``pages`` instead.
     """

@@ -45,7 +45,7 @@ class SheetItem:
 
 
 class ItemPictures:
-    """Draws the items; see :func:`item_pictures`. ``notices`` tell of the light and the surface."""
+    """Draws the items; see :func:`item_pictures`. ``notices`` concern the light and the surface."""
 
     def __init__(
         self, view: View, cell: Size, settings: PictureSettings, display: Display, loaded: LoadedScene | None

@@ -20,7 +20,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
+from brdf_suite.files.exports.format import ExportItem, PathLike
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
@@ -278,25 +278,17 @@ def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
 
 def _remarks(item: ExportItem, fit: LobeFit) -> tuple[str, ...]:
     paint = item.paint
-    told = []
+    remarks = []
     if paint.notes.strip():
-        told.append(f"Notes: {' '.join(paint.notes.split())}")
+        remarks.append(f"Notes: {' '.join(paint.notes.split())}")
     if paint.source.strip():
-        told.append(f"Source: {' '.join(paint.source.split())}")
+        remarks.append(f"Source: {' '.join(paint.source.split())}")
     if item.computed:
-        told.append("The readings are those of virtual instruments.")
+        remarks.append("The readings are those of virtual instruments.")
     outside = [f"{m.aspecular_deg:g}°" for m in paint.measurements if not in_display_gamut(m.lab)]
     if outside:
-        told.append(f"Outside sRGB, so that patch and picture are clipped: {', '.join(outside)}.")
-    return (*told, *fit.notices)
-
-
-def report_formats(options: ReportOptions) -> tuple[ExportFormat, ...]:
-    """Return the forms in which reports are written: HTML and PDF."""
-    from brdf_suite.reports.paint_report import html as report_html
-    from brdf_suite.reports.paint_report import pdf as report_pdf
-
-    return report_html.format_with(options), report_pdf.format_with(options)
+        remarks.append(f"Outside sRGB, so that patch and picture are clipped: {', '.join(outside)}.")
+    return (*remarks, *fit.notices)
 
 
 Draw = Callable[[Report], tuple[bytes, tuple[str, ...]]]
@@ -320,7 +312,7 @@ def write_report(
 
 
 def report_losses(item: ExportItem) -> tuple[str, ...]:
-    """Return what is told before a report is written."""
+    """Return notices for the user before a report is written."""
     return (
         "Page and pictures are for people; programs read the paint from the data that goes along with it.",
         *(

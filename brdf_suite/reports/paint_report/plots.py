@@ -24,7 +24,7 @@ STYLES: dict[str, tuple[str, float, tuple[float, ...]]] = {
     "fitted lobes": ("#0072b2", 1.0, (4.0, 2.0)),
     "standard": ("#d55e00", 1.2, (1.0, 2.0)),
 }
-"""Colour, width and dashes of each curve: told apart without colour, too."""
+"""Colour, width and dashes of each curve: distinguishable without colour, too."""
 
 _GREY_CHROMA = 1.0
 _LEFT, _RIGHT, _TOP, _BOTTOM = 26.0, 6.0, 14.0, 22.0

@@ -1,7 +1,7 @@
 """How far the real-time picture is from the path-traced one: paints in environments on a sphere, by effect.
 
 As in docs/method/agreement.md: object pixels only, coat and Fresnel on, exposure such that the median luminance of the
-object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve. Three errors are told apart:
+object is 0.18, ΔE00 and FLIP (67 pixels per degree) after the same tone curve. Three errors are distinguished:
 
 - the whole: the real-time picture against the paint itself, path-traced;
 - the fit: the fitted lobes, path-traced, against the paint itself;
@@ -136,7 +136,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
     SuiteError
         A paint or an environment cannot be read.
     """
-    flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # told before the work begins
+    flip_of(np.zeros((8, 8, 3)), np.zeros((8, 8, 3)))  # a missing package is reported before the work begins
     if order.keep is not None:
         order.keep.mkdir(parents=True, exist_ok=True)
     view = _plain(order)
@@ -287,7 +287,7 @@ def summary(cases: Sequence[Case], form: str = DEFAULT_FORM) -> dict[str, float]
 
 
 def _plain(order: Order) -> View:
-    """The view of a comparison: what the paint's readings tell, without single flakes."""
+    """The view of a comparison: the paint as its readings give it, without single flakes."""
     return View(surface=order.surface, sparkle=Sparkle(mode="off"))
 
 
@@ -301,7 +301,7 @@ def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress |
         kept = read_estimate(path, scene.key)
     if kept is not None and kept.samples >= order.samples:
         return kept
-    # Well-spread samples converge faster the more of them there are in a pass; two passes tell the noise.
+    # Well-spread samples converge faster the more of them there are in a pass; two passes give the noise.
     each = max(4, min(256, order.samples // 2))
     found = trace(
         scene.traced, samples=order.samples, samples_per_pass=each, estimate=kept, progress=progress

@@ -30,7 +30,7 @@ class Form:
     Attributes
     ----------
     effect
-        What is looked at: the heading under which it is told.
+        The effect that is compared: the heading under which it is reported.
     view
         Fields of the view.
     lobes
@@ -38,7 +38,7 @@ class Form:
     halvings
         How often the edge of each prefiltered map is halved.
     paint
-        Fields of a designed paint's document. The picture is then of another paint than the traced one: it tells how
+        Fields of a designed paint's document. The picture is then of another paint than the traced one: it shows how
         much the rule matters, not an error.
     """
 

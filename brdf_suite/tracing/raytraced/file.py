@@ -17,7 +17,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
 from brdf_suite.tracing.raytraced.parts import Size
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
-from brdf_suite.tracing.traced_picture import TracedPicture, told_of
+from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
 
 if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.table_split import TableSplit
@@ -81,7 +81,7 @@ def render_raytraced(
     last = perf_counter()
     try:
         for newest in session.passes(
-            begun=begun, samples=end, between=lambda share: report(tracing, *clock.told(share))
+            begun=begun, samples=end, between=lambda share: report(tracing, *clock.progress(share))
         ):
             clock.done(newest.samples)
             if perf_counter() - last >= KEEP_EVERY_S:
@@ -101,7 +101,7 @@ def render_raytraced(
     kept.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return RaytracedPicture(
-        **told_of(scene, path),
+        **scene_facts(scene, path),
         lights=chosen.lights,
         reflections=chosen.reflections,
         samples=newest.samples,
@@ -112,7 +112,7 @@ def render_raytraced(
 
 
 class _Clock:
-    """How much is done of a budget of samples and of time, and what a user is told about it."""
+    """How much is done of a budget of samples and of time, and the words that report it."""
 
     def __init__(self, end: int, begun: int, seconds: float | None) -> None:
         self._end, self._begun, self._seconds = end, begun, seconds
@@ -128,7 +128,7 @@ class _Clock:
         """Whether the time is up."""
         return self._seconds is not None and perf_counter() - self._start >= self._seconds
 
-    def told(self, within: float) -> tuple[float, str]:
+    def progress(self, within: float) -> tuple[float, str]:
         """Return the share that is done, ``within`` a pass of about the samples of the last one, and words."""
         step = max(self._samples - self._before, 1)
         ahead = min(self._samples + within * step, self._end) - self._begun
@@ -142,7 +142,7 @@ class _Clock:
 
 
 def _clock_words(seconds: float) -> str:
-    """Return seconds as a person tells them.
+    """Return a duration in words.
 
     >>> _clock_words(48.2), _clock_words(600.0), _clock_words(9000.0)
     ('48 s', '10 min', '2 h 30 min')
@@ -158,7 +158,7 @@ def _write(path: Path, image: RaytracedImage) -> None:
     from brdf_suite.reference.raytraced.sums_file import write_sums
 
     scene, quality = image.scene, image.scene.quality
-    told = {
+    metadata = {
         "Software": "BRDF Suite",
         "Title": scene.name,
         "Description": f"{scene.name} on {scene.surface} in {scene.environment}, ray-traced with {quality.lights} "
@@ -166,6 +166,6 @@ def _write(path: Path, image: RaytracedImage) -> None:
         f"{image.exposed_view.exposure_ev:+g} EV, tone curve {scene.view.tone_curve}",
     }
     if path.suffix.lower() == ".exr":
-        write_sums(path, image.sums, image.whole(), scene.key, {"comments": told["Description"]})
+        write_sums(path, image.sums, image.whole(), scene.key, {"comments": metadata["Description"]})
     else:
-        write_png(path, image.codes(), told)
+        write_png(path, image.codes(), metadata)

@@ -1,4 +1,4 @@
-"""What tells one ray-traced scene from another: all that its light depends on, and nothing of how it is shown."""
+"""The key of a ray-traced scene: a hash of all that its light depends on, and nothing of how it is shown."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def scene_key(wanted: Wanted, mesh: Mesh) -> str:
         for array in (paint.reflectance.kd, paint.reflectance.kdd, paint.reflectance.kg):
             digest.update(np.asarray(array).tobytes())
     else:
-        # The reflectance by what it is: values at some directions tell any two apart that a picture could.
+        # The reflectance by what it is: values at some directions differ wherever two pictures could.
         rng = np.random.default_rng(1)
         directions = rng.normal(size=(2, 256, 3))
         directions /= np.linalg.norm(directions, axis=-1, keepdims=True)

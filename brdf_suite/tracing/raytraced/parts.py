@@ -101,13 +101,13 @@ class Parts:
         if PAINT not in names:
             return [others[name] for name in names], ()
         made_of = (Same(wanted.paint.reflectance), view.fresnel)
-        term, told = self.keep("term", made_of, lambda: term_of(wanted.paint, view))
+        term, notices = self.keep("term", made_of, lambda: term_of(wanted.paint, view))
         cut = self.keep(
             "paint",
             (Same(term), mirror, wanted.tables),
             lambda: split(term, mirror=mirror, tables=wanted.tables),
         )
-        return [cut if name == PAINT else others[name] for name in names], told
+        return [cut if name == PAINT else others[name] for name in names], notices
 
     def light(self, wanted: Wanted) -> tuple[TracedSky, NDArray[np.float32]]:
         """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""

@@ -57,7 +57,7 @@ PASS_SECONDS = 0.2
 
 @dataclass(frozen=True, eq=False)
 class RaytracedScene:
-    """What is shown: ``view`` has its camera placed; ``key`` tells the light, so that sums of one key may be added."""
+    """A scene to be ray-traced: ``view`` has its camera placed; sums of scenes with one ``key`` may be added."""
 
     name: str
     environment: str
@@ -201,7 +201,7 @@ class RaytracedSession:
         report(progress, 0.9, "building the scene")
         shaped, bounds = self._parts.mesh(wanted)
         wanted = replace(wanted, view=placed(view, bounds, size))
-        _, told = self._parts.splits(wanted, shaped)
+        _, paint_notices = self._parts.splits(wanted, shaped)
         self._wanted = wanted
         self._scene = RaytracedScene(
             wanted.paint.name,
@@ -210,7 +210,7 @@ class RaytracedSession:
             self._renderer,
             (
                 *wanted.paint.notices,
-                *told,
+                *paint_notices,
                 *wanted.environment.notes,
                 *shaped.notes,
                 *left_out(wanted),
@@ -279,7 +279,7 @@ class RaytracedSession:
                 stage, scene.camera, deal, film, sums.samples, count, rays_a_sample=rays, between=between
             )
             spent = perf_counter() - start
-            # The first pass may compile: it tells little of the speed.
+            # The first pass may compile: it says little about the speed.
             measured = count * rays * pixels / max(spent, 1e-6)
             self._rays_per_second = 0.5 * (self._rays_per_second + measured)
             sums = sums.plus(values, count, spent)
@@ -357,10 +357,10 @@ def rays_a_sample(quality: Quality) -> float:
 
 def left_out(wanted: Wanted) -> tuple[str, ...]:
     """Return sentences about what the view asks for and the ray tracer does not draw."""
-    view, told = wanted.view, []
+    view, notices = wanted.view, []
     peeled = view.relief.orange_peel > 0.0 or wanted.paint.orange_peel is not None
     if view.relief.normal_map is not None or peeled:
-        told.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
+        notices.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:
-        told.append("The ray tracer shows the first paint alone.")
-    return tuple(told)
+        notices.append("The ray tracer shows the first paint alone.")
+    return tuple(notices)

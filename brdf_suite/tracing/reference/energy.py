@@ -1,4 +1,4 @@
-"""A paint that reflects more than it gets, or no number at all: told before paths are traced in it."""
+"""Energy check before tracing: paints that reflect more than they receive, or that give invalid numbers."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def energy_notices(reflectance: Reflectance, name: str) -> tuple[str, ...]:
     if not np.isfinite(values).all() or (values < 0.0).any():
         raise UnreachableError(
             f"{name} reflects amounts that are negative or not finite, so no light can be traced in it; "
-            "brdf-suite check tells where."
+            "brdf-suite check says where."
         )
     albedo = directional_albedo(reflectance, illumination(np.array(ANGLES_DEG)), _AZIMUTHS)
     row, channel = np.unravel_index(int(np.argmax(albedo)), albedo.shape)

@@ -55,9 +55,9 @@ def write_reference(
     picture: Pixels = estimate.radiance if settings.transparent else scene.whole(estimate)
     if denoise:
         picture = denoise_picture(picture)
-    told = _told(scene, estimate, denoise=denoise)
+    metadata = _metadata(scene, estimate, denoise=denoise)
     if path.suffix.lower() == ".exr":
-        write_estimate(path, estimate, picture, scene.key, {"comments": told["Description"]})
+        write_estimate(path, estimate, picture, scene.key, {"comments": metadata["Description"]})
         return
     light = picture
     if settings.transparent:
@@ -68,7 +68,7 @@ def write_reference(
         top = 2**bits - 1
         alpha = np.rint(np.clip(estimate.coverage, 0.0, 1.0) * top).astype(pixels.dtype)
         pixels = np.concatenate((pixels, alpha[..., None]), axis=-1)
-    write_png_strips(path, scene.size, iter([pixels]), told, space)
+    write_png_strips(path, scene.size, iter([pixels]), metadata, space)
 
 
 def _codes(
@@ -80,7 +80,7 @@ def _codes(
     return np.asarray(codes, np.uint8 if bits == 8 else np.uint16)
 
 
-def _told(scene: ReferenceScene, estimate: Estimate, *, denoise: bool) -> Mapping[str, str]:
+def _metadata(scene: ReferenceScene, estimate: Estimate, *, denoise: bool) -> Mapping[str, str]:
     return {
         "Software": "BRDF Suite",
         "Title": scene.name,

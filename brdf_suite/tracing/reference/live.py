@@ -7,8 +7,8 @@
         picture = live.codes()        # (360, 640, 3) uint8, as a screen shows it
 
 Another paint, camera, turn of the light or size costs some hundredths of a second: nothing is compiled anew, for the
-numbers of a paint are read from memory. Another light, surface or set of lamps is read and built anew. Whoever needs to
-stop within a pass runs this in a process of its own.
+numbers of a paint are read from memory. Another light, surface or set of lamps is read and built anew. To be
+able to stop within a pass, run this in a process of its own.
 """
 
 from __future__ import annotations

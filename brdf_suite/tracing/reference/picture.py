@@ -15,7 +15,7 @@ from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.tracing.reference.file import check_settings, write_reference
 from brdf_suite.tracing.reference.scene import ReferenceScene, Size, prepare_reference
-from brdf_suite.tracing.traced_picture import TracedPicture, told_of
+from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
 
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
@@ -107,7 +107,7 @@ def render_reference(
     state.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return ReferencePicture(
-        **told_of(scene, path),
+        **scene_facts(scene, path),
         samples=estimate.samples,
         seconds=estimate.seconds,
         noise=estimate.noise,

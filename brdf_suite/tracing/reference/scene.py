@@ -71,7 +71,7 @@ _LIT_BY = (
 class ReferenceScene:
     """A scene ready to be traced. ``view`` has its camera placed.
 
-    ``key`` tells the scene: estimates of one key may be put together.
+    ``key`` identifies the scene: estimates of one key may be put together.
     """
 
     name: str
@@ -258,28 +258,28 @@ def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
 
 def _energy(paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about paints that send back more light than they get; fitted weights are what they are."""
-    told: tuple[str, ...] = ()
+    notices: tuple[str, ...] = ()
     for worn in (paint, dress.second):
         if worn is not None and not isinstance(worn.reflectance, LobeWeights):
-            told += energy_notices(worn.reflectance, worn.name)
-    return told
+            notices += energy_notices(worn.reflectance, worn.name)
+    return notices
 
 
 def _left_out(view: View, paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about what the view asks for and the path tracer draws otherwise, or not."""
-    told = []
+    notices = []
     worn = [item for item in (paint, dress.second) if item is not None]
     if view.fresnel == "off" and any(not isinstance(item.reflectance, LobeWeights) for item in worn):
-        told.append(
+        notices.append(
             "The reference shows the paint with its own reflection towards grazing: Fresnel is part of it."
         )
     if not view.surface_look.occlusion:
-        told.append("The reference always shows the shadows of the surface on itself.")
-    return tuple(told)
+        notices.append("The reference always shows the shadows of the surface on itself.")
+    return tuple(notices)
 
 
 def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Environment, mesh: Mesh) -> str:
-    """Tell a scene by what its light depends on; how the light is shown is no part of it."""
+    """Hash what the light of a scene depends on; how the light is shown is no part of it."""
     document = view_to_json(view)
     shown = {name: document[name] for name in _LIT_BY if name in document}
     if paint.flakes is not None or (dress.second is not None and dress.second.flakes is not None):
@@ -288,7 +288,7 @@ def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Env
     digest.update(repr((paint.name, size, environment.content_hash)).encode())
     for worn in (paint, dress.second):
         if worn is not None:
-            _tell_paint(worn, digest)
+            _digest_paint(worn, digest)
     if dress.normal_map is not None:
         digest.update(dress.normal_map.slopes.tobytes())
     if dress.mask is not None:
@@ -301,8 +301,8 @@ def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Env
     return digest.hexdigest()
 
 
-def _tell_paint(paint: Material, digest: Any) -> None:
-    """The reflectance by what it is: values at some directions tell any two apart that a picture could."""
+def _digest_paint(paint: Material, digest: Any) -> None:
+    """Add the reflectance to a hash: values at some directions differ wherever two pictures could."""
     reflectance = paint.reflectance
     if isinstance(reflectance, LobeWeights):
         for array in (reflectance.kd, reflectance.kdd, reflectance.kg):

@@ -16,9 +16,10 @@ import pytest
 from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map, within
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
-from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path
+from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path, write_acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.source import Stack
+from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -54,7 +55,7 @@ class Photographed(SimulatorSource):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Photographs of a simulated rig: nine positions, eight exposures, noise, and a curve that nobody is told."""
+    """Photographs of a simulated rig: nine positions, eight exposures, noise, and an unknown response curve."""
     folder = tmp_path_factory.mktemp("rig") / "titan"
     settings = SimulatorSettings(
         size=(176, 176),
@@ -109,9 +110,9 @@ def test_the_table_is_near_the_paint(whole: tuple[Acquired, Path]) -> None:
     assert found.positions_done == tuple(range(POSITIONS))
     assert not found.positions_failed
     assert np.median(errors(found.table)) < 0.04
-    told = found.to_json()
-    assert told["readings"] > 5_000
-    assert json.loads(json.dumps(told)) == told
+    document = found.to_json()
+    assert document["readings"] > 5_000
+    assert json.loads(json.dumps(document)) == document
     assert not work_path(output).exists()
     assert [file.name for file in output.parent.iterdir()] == [output.name]
 
@@ -169,7 +170,7 @@ def test_merl_holds_the_same_values_and_holes(
     folder: Path, whole: tuple[Acquired, Path], tmp_path: Path
 ) -> None:
     output = tmp_path / "titan.binary"
-    notes = Acquisition.write(whole[0], output)
+    notes = write_acquired(whole[0], output)
     assert any("coverage" in note for note in notes)
     again = read_merl(output)
     assert np.array_equal(again.holes, whole[0].table.holes)
@@ -185,9 +186,9 @@ def test_nothing_is_overwritten_unasked(folder: Path, whole: tuple[Acquired, Pat
     with pytest.raises(FileError, match=r"exists already.*--overwrite"):
         acquire(Acquisition.open(folder, OPTIONS), output)
     with pytest.raises(FileError, match="exists already"):
-        Acquisition.write(whole[0], output)
+        write_acquired(whole[0], output)
     assert output.read_text() == "precious"
-    Acquisition.write(whole[0], output, overwrite=True)
+    write_acquired(whole[0], output, overwrite=True)
     assert isinstance(read_brdftable(output), IsotropicTable)
     with pytest.raises(FileError, match=r"\.brdftable, \.binary"):
         acquire(Acquisition.open(folder, OPTIONS), tmp_path / "table.txt")
@@ -311,7 +312,7 @@ def test_positions_that_lack_different_photographs_give_the_same_response(
     np.testing.assert_allclose(np.log(found.exposure[:, codes] / expected.exposure[:, codes]), 0.0, atol=0.02)
 
 
-def test_nothing_readable_is_told_with_its_reason(own: Path, tmp_path: Path) -> None:
+def test_nothing_readable_is_reported_with_its_reason(own: Path, tmp_path: Path) -> None:
     road = Acquisition.open(own, OPTIONS)
     for position in road.session.positions:
         for name in position.photographs:
@@ -327,22 +328,24 @@ def test_a_mask_takes_readings_away(own: Path, whole: tuple[Acquired, Path]) -> 
     used[:, :80] = False
     road.take_calibration(whole[0].calibration)
     road.options = replace(road.options, mask=used, positions=(4,))
-    masked = road.table()
+    masked = reconstruct(road)
     road.options = AcquireOptions(bins=BINS, positions=(4,))
-    free = road.table()
+    free = reconstruct(road)
     assert 0 < masked.readings < free.readings
     write_png(own / "mask.png", np.where(used, np.uint8(255), np.uint8(0))[..., None])
     write_session(replace(road.session, mask="mask.png"), own)
     again = Acquisition.open(own, AcquireOptions(bins=BINS, positions=(4,)))
     again.take_calibration(whole[0].calibration)
-    assert same(again.table().table, masked.table)
+    assert same(reconstruct(again).table, masked.table)
 
 
 def test_partial_tables_come_while_the_work_goes_on(folder: Path, whole: tuple[Acquired, Path]) -> None:
     road = Acquisition.open(folder, AcquireOptions(bins=BINS, positions=(3, 4, 5), compare=True))
     road.take_calibration(whole[0].calibration)
     shares = []
-    found = road.table(partial=lambda done, of, table: shares.append((done, of, covered_share(table()))))
+    found = reconstruct(
+        road, partial=lambda done, of, table: shares.append((done, of, covered_share(table())))
+    )
     assert [(done, of) for done, of, _ in shares] == [(1, 3), (2, 3), (3, 3)]
     assert shares[0][2] < shares[1][2] < shares[2][2]
     assert set(found.compared) == {"linear", "traditional"}
@@ -351,7 +354,7 @@ def test_partial_tables_come_while_the_work_goes_on(folder: Path, whole: tuple[A
 def test_steps_out_of_order_say_which_comes_first(folder: Path) -> None:
     road = Acquisition.open(folder, OPTIONS)
     with pytest.raises(AcquisitionError, match="Response and geometry come first"):
-        road.table()
+        reconstruct(road)
     with pytest.raises(AcquisitionError, match="response comes first"):
         road.merged(0)
     road.options = AcquireOptions(bins=BINS, positions=(99,))

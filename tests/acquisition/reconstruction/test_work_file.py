@@ -86,7 +86,7 @@ def test_emptied(path: Path) -> None:
     assert positions(path) == [3]
 
 
-def test_a_full_disk_is_told_with_the_file_and_leaves_what_was_whole(path: Path) -> None:
+def test_a_full_disk_is_reported_with_the_file_and_leaves_what_was_whole(path: Path) -> None:
     resource = pytest.importorskip("resource")
     whole = path.stat().st_size
     old = resource.getrlimit(resource.RLIMIT_FSIZE)

@@ -24,11 +24,12 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked_samples
+from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
 from brdf_suite.fitting.cook_torrance.reflectance_samples import ASKED, even_pairs, samples_of
 from brdf_suite.fitting.cook_torrance.samples import Floor
 from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import Floats
-from brdf_suite.model_fits.cook_torrance import fit_cook_torrance, fit_reflectance_lobes
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -135,7 +136,9 @@ def table_1(noise: float, progress: Progress | None = None) -> dict[str, Recover
             table = simulated_table(paint, noise)
             path = Path(folder) / f"{name}.brdftable"
             write_brdftable(table, path)
-            rows[paint.name] = recovered(paint, fit_cook_torrance(path).fit, table)
+            rows[paint.name] = recovered(
+                paint, fit_cook_torrance(name, load_material(path).reflectance).fit, table
+            )
     return rows
 
 
@@ -145,7 +148,7 @@ def full_table_seconds(repeats: int = REPEATS) -> float:
     times, busy = [], []
     for _ in range(repeats):
         start, used = perf_counter(), process_time()
-        found = fit_reflectance_lobes("full table", table)
+        found = fit_cook_torrance("full table", table)
         times.append(perf_counter() - start)
         busy.append(process_time() - used)
     NOTES["fit_full_table_s"] = (

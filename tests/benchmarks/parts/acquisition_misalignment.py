@@ -12,6 +12,7 @@ from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -109,7 +110,7 @@ def figures(progress: Progress | None = None) -> dict[str, float]:
         simulator = rig(misaligned=misaligned)
         road = Acquisition(SimulatorSource(simulator), AcquireOptions(refine=refine))
         road.calibrate(subrange(progress, number / 3.0, (number + 0.3) / 3.0))
-        table = road.table(subrange(progress, (number + 0.3) / 3.0, (number + 1) / 3.0)).table
+        table = reconstruct(road, subrange(progress, (number + 0.3) / 3.0, (number + 1) / 3.0)).table
         errors[name] = median_error(table, simulator)
         if name == "misaligned":
             assert road.geometry is not None

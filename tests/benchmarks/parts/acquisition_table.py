@@ -17,6 +17,7 @@ from brdf_suite.acquisition.reconstruction.geometry import highlight_positions, 
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.response import POSITIONS as RESPONSE_POSITIONS
+from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
@@ -64,7 +65,7 @@ def figures(progress: Progress | None = None) -> dict[str, float | None]:
     rig = Simulator(truth, SimulatorSettings(size=SIZE, positions=POSITIONS, board=False), PAINT)
     road = Acquisition(SimulatorSource(rig), AcquireOptions(compare=True))
     road.calibrate(subrange(progress, 0.0, 0.2))
-    found = road.table(subrange(progress, 0.2, 0.7))
+    found = reconstruct(road, subrange(progress, 0.2, 0.7))
     errors, holes = bin_errors(found, truth), np.asarray(found.table.holes)
     there = ~np.isnan(errors)
     answer: dict[str, float | None] = {
@@ -134,7 +135,7 @@ def timed() -> dict[str, float]:
     road.calibrate()
     calibrated = dict(road.clock.seconds)
     road.clock.seconds.clear()
-    found = road.table()
+    found = reconstruct(road)
     steps = found.seconds
     angles = tuple(180.0 * k / POSITIONS for k in range(POSITIONS))
     every = tuple(range(POSITIONS))

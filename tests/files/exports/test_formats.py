@@ -154,9 +154,9 @@ def test_cxf_is_valid_against_the_schema(shared_data: Path, tmp_path: Path) -> N
     spectral = ExportItem(
         replace(PAINT, name="spectral\ufffe"), Material("whole", build_paint(PAINT)), spectra
     )
-    told = " ".join(BY_NAME["cxf"].losses(spectral))
-    assert "1 of 3 spectra are left out" in told
-    assert "�" in told
+    losses = " ".join(BY_NAME["cxf"].losses(spectral))
+    assert "1 of 3 spectra are left out" in losses
+    assert "�" in losses
     path = tmp_path / "paints.cxf"
     BY_NAME["cxf"].write([ExportItem(PAINT), spectral], path, None)
     xmlschema.XMLSchema(shared_data / "palettes" / "cxf" / "CxF3_Core.xsd").validate(path)

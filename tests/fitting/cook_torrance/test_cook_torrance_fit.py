@@ -48,7 +48,7 @@ def test_the_parameters_of_a_metallic_paint_come_back_from_noisy_samples(polaris
     assert list(polaris.m) == sorted(polaris.m, reverse=True)
 
 
-def test_errors_are_within_a_few_of_those_told(polaris: CookTorranceFit) -> None:
+def test_errors_are_within_a_few_of_those_reported(polaris: CookTorranceFit) -> None:
     truth, errors = TABLE_1["table1_polaris_silver"], polaris.standard_errors
     away = np.abs(polaris.m - [lobe.m for lobe in truth.lobes]) / errors.m
     assert np.all(away < 5.0)

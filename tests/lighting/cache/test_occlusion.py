@@ -52,10 +52,10 @@ def test_the_second_time_it_comes_from_disk(
     first = baked_occlusion(facet)
     assert [path.suffix for path in folder.iterdir()] == [".occlusion"]
     forbid_baking(monkeypatch)
-    told: list[float] = []
-    second = baked_occlusion(facet, lambda fraction, _: told.append(fraction))
+    fractions: list[float] = []
+    second = baked_occlusion(facet, lambda fraction, _: fractions.append(fraction))
     assert np.array_equal(first.parts[0].light, second.parts[0].light)
-    assert told == [1.0]
+    assert fractions == [1.0]
 
 
 def test_the_first_surface_comes_baked_and_as_baking_gives_it(

@@ -68,7 +68,7 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) ->
     assert middle[0] > 2 * middle[1] > 0
 
 
-def test_the_key_tells_what_is_seen() -> None:
+def test_the_key_follows_what_is_seen() -> None:
     paint = load_shipped_paint("red")
     look = SwatchLook()
     key = swatch_key(paint, look)
@@ -199,7 +199,7 @@ def test_what_is_kept_is_not_drawn_again(tmp_path: Path) -> None:
     assert "light.exr" in answers[2]["failed"]
 
 
-def test_a_machine_without_graphics_is_told_of_and_flat_forms_are_drawn(
+def test_a_machine_without_graphics_is_reported_and_flat_forms_are_drawn(
     monkeypatch: pytest.MonkeyPatch, own_cache: None
 ) -> None:
     def none() -> None:

@@ -47,9 +47,7 @@ def refuse(monkeypatch: pytest.MonkeyPatch, error: Exception, *names: str) -> No
     monkeypatch.setattr(SwatchPainter, "draw", refusing)
 
 
-def test_an_error_that_nobody_has_foreseen_refuses_its_paint_alone(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_an_unexpected_error_refuses_its_paint_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     refuse(monkeypatch, ZeroDivisionError("by nothing"), "odd")
     odd, one, two, done = answers(tmp_path, ["odd", "one", "two"])
     assert "ZeroDivisionError: by nothing" in str(odd["refused"])

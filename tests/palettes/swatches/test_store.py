@@ -88,7 +88,7 @@ def test_a_damaged_picture_is_as_good_as_none(store: SwatchStore) -> None:
 
 
 @pytest.mark.parametrize("damage", ["garbage", "truncated", "other table", "empty"])
-def test_a_damaged_file_is_made_anew_and_told(store: SwatchStore, damage: str) -> None:
+def test_a_damaged_file_is_made_anew_and_reported(store: SwatchStore, damage: str) -> None:
     store.close()
     if damage == "garbage":
         store.path.write_bytes(b"not a database at all" * 500)
@@ -132,7 +132,7 @@ def test_the_pictures_unused_for_longest_go(tmp_path: Path) -> None:
     assert nothing.get(KEYS) == {}
 
 
-def test_a_folder_that_cannot_be_used_is_told_once(tmp_path: Path) -> None:
+def test_a_folder_that_cannot_be_used_is_reported_once(tmp_path: Path) -> None:
     (tmp_path / "swatches").write_text("a file stands in the way")
     store = SwatchStore(tmp_path)
     store.put(PICTURES)

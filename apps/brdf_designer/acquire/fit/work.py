@@ -39,11 +39,11 @@ class FitFound:
 
 def find_fit(request: FitRequest, progress: Progress) -> FitFound:
     """Fit the lobes."""
+    from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
     from brdf_suite.fitting.cook_torrance.settings import Settings
-    from brdf_suite.model_fits.cook_torrance import fit_reflectance_lobes
 
     settings = Settings(lobes=request.lobes, model=request.model)  # type: ignore[arg-type] # one of the page's
-    found = fit_reflectance_lobes(request.name, request.table, settings, progress=progress)
+    found = fit_cook_torrance(request.name, request.table, settings, progress=progress)
     return FitFound(found, fit_state(found), found.paint)
 
 

@@ -91,7 +91,7 @@ def find_kept(request: RoadRequest, _progress: Progress) -> KeptWork:
 
 def find_table(request: TableRequest, progress: Progress) -> TableFound:
     """Make the table; response and geometry first, where they are not known. What is done is kept in the folder."""
-    from brdf_suite.acquisition.reconstruction.table import kept_calibration
+    from brdf_suite.acquisition.reconstruction.table import kept_calibration, reconstruct
 
     road = road_of(request.road)
     work = request.road.folder / WORK_FILE
@@ -124,7 +124,7 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
             due = ended + max(_PARTIAL_S, (ended - begun) / _PARTIAL_SHARE)
         request.partial(done, total, state)
 
-    acquired = road.table(subrange(progress, start, 0.98), work, partial, request.restart)
+    acquired = reconstruct(road, subrange(progress, start, 0.98), work, partial, request.restart)
     report(progress, 0.99, tr("drawing the coverage"))
     return TableFound(acquired, coverage_state(acquired.table, acquired), response, geometry)
 

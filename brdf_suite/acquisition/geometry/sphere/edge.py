@@ -20,6 +20,7 @@ from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
+from scipy.special import ndtr
 
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
@@ -195,8 +196,6 @@ def _offset(s: Floats, value: Floats, blur: float) -> tuple[float, float, float]
 
 def _columns(x: Floats, blur: float) -> Floats:
     """Return 1, H₀, H½ and H₁ (k, 4, n) at distances (k, n) of x blurs inside the edge."""
-    from scipy.special import ndtr  # 0.1 s to import, needed here alone
-
     step = ndtr(x)
     ramp = x * step + np.exp(-0.5 * x * x) / math.sqrt(2.0 * math.pi)
     places, roots = _root_table()

@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from scipy.ndimage import binary_dilation, label, uniform_filter
 
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.geometry.directions import Floats
@@ -182,8 +183,6 @@ class _Window:
         A clipped pixel's strength is its cosθo, which falls to the outline: the peak would lean. Cut off at one height
         it is even about the half vector again.
         """
-        from scipy.ndimage import label
-
         labels, _ = label(self.clipped, np.ones((3, 3)))
         row, column = peak
         near = np.unique(labels[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2])
@@ -194,8 +193,6 @@ class _Window:
 
     def peak(self) -> tuple[int, int]:
         """Return row and column of the brightest pixel where nine together are brightest."""
-        from scipy.ndimage import uniform_filter  # takes 0.1 s to import, which starting need not
-
         smooth = uniform_filter(self.strength, 3, mode="constant")
         row, column = np.unravel_index(int(np.argmax(smooth)), smooth.shape)
         top, left = max(int(row) - 1, 0), max(int(column) - 1, 0)
@@ -211,8 +208,6 @@ class _Window:
 
     def centre(self, peak: tuple[int, int], level: float) -> _Spot | None:
         """Return what is brighter than ``level`` of the peak and touches it."""
-        from scipy.ndimage import binary_dilation, label, uniform_filter
-
         top = float(uniform_filter(self.strength, 3, mode="constant")[peak])
         top = max(top, 0.5 * float(self.strength[peak]))
         if not top > 0.0:

@@ -16,6 +16,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from scipy.ndimage import median_filter
 
 from brdf_suite.acquisition.geometry.sphere.edge import LEAST_LIT, Edge, circle, find_edge, lit_share
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple, unit
@@ -181,8 +182,6 @@ def _border(union: PhotographUnion, mask: Valid | None) -> Floats:
     The outline is a step and lies on the border at each of them; a highlight's slope and the sphere's own shadow do
     only once. Borders that are mostly noise are left out.
     """
-    from scipy.ndimage import median_filter  # takes 0.1 s to import, which starting need not
-
     usable = np.ones(union.picture.shape, bool) if mask is None else mask
     picture = median_filter(union.picture, 3)
     top = float(np.quantile(picture[usable], 0.98)) if usable.any() else 0.0

@@ -1,8 +1,7 @@
-"""Cook-Torrance lobes for a measured file, or anything that reflects, and a paint made of them."""
+"""Cook-Torrance lobes for a reflectance of any kind, with their errors, and a paint made of them."""
 
 from __future__ import annotations
 
-import os
 import time
 from dataclasses import asdict, dataclass
 from functools import cached_property
@@ -11,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
-from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.fit import fit_checked_samples
 from brdf_suite.fitting.cook_torrance.plot import FitPlot, fit_plot
 from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors, errors_of, samples_of
@@ -19,7 +17,6 @@ from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance
@@ -35,7 +32,7 @@ class FileFit:
 
     ``errors`` are over every measured bin or sample; ``errors_within`` over those not beyond the grazing angle of the
     settings, which alone the fit may look at. ``paint`` is there for Cook-Torrance lobes. ``seconds``: from the
-    reflectance in hand to the errors.
+    call to the errors.
     """
 
     name: str
@@ -69,40 +66,6 @@ class FileFit:
 
 
 def fit_cook_torrance(
-    name_or_path: str | os.PathLike[str],
-    settings: Settings | None = None,
-    *,
-    state: Path | None = None,
-    progress: Progress | None = None,
-) -> FileFit:
-    """Fit lobes to a measured file (a table, samples, a material), or to a paint by name or file.
-
-    Parameters
-    ----------
-    settings
-        What is fitted and how; :class:`Settings` if left out.
-    state
-        A file in which the ends of the starts are kept, and looked for; the same fit goes on where it was.
-
-    Raises
-    ------
-    SuiteError
-        There is nothing of that name, it cannot be read, or there is nothing that can be fitted.
-    Cancelled
-        The progress callback asked for it.
-    """
-    report(progress, 0.0, "reading")
-    item = load_material(name_or_path)
-    fitting = subrange(progress, 0.05, 1.0)
-    try:
-        return fit_reflectance_lobes(
-            Path(item.name).stem or item.name, item.reflectance, settings, state=state, progress=fitting
-        )
-    except FittingError as error:
-        raise FittingError(f"{item.name}: {error}") from error
-
-
-def fit_reflectance_lobes(
     name: str,
     reflectance: Reflectance,
     settings: Settings | None = None,
@@ -110,7 +73,24 @@ def fit_reflectance_lobes(
     state: Path | None = None,
     progress: Progress | None = None,
 ) -> FileFit:
-    """Fit lobes to a reflectance in hand; otherwise as :func:`fit_cook_torrance`."""
+    """Fit lobes to a reflectance: a table, samples, a model, or a paint.
+
+    Parameters
+    ----------
+    name
+        The name of the fit and of its paint.
+    settings
+        What is fitted and how; :class:`Settings` if left out.
+    state
+        A file in which the ends of the starts are kept, and looked for; the same fit resumes from it.
+
+    Raises
+    ------
+    FittingError
+        The reflectance does not determine the lobes.
+    Cancelled
+        The progress callback asked for it.
+    """
     settings = settings or Settings()
     start = time.perf_counter()
     report(progress, 0.0, "samples")

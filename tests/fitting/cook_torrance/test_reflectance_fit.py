@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from brdf_suite.errors import FileError, FittingError
+from brdf_suite.cli.main import main
+from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance import Settings
 from brdf_suite.fitting.cook_torrance.plot import fit_plot
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
 from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.model_fits.cook_torrance import FileFit, fit_cook_torrance, fit_reflectance_lobes
+from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.coverage import Coverage
@@ -33,7 +36,7 @@ def table() -> IsotropicTable:
 
 @pytest.fixture(scope="module")
 def found(table: IsotropicTable) -> FileFit:
-    return fit_reflectance_lobes("blue", table, QUICK)
+    return fit_cook_torrance("blue", table, QUICK)
 
 
 def test_errors_are_over_every_measured_bin(found: FileFit, table: IsotropicTable) -> None:
@@ -75,22 +78,22 @@ def test_bins_that_are_hardly_known_count_little() -> None:
     deviation = np.where(wrong, np.float32(30.0), np.float32(0.01))
     shape = np.broadcast_to(deviation, GRID.shape).astype(np.float32)
     coverage = Coverage(np.ones(GRID.shape, np.float32), shape)
-    fit = fit_reflectance_lobes("blue", replace(exact, values=values, coverage=coverage), QUICK).fit
+    fit = fit_cook_torrance("blue", replace(exact, values=values, coverage=coverage), QUICK).fit
     assert fit.kd == pytest.approx(TRUTH.kd, rel=0.02)
-    blind = fit_reflectance_lobes("blue", replace(exact, values=values), QUICK).fit
+    blind = fit_cook_torrance("blue", replace(exact, values=values), QUICK).fit
     assert blind.kd == pytest.approx(3.0 * np.array(TRUTH.kd), rel=0.05)
 
 
-def test_lobes_that_send_back_more_than_they_get_are_told(table: IsotropicTable, found: FileFit) -> None:
+def test_lobes_that_send_back_more_than_they_get_are_reported(table: IsotropicTable, found: FileFit) -> None:
     assert not any("times the light" in notice for notice in found.notices)
     bright = replace(table, values=table.values * 20.0)
-    notices = fit_reflectance_lobes("bright", bright, replace(QUICK, starts=1)).notices
+    notices = fit_cook_torrance("bright", bright, replace(QUICK, starts=1)).notices
     assert any("times the light" in notice for notice in notices)
 
 
 @pytest.mark.parametrize("name", ["krylon_blue.brdf", "vch_golden_yellow_rgb.bsdf"])
 def test_real_files_become_paints(name: str, shared_data: Path) -> None:
-    found = fit_cook_torrance(shared_data / "brdf" / name, QUICK)
+    found = fit_cook_torrance(Path(name).stem, load_material(shared_data / "brdf" / name).reflectance, QUICK)
     assert found.paint is not None
     assert found.paint.name == Path(name).stem
     assert 0.05 < found.errors_within.l1_mean < 0.4
@@ -103,16 +106,18 @@ def test_real_files_become_paints(name: str, shared_data: Path) -> None:
     assert np.array_equal(np.isfinite(plot.measured), np.isfinite(plot.fitted))
 
 
-def test_a_table_of_too_little_is_named_with_its_file(tmp_path: Path) -> None:
+def test_a_table_of_too_little_is_named_with_its_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     holes = np.ones(GRID.shape, np.bool_)
     holes[3, 2, :2] = False
     path = tmp_path / "little.brdftable"
     write_brdftable(IsotropicTable(np.ones((*GRID.shape, 3), np.float32), holes), path)
-    with pytest.raises(FittingError, match=r"little\.brdftable.*cannot determine"):
-        fit_cook_torrance(path, QUICK)
+    assert main(["fit-cook-torrance", str(path)]) != 0
+    assert re.search(r"little\.brdftable.*cannot determine", capsys.readouterr().err)
     write_brdftable(IsotropicTable(np.zeros((*GRID.shape, 3), np.float32)), path)
-    with pytest.raises(FittingError, match=r"little\.brdftable.*black"):
-        fit_cook_torrance(path, QUICK)
+    assert main(["fit-cook-torrance", str(path)]) != 0
+    assert re.search(r"little\.brdftable.*black", capsys.readouterr().err)
 
 
 def test_kept_starts_are_found_by_their_fit_alone_and_no_other_file_is_touched(tmp_path: Path) -> None:

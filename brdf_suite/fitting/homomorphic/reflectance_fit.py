@@ -1,4 +1,4 @@
-"""Anything that reflects as a product of textures: f_r = α Π maps + peak, by homomorphic factorization."""
+"""A reflectance of any kind as a product of textures: f_r = α Π maps + peak, by homomorphic factorization."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
-from brdf_suite.errors import FileError, FittingError, ValueRangeError
+from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.fitting.homomorphic.accuracy import Accuracy, accuracy
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
@@ -46,9 +46,8 @@ from brdf_suite.geometry.factor_words import (
     factor_words,
     parse_factors,
 )
-from brdf_suite.inspection.figures.figures import is_isotropic
-from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.checks import is_isotropic
 from brdf_suite.reflectance.factored.build import build_factored
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.protocol import Reflectance
@@ -139,31 +138,6 @@ class FactoredFit:
         }
 
 
-def factor_any(
-    name_or_path: str | os.PathLike[str],
-    options: FactoringOptions | None = None,
-    *,
-    progress: Progress | None = None,
-) -> FactoredFit:
-    """Factor a paint by name or file, or a measured file.
-
-    Measured samples and the measured bins of tables are taken as they are; of models and paints directions even over
-    both hemispheres are drawn, and where their peak is looked for, as many as a quarter of them about the mirror
-    direction, where even ones hardly fall.
-
-    Raises
-    ------
-    SuiteError
-        There is nothing of that name, it cannot be read, or there is nothing to factor; the message says why.
-    """
-    report(progress, 0.0, "reading")
-    item = load_material(name_or_path)
-    try:
-        return factor_reflectance(item.name, item.reflectance, options, progress=subrange(progress, 0.1, 1.0))
-    except FittingError as error:
-        raise FittingError(f"{item.name}: {error}") from error
-
-
 def factor_reflectance(
     name: str,
     reflectance: Reflectance,
@@ -171,7 +145,17 @@ def factor_reflectance(
     *,
     progress: Progress | None = None,
 ) -> FactoredFit:
-    """Factor a reflectance in hand; otherwise as :func:`factor_any`."""
+    """Factor a reflectance: a table, samples, a model, or a paint.
+
+    Measured samples and the measured bins of tables are taken as they are; of models and paints directions even over
+    both hemispheres are drawn, and where their peak is looked for, as many as a quarter of them about the mirror
+    direction, where even ones hardly fall.
+
+    Raises
+    ------
+    FittingError
+        There is nothing to factor; the message says why.
+    """
     chosen = options or FactoringOptions()
     report(progress, 0.0, "sampling")
     samples = sample_reflectance(reflectance, chosen.pairs, chosen.seed)
@@ -269,7 +253,7 @@ def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> floa
 def _mean(
     whole: FactorizationWithPeak, samples: FactorizationSamples, choice: MeanChoice
 ) -> tuple[FactorizationWithPeak, Floats]:
-    """Correct α for the mean, and tell by what."""
+    """Correct α for the mean; return the correction too."""
     if choice == "off":
         return whole, np.ones(3)
     alone = samples.values if whole.peak is None else samples.values - whole.peak.eval(samples.wi, samples.wo)

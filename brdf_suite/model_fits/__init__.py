@@ -1,1 +1,0 @@
-"""Cook-Torrance lobes and products of textures for anything that reflects."""
