@@ -172,7 +172,7 @@ class Designer:
             app.aboutToQuit.connect(self.close)
 
     def _tell_unknown(self, error: SuiteError) -> None:
-        todo = tr("The paint that was open is unchanged.")
+        todo = tr("The open paint is unchanged.")
         self.window.show_message(message_of(error, "open", todo=todo))
 
     def _may_close(self, question: QCloseEvent) -> None:
@@ -192,6 +192,8 @@ class Designer:
         if not started:
             self.window.show_message(
                 Message(
-                    "viewer", tr("Viewer could not be started."), todo=tr("Start it by hand: brdf-viewer.")
+                    "viewer",
+                    tr("Viewer could not be started."),
+                    todo=tr("Start it from a terminal: brdf-viewer."),
                 )
             )

@@ -115,10 +115,10 @@ class Controller(QObject):
         try:
             after = edited(paint, key, value)
         except SuiteError as error:
-            message = message_of(error, "edit", todo=tr("The paint keeps its last valid value."))
+            message = message_of(error, "edit", todo=tr("The last valid value is kept."))
             if isinstance(error, TooRoughError):
                 nearest = error.nearest
-                text = tr("Take Roughness {roughness:.4f}").format(roughness=nearest[1])
+                text = tr("Use Roughness {roughness:.4f}").format(roughness=nearest[1])
                 message = replace(message, actions=((text, lambda: self.edit(key, nearest)),))
             self._view.show_message(message)
             self._refused = True
@@ -221,7 +221,8 @@ def _refusal(error: SuiteError) -> Message:
             "fit",
             str(error),
             todo=tr(
-                "The numbers keep your edit; curve, strip and the other programs show the last paint that can be."
+                "The numbers keep your edit. Curves, strip and the other programs show the "
+                "last possible paint."
             ),
             severity="warning",
             closable=False,

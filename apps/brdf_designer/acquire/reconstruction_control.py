@@ -58,7 +58,7 @@ class RoadControl(QObject):
         """Find the response of the camera."""
         if not self._ready():
             return
-        todo = tr("The other steps are as they were.")
+        todo = tr("The other steps are unchanged.")
         self._bench.run("response", find_response, self._bench.request(), self._take_response, todo=todo)
 
     def find_geometry(self) -> None:
@@ -76,15 +76,16 @@ class RoadControl(QObject):
         self._bench.run("table", find_table, request, self._take_table, told=self._moved, failed=self._failed)
 
     def _failed(self, error: Exception) -> None:
-        told = message_of(error, "table", todo=tr("What is done is kept; Resume goes on with it."))
+        told = message_of(error, "table", todo=tr("Finished positions are kept. Click Resume to continue."))
         folder = self._bench.folder
         if isinstance(error, FileError) and folder is not None and error.path == str(folder / WORK_FILE):
             told = replace(
                 told,
                 todo=tr(
-                    "The mask, the rig or a choice has changed since. Beginning again forgets what it had."
+                    "The mask, the rig or an option has changed since. Starting over discards the "
+                    "earlier results."
                 ),
-                actions=((tr("Begin Again"), lambda: self.find_table(restart=True)),),
+                actions=((tr("Start Over"), lambda: self.find_table(restart=True)),),
             )
         self._bench.say(told)
 
@@ -140,9 +141,9 @@ class RoadControl(QObject):
             self._bench.say(
                 Message(
                     "kept",
-                    tr("An earlier reconstruction in this folder cannot be gone on with."),
+                    tr("The earlier reconstruction in this folder cannot be resumed."),
                     where=kept.reason,
-                    todo=tr("Begin Again, at the reconstruction, makes a new one."),
+                    todo=tr("Click Start Over on the page Reconstruction."),
                     severity="warning",
                 )
             )
@@ -153,7 +154,7 @@ class RoadControl(QObject):
             self._show_done(())
             self._bench.window.reconstruction.show_progress(
                 kept.done / max(1, self._total),
-                tr("{done} positions are done from an earlier run.").format(done=kept.done),
+                tr("{done} positions were finished in an earlier run.").format(done=kept.done),
                 running=False,
             )
             words = tr("{done} of {total} done").format(done=kept.done, total=self._total)
@@ -182,13 +183,15 @@ class RoadControl(QObject):
         if key == "response":
             window.response.show_response(None if value is None else value.state)
             if value is not None and value.state is None:
-                window.response.note.setText(tr("The photographs are linear files; no curve is needed."))
+                window.response.note.setText(
+                    tr("The photographs are linear files. No response curve is needed.")
+                )
             words = "" if value is None else _response_words(value)
             window.show_step("response", "todo" if value is None else "done", words)
         elif key == "geometry":
             window.geometry_page.show_geometry(None if value is None else value.state)
             if value is not None and value.state is None:
-                told = tr("Taken from the earlier run; find it again to see it.")
+                told = tr("Result of an earlier run. Run this step again to display it.")
                 window.geometry_page.note.setText(told)
                 window.geometry_page.picture.show_empty(told)
             self._tell_geometry(value)
@@ -223,7 +226,8 @@ class RoadControl(QObject):
         measured = next((text for name, text, _ in value.state.facts if name == tr("Measured")), "")
         window.show_step("coverage", "done", tr("{share} measured").format(share=measured))
         window.coverage.show_kept(
-            self._saved or tr("Not saved yet; what it was made of is kept in {file}.").format(file=WORK_FILE)
+            self._saved
+            or tr("Not saved yet. The intermediate results are kept in {file}.").format(file=WORK_FILE)
         )
 
     def _name(self, position: int) -> str:
@@ -266,7 +270,7 @@ class RoadControl(QObject):
         elif busy:
             window.reconstruction.show_progress(0.0, tr("Waiting…"), running=True)
         elif key not in self._bench.have:
-            stopped = tr("Stopped; what is done is kept.") if self._done else ""
+            stopped = tr("Stopped. Finished positions are kept.") if self._done else ""
             window.reconstruction.show_progress(self._fraction if self._done else 0.0, stopped, running=False)
             self._show_done(())
 

@@ -11,8 +11,8 @@ from brdf_designer.window.window import DesignerWindow
 
 _MODES = (
     ("one", mark("Edit &One Angle"), "Alt+1"),
-    ("all", mark("Edit &All Angles Together"), "Alt+2"),
-    ("flop", mark("Edit the &Flop"), "Alt+3"),
+    ("all", mark("Edit &All Angles"), "Alt+2"),
+    ("flop", mark("Edit &Flop"), "Alt+3"),
 )
 _SPACES = (
     ("lab", mark("Colours in &L*a*b*"), "Alt+4"),
@@ -35,7 +35,7 @@ class ColourCommands(QObject):
         head = window.editors.head
         self._window = window
         window.paint_menu.addSeparator()
-        window.add_command("paint", mark("Type the &Numbers"), "Alt+0", self.type_numbers, "type_numbers")
+        window.add_command("paint", mark("&Go to First Value"), "Alt+0", self.type_numbers, "type_numbers")
         # Who makes a new paint wants to say what it is.
         window.new_asked.connect(self.type_numbers)
         for mode, text, keys in _MODES:

@@ -29,15 +29,15 @@ from brdf_designer.window.caption import Caption
 from brdf_suite.documents.paint import Paint
 
 _FRESH = (
-    mark("Flop over the aspecular angle: what is asked above, what the fitted lobes give below"),
-    mark("Flop: asked above, fitted lobes below"),
+    mark("Flop (target above, fit below)"),
+    mark("Flop (target above, fit below)"),
     mark("Flop over the aspecular angle"),
     mark("Flop"),
 )
 _GRIPS_TIP = mark(
-    "The grips move the flop about a face that stays: L, C and h at either end the travel of lightness, chroma and "
-    "hue, F the flop index. Drag one up or down, or choose one with Left and Right and move it with Up and Down "
-    "(Shift: finely)."
+    "The grips change the flop about the face: L, C and h at either end the travel "
+    "of lightness, chroma and hue, F the flop index. Drag one up or down, or "
+    "choose one with Left and Right and move it with Up and Down (Shift: fine)."
 )
 _FINE = 0.1
 
@@ -83,7 +83,7 @@ class FlopStrip(QWidget):
 
     def mark_stale(self) -> None:
         """Say that the strip is of the last paint that could be."""
-        self._head = (tr("Flop: of the last paint that can be"),)
+        self._head = (tr("Flop: last possible paint"),)
         self.band.tell()
 
     def _tell(self, forms: tuple[str, ...]) -> None:

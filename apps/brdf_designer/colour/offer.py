@@ -85,22 +85,22 @@ class NearestOffer(QObject):
 
     def _found(self, found: Feasible | None) -> None:
         if self._desk.fit is None:
-            what = tr("No such paint can be.")
+            what = tr("This paint is impossible.")
         else:
-            what = tr("No sum of the lobes gives the colour asked at {angles}.").format(
+            what = tr("No combination of lobes produces the target colour at {angles}.").format(
                 angles=", ".join(self._large_angles())
             )
         if found is None:
-            todo = tr("No paint near to it was found that can be; change a colour or the gloss.")
+            todo = tr("No possible paint was found close to it. Change a colour or the gloss.")
             self._desk.show_message(Message(KEY, what, todo=todo, severity="warning"))
             return
         self.offered = found
-        todo = tr("The nearest that can be: {paint}.").format(paint=told(found))
-        actions = ((tr("Take the Nearest"), self.take),)
+        todo = tr("Closest possible paint: {paint}.").format(paint=told(found))
+        actions = ((tr("Use Closest"), self.take),)
         self._desk.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
 
     def _failed(self, error: Exception) -> None:
-        text = tr("The nearest paint that can be was not found: {error}").format(error=error)
+        text = tr("The search for the closest possible paint failed: {error}").format(error=error)
         self._desk.show_message(Message(KEY, text, severity="warning"))
 
     def _large_angles(self) -> list[str]:

@@ -16,12 +16,12 @@ from brdf_designer.standard.state import StandardPatch
 from brdf_designer.window.caption import Caption
 
 OUTSIDE_TIP = mark(
-    "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
+    "Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped."
 )
 CORNER = 14.0
 GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
-_FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
+_FIT_TIP = mark("Colour difference CIEDE2000 between the target and the fitted lobes.")
 
 
 def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
@@ -110,7 +110,7 @@ class ColourField(QWidget):
             painter.fillRect(lower, self._given)
             _write(painter, lower, tr("fit"), self._given, rows=1)
             if self._standard is None:
-                _write(painter, self._upper(batch), tr("asked"), self._rgb)
+                _write(painter, self._upper(batch), tr("target"), self._rgb)
         if not self._in_gamut:
             paint_corner(painter, batch, 2 * CORNER)
         # A hairline, so that a colour like the surround is still seen as a field.

@@ -51,7 +51,7 @@ QUANTITIES = (
         -3600.0,
         3600.0,
         1.0,
-        mark("Hue angle hab over the aspecular angle, unwrapped; a grey has none and no point."),
+        mark("Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point."),
     ),
 )
 
@@ -98,7 +98,7 @@ class QuantityPlot(QWidget):
             tr(quantity.tip)
             + "\n"
             + tr(
-                "Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: finely)."
+                "Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: fine)."
             )
         )
         box = QVBoxLayout(self)

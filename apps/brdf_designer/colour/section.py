@@ -62,8 +62,8 @@ _LIGHTNESS = Row(
     2,
     False,
     mark(
-        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic may pass it near the mirror "
-        "direction."
+        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a "
+        "metallic can exceed it near the mirror direction."
     ),
 )
 ROWS: dict[str, tuple[Row, Row, Row]] = {
@@ -117,8 +117,8 @@ ROWS: dict[str, tuple[Row, Row, Row]] = {
             1,
             True,
             mark(
-                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue; the circle closes. A grey has no hue: then "
-                "this is the hue that it gets as soon as it has chroma."
+                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; "
+                "this value is used as soon as it has chroma."
             ),
         ),
     ),
@@ -286,7 +286,8 @@ class AngleEditor(QWidget):
         self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
         self._title.setToolTip(
             tr(
-                "The angle from the mirror direction of the light to the view, past the normal: the aspecular angle."
+                "Aspecular angle: from the mirror direction of the light to the view, positive "
+                "towards the light."
             )
         )
         self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))

@@ -76,7 +76,7 @@ class DocumentTabs(QTabBar):
     def _fill(self, place: int, tab: TabState) -> None:
         title = tab.title.replace("&", "&&")
         self.setTabText(place, title if tab.clean else f"{MARK} {title}")
-        where = str(tab.path) if tab.path else tr("Not yet in a file")
+        where = str(tab.path) if tab.path else tr("No file yet")
         state = "" if tab.clean else tr("Not saved")
         self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
         spoken = tab.title if tab.clean else tr("{title}, not saved").format(title=tab.title)

@@ -51,14 +51,14 @@ class HandoverControl(QObject):
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=2)
         self.section = HandoverSection(NAMES)
-        self.host = window.add_section(KEY, tr("Hand-over"), self.section, after="variations", is_open=False)
+        self.host = window.add_section(KEY, tr("Export"), self.section, after="variations", is_open=False)
         self.action = window.add_command(
             "file",
-            tr("&Hand Over…"),
+            tr("&Export…"),
             "Ctrl+E",
             self.open,
             KEY,
-            tip=tr("Export the paint for other programs, or make a report of it"),
+            tip=tr("Export the paint for other programs, or as a report"),
         )
         self.section.choose(settings().value(_FORMAT, NAMES[0][0], type=str))
         self.section.format_chosen.connect(self._chosen)
@@ -92,7 +92,7 @@ class HandoverControl(QObject):
         try:
             request = self._request(path)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was written.")))
+            self._desk.show_message(message_of(error, KEY, todo=tr("No file was written.")))
             return
         progress = self._window.progress
         text = tr("Exporting {name}").format(name=path.name)
@@ -131,14 +131,14 @@ class HandoverControl(QObject):
     def _written(self, path: Path, notes: tuple[str, ...]) -> None:
         self._window.progress.end_job(KEY)
         self._desk.show_message(
-            Message(
-                KEY, tr("{name} was written.").format(name=path.name), where=str(path), todo=" ".join(notes)
-            )
+            Message(KEY, tr("{name} exported.").format(name=path.name), where=str(path), todo=" ".join(notes))
         )
 
     def _failed(self, error: Exception) -> None:
         self._window.progress.end_job(KEY)
-        self._desk.show_message(message_of(error, KEY, todo=tr("An older file of that name is unchanged.")))
+        self._desk.show_message(
+            message_of(error, KEY, todo=tr("An existing file with this name is unchanged."))
+        )
 
     # What is lost.
 

@@ -30,11 +30,11 @@ class HistoryControl(QObject):
         window.add_history(self.strip)
         self.action = window.add_command(
             "view",
-            tr("&History Strip"),
+            tr("&History"),
             "F6",
             lambda: self._show(self.action.isChecked()),
             "history_strip",
-            tip=tr("Show or hide the states of this paint"),
+            tip=tr("Show or hide the history of this paint"),
         )
         self.action.setCheckable(True)
         self._show(bool(settings().value(_SHOWN, True, type=bool)))
@@ -92,6 +92,8 @@ class HistoryControl(QObject):
         paint = self.strip.states.states[place].paint
         menu = QMenu(self.strip)
         menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
-        menu.addAction(tr("&Take It as a New Step"), lambda: self._desk.edit(paint, tr("Take Earlier State")))
-        menu.addAction(tr("&Open It in a New Tab"), lambda: self._desk.open_paint(paint))
+        menu.addAction(
+            tr("&Restore as New Step"), lambda: self._desk.edit(paint, tr("Restore Earlier State"))
+        )
+        menu.addAction(tr("&Open in New Tab"), lambda: self._desk.open_paint(paint))
         return menu

@@ -101,7 +101,7 @@ class HistoryModel(QAbstractListModel):
     def _told(self, row: int, state: HistoryState) -> str:
         text = tr("State {number}: {step}").format(number=row, step=state.step or tr("Opened"))
         if row == self.present:
-            return tr("{state}, the paint as it is now").format(state=text)
+            return tr("{state}, current").format(state=text)
         if row > self.present:
             return tr("{state}, undone").format(state=text)
         return text
@@ -188,7 +188,7 @@ class HistoryStrip(QListView):
         super().__init__(parent)
         self.setObjectName("history_strip")
         self.setAccessibleName(tr("History of this paint"))
-        self.setToolTip(tr("Every state of this paint, the oldest at the left; click one to go back to it."))
+        self.setToolTip(tr("States of this paint, oldest at the left; click one to restore it."))
         self.states = HistoryModel(picture, self)
         self.setModel(self.states)
         self._painter = _Painter(self)

@@ -62,7 +62,9 @@ class MeasuredControl(QObject):
             "Ctrl+Shift+N",
             self.ask,
             "new_from_measurement",
-            tip=tr("Measure a reflectance by the virtual spectrophotometer and design from there"),
+            tip=tr(
+                "Start a design from the readings of a virtual spectrophotometer on a measured reflectance"
+            ),
         )
         desk.document_switched.connect(self._show)
         desk.documents.foreign = self.open_foreign
@@ -86,9 +88,7 @@ class MeasuredControl(QObject):
         try:
             handed = _handed_over(path)
         except SuiteError as error:
-            self._desk.show_message(
-                message_of(error, "open", todo=tr("The paints that are open are unchanged."))
-            )
+            self._desk.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
             return True
         if handed is not None:
             self._open_all(path, handed)
@@ -109,7 +109,7 @@ class MeasuredControl(QObject):
         if len(paints) > MOST_TABS:
             told.insert(
                 0,
-                tr("{name} holds {count} paints; the first {opened} are open.").format(
+                tr("{name} contains {count} paints. The first {opened} were opened.").format(
                     name=path.name, count=len(paints), opened=MOST_TABS
                 ),
             )
@@ -145,7 +145,7 @@ class MeasuredControl(QObject):
 
         def failed(error: Exception) -> None:
             progress.end_job(KEY)
-            todo = tr("The paints that are open are unchanged.")
+            todo = tr("The open paints are unchanged.")
             self._desk.show_message(message_of(error, "open", todo=todo))
 
         self._tasks.submit(KEY, _read, request, done, failed, told)

@@ -45,15 +45,13 @@ class MeasuredSection(QWidget):
         self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.angles.activated.connect(lambda _index: self.again_asked.emit(str(self.angles.currentData())))
         form.add_row(
-            tr("Read at"), self.angles, tr("The angles of the design; another set reads the original again")
+            tr("Read at"), self.angles, tr("Angles of the design; another set measures the original again")
         )
         headings = (tr("Angle"), *(tr("light {angle:g}°").format(angle=one) for one in HELD_OUT_LIGHTS_DEG))
         self.table = WholeTable(tr("ΔE00 between the design and the original"), headings)
-        self.table.setToolTip(
-            tr("ΔE00 between the design and the original at angles that it was not made from")
-        )
+        self.table.setToolTip(tr("ΔE00 between the design and the original at angles that were not used"))
         self.standard = QPushButton(tr("Original as Standard"))
-        self.standard.setToolTip(tr("Judge the design against what was measured, at every angle"))
+        self.standard.setToolTip(tr("Compare the design with the measured original at every angle"))
         self.standard.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.standard.clicked.connect(lambda _=False: self.standard_asked.emit())
         row = QHBoxLayout()
@@ -98,7 +96,7 @@ def _gloss(start: MeasuredStart) -> str:
 def _summary(start: MeasuredStart) -> str:
     worst, mean = start.worst, start.mean_delta_e
     if worst is None or mean is None:
-        return tr("The design cannot be compared with the original yet: no such paint can be built.")
+        return tr("The design cannot be compared with the original: the paint is impossible.")
     return tr(
         "ΔE00 to the original at {count} angles that were not used: mean {mean:.1f}, at most {worst:.1f} "
         "({angle:g}°, light {light:g}°)"

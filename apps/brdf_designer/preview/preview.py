@@ -107,11 +107,11 @@ class PreviewControl(QObject):
     def _add_command(self) -> None:
         self.action = self._window.add_command(
             "view",
-            tr("Small Pict&ure"),
+            tr("Previe&w"),
             "F7",
             lambda: self.show(self.action.isChecked()),
             "preview",
-            tip=tr("Show or hide the paint on the speed form"),
+            tip=tr("Show or hide the preview on the speed form"),
         )
         self.action.setCheckable(True)
         on = bool(settings().value(_SHOWN, True, type=bool))
@@ -143,7 +143,7 @@ class PreviewControl(QObject):
 
     def _tell_failure(self, error: Exception) -> None:
         self._asked = ""
-        self._window.show_message(message_of(error, "preview", todo=tr("The picture stays as it was.")))
+        self._window.show_message(message_of(error, "preview", todo=tr("The picture is unchanged.")))
 
     # The paint.
 

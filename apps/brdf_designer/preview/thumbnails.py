@@ -195,14 +195,14 @@ class Thumbnails(QObject):
             self._asked = None
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The process that draws the small pictures ended twice."))
+                self._give_up(tr("The thumbnail process ended twice."))
                 return
         self._pump.start()
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
             why = self._process.errorString()
-            self._give_up(tr("The small pictures cannot be drawn: {reason}.").format(reason=why))
+            self._give_up(tr("The thumbnails cannot be drawn: {reason}.").format(reason=why))
 
     def _give_up(self, why: str) -> None:
         self._asked = None

@@ -268,9 +268,9 @@ class Desk(QObject):
         try:
             self._publish("paint", paint_to_json(self._reachable))
         except BadMessageError as error:
-            what = tr("The paint cannot be told to the other programs: {reason}.").format(reason=error)
+            what = tr("The paint could not be sent to the other programs: {reason}.").format(reason=error)
             self.show_message(
-                Message("link", what, todo=tr("They keep the paint before."), severity="warning")
+                Message("link", what, todo=tr("They keep the previous paint."), severity="warning")
             )
         else:
             self.dismiss_message("link")

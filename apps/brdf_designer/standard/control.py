@@ -148,7 +148,7 @@ class StandardControl(QObject):
         try:
             after = paint_like(standard, paint)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was swapped.")))
+            self._desk.show_message(message_of(error, KEY, todo=tr("The paints were not swapped.")))
             return
         turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
         kept.swaps.append(Swap(paint, standard, after, turned))
@@ -255,7 +255,7 @@ class StandardControl(QObject):
         self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
 
     def _tell_kept(self, what: str) -> None:
-        todo = tr("The standard stays as it was; load the file again to take what it has now.")
+        todo = tr("The stored standard is used. Load the file again to use its current contents.")
         self._desk.show_message(Message(KEY, what, todo=todo))
 
     def _note(self) -> None:
@@ -329,7 +329,7 @@ class StandardControl(QObject):
                 refused.append(str(error))
         kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
         if refused:
-            what = tr("Some paints cannot be judged: {reasons}").format(reasons=" ".join(refused[:3]))
+            what = tr("Some paints cannot be compared: {reasons}").format(reasons=" ".join(refused[:3]))
             self._desk.show_message(Message(_BATCHES, what, severity="warning"))
         self.section.batch_section.set_open(True)
         self._show_batches()

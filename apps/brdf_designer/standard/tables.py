@@ -127,7 +127,7 @@ class ToleranceTable(WholeTable):
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)
-                    tip = tr("Largest size of {part} that passes; empty: not judged").format(
+                    tip = tr("Largest {part} that passes; empty: not evaluated").format(
                         part=LIMIT_NAMES[part]
                     )
                     self.set_text(row, column, "" if value is None else f"{value:g}", tip=tip)
@@ -141,7 +141,9 @@ class ToleranceTable(WholeTable):
         value = parse_number(text) if text else None
         if text and (value is None or value < 0.0):
             self.refused.emit(
-                tr("“{text}” is no tolerance; write a number from 0, or nothing.").format(text=text[:40])
+                tr("“{text}” is not a tolerance. Enter a number of 0 or more, or leave it empty.").format(
+                    text=text[:40]
+                )
             )
             self.show_settings([one for one in self._angles if one is not None], self._shown)
             return
@@ -155,7 +157,7 @@ class BatchTable(WholeTable):
 
     def __init__(self) -> None:
         super().__init__(
-            tr("Batches against the standard"), (tr("Batch"), tr("ΔE max"), tr("mean"), tr("Verdict"))
+            tr("Batches compared with the standard"), (tr("Batch"), tr("ΔE max"), tr("mean"), tr("Verdict"))
         )
         header = self.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)

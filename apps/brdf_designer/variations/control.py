@@ -184,7 +184,7 @@ class VariationsControl(QObject):
         self.section.show_note(self._pictures.problem)
 
     def _no_pictures(self, why: str) -> None:
-        text = tr("{reason} The discs show the readings instead.").format(reason=why)
+        text = tr("{reason} Discs show the readings instead.").format(reason=why)
         self.section.show_note(text)
 
 
@@ -199,10 +199,10 @@ def _state(one: Variation) -> NeighbourState:
     if one.is_missed:
         assert one.missed is not None
         tip = tr(
-            "No paint of this kind quite gives these colours: ΔE00 {missed:.1f} at most. L*a*b*:"
+            "No paint of this kind matches these colours exactly: ΔE00 up to {missed:.1f}. L*a*b*:"
         ).format(missed=one.missed)
         return NeighbourState(one.direction, f"{word} ≈", f"{tip}\n{colours}", True)
-    return NeighbourState(one.direction, word, tr("Click to take it. L*a*b*:") + "\n" + colours, True)
+    return NeighbourState(one.direction, word, tr("Click to use it. L*a*b*:") + "\n" + colours, True)
 
 
 def _kept_step() -> float:

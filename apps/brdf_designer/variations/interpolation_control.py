@@ -135,7 +135,9 @@ class InterpolationControl(QObject):
         self._list()
 
     def _tell(self, error: Exception) -> None:
-        self._desk.show_message(message_of(error, KEY, todo=tr("Choose another paint for the other end.")))
+        self._desk.show_message(
+            message_of(error, KEY, todo=tr("Choose a different paint for the other end."))
+        )
         self._list()
 
     def _paint_changed(self, paint: Paint) -> None:

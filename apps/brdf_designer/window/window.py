@@ -312,7 +312,7 @@ class DesignerWindow(SuiteWindow):
         opened = self.add_action(
             file, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
         )
-        shipped_menu = file.addMenu(tr("Open S&hipped Paint"))
+        shipped_menu = file.addMenu(tr("Open &Sample Paint"))
         for name in shipped:
             action = shipped_menu.addAction(name.replace("_", " ").capitalize())
             action.triggered.connect(lambda _=False, name=name: self.shipped_asked.emit(name))

@@ -59,7 +59,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     window.geometry_page.start.click()
     geometry = finished(assistant, qtbot, "geometry")
     page = window.geometry_page
-    assert {mark.name for mark in page.picture.marks} >= {"outline that was fitted", "highlight, found"}
+    assert {mark.name for mark in page.picture.marks} >= {"fitted outline", "highlight, found"}
     assert "px" in page.facts.texts["Outline"]
     # The outline lies where the sphere does: in the middle of the picture, 0.85 of it wide.
     around = geometry.state.outline
@@ -125,7 +125,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     # What was begun with the other mask is not mixed with it: that is said, with the way on.
     window.reconstruction.start.click()
     qtbot.waitUntil(lambda: "table" in window.messages.shown())
-    assert [text for text, _ in window.messages.shown()["table"].actions] == ["Begin Again"]
+    assert [text for text, _ in window.messages.shown()["table"].actions] == ["Start Over"]
 
 
 def test_work_of_an_earlier_run_is_taken_up(assistant, folder, qtbot):

@@ -247,7 +247,7 @@ def test_angles_are_added_and_removed(host: Host) -> None:
     type_in(head.angle, "75")
     head.add.click()
     assert [m.aspecular_deg for m in host.store.value.measurements] == [15.0, 45.0, 75.0, 110.0]
-    assert head.sets.currentText() == "Own angles"
+    assert head.sets.currentText() == "Custom angles"
     assert host.editors.editors[2].remove.isEnabled()
     head.add.click()
     assert "already" in host.refused[-1]

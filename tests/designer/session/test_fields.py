@@ -19,7 +19,7 @@ PAINT = solid_paint("x", (50.0, 1.0, 2.0))
         (("gloss", "gu_20"), 70.0, lambda p: p.gloss.gu_20, "Change Gloss 20°"),
         (("gloss", "gu_60"), None, lambda p: p.gloss.gu_60, "Change Gloss 60°"),
         (("flakes", "size_um"), 9.0, lambda p: p.flakes.size_um, "Change Flake size"),
-        (("flakes",), Flakes(), lambda p: p.flakes, "Switch Flakes"),
+        (("flakes",), Flakes(), lambda p: p.flakes, "Flakes On"),
         (("interpolation",), "monotone", lambda p: p.interpolation, "Change Interpolation"),
         (("near_specular",), 1.5, lambda p: p.near_specular, "Change Near-Specular Factor"),
         (("name",), "y", lambda p: p.name, "Rename Paint"),

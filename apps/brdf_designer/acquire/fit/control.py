@@ -70,7 +70,7 @@ class FitControl(QObject):
 
     def _opened(self, start: MeasuredStart) -> None:
         self._desk.open_paint(start.paint)
-        told = tr("“{name}” is open in Designer, in a tab of its own; it is not saved yet.").format(
+        told = tr("“{name}” is open in a new tab in Designer. It is not saved yet.").format(
             name=start.paint.name
         )
         self._page.show_kept(told)
@@ -78,7 +78,7 @@ class FitControl(QObject):
         if start.mean_delta_e is not None:
             notes.insert(
                 0,
-                tr("ΔE00 to the fitted lobes at angles that were not used: {mean:.1f} in the mean.").format(
+                tr("Mean ΔE00 to the fitted lobes at angles that were not used: {mean:.1f}.").format(
                     mean=start.mean_delta_e
                 ),
             )

@@ -35,8 +35,8 @@ class FitPage(AcquirePage):
         super().__init__(
             "fit",
             tr(
-                "A few lobes stand for the whole table; points are measured, the line is the fit, dashed "
-                "lines are its parts."
+                "The table approximated by a few lobes: measured values as points, the fit as "
+                "a line, its components dashed."
             ),
         )
         self._state: FitState | None = None
@@ -70,10 +70,10 @@ class FitPage(AcquirePage):
         self.model.activated.connect(lambda _index: self.choice_edited.emit())
         self.lobes.valueChanged.connect(lambda _value: self.choice_edited.emit())
         form.add_row(
-            tr("Model"), self.model, tr("The shape of the lobes; only Cook-Torrance becomes a paint")
+            tr("Model"), self.model, tr("Lobe model; only Cook-Torrance can be opened or saved as a paint")
         )
-        form.add_row(tr("Lobes"), self.lobes, tr("How many; the last one stands for the sharp peak"))
-        self.start = button(tr("Fit the Lobes"), tr("Fit the lobes to the table; some seconds"))
+        form.add_row(tr("Lobes"), self.lobes, tr("Number of lobes; the last one models the sharp peak"))
+        self.start = button(tr("Fit Lobes"), tr("Fit the lobes to the table; takes several seconds"))
         self.start.clicked.connect(lambda _=False: self.fit_asked.emit())
         self.note = wrapped("")
         self.add_part("model", tr("Model"), form, self.start, self.note)
@@ -94,15 +94,13 @@ class FitPage(AcquirePage):
         )
         look.add_row(tr("Channel"), self.channel, tr("Linear Rec. 2020"))
         self.look = self.add_part("look", tr("Plot"), look)
-        self.facts = Facts(tr("How well the fit stands for the table"))
+        self.facts = Facts(tr("Fit errors"))
         self.errors = self.add_part("errors", tr("Errors"), self.facts)
         self.open = button(
             tr("Open as New Paint"),
-            tr("Start a design in Designer from it, in a tab of its own; nothing is saved yet"),
+            tr("Start an unsaved design from this fit in a new tab"),
         )
-        self.save = button(
-            tr("Save Paint…"), tr("Save the lobes themselves as a .brdfpaint that Viewer opens")
-        )
+        self.save = button(tr("Save Paint…"), tr("Save the lobes as a .brdfpaint file for Viewer"))
         self.open.clicked.connect(lambda _=False: self.open_asked.emit())
         self.save.clicked.connect(lambda _=False: self.save_asked.emit())
         self.kept = wrapped("")
@@ -126,9 +124,7 @@ class FitPage(AcquirePage):
         if state is None:
             self.note.setText("")
             self.plot.show_empty(
-                tr("Not fitted yet.")
-                if has_table
-                else tr("There is no table yet: the reconstruction makes it.")
+                tr("Not fitted yet.") if has_table else tr("No table yet. Run the reconstruction first.")
             )
             return
         self.note.setText("\n".join(state.notices))

@@ -55,7 +55,8 @@ def fit_state(found: Any) -> FitState:
             tr("Mean |ln|"),
             f"{errors.l1_mean:.4f}",
             tr(
-                "Mean of |ln(fit/measured)| over every measured bin: the paper's energy over its number of terms"
+                "Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 "
+                "divided by its number of terms"
             ),
         ),
         (
@@ -76,9 +77,9 @@ def fit_state(found: Any) -> FitState:
         (
             tr("Samples"),
             f"{fit.samples}",
-            tr("That the solver looked at; the errors are over every measured bin"),
+            tr("Samples used by the solver; errors are computed over all measured bins"),
         ),
-        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("That the fit took")),
+        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
     ]
     spread = fit.standard_errors
     rows = [(tr("diffuse"), *(_told(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]

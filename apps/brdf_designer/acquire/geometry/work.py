@@ -72,7 +72,7 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         (
             tr("Outline"),
             tr("{rms:.3f} px RMS").format(rms=outline.rms_px),
-            tr("Root mean square distance of the edge that was seen from the outline that was fitted"),
+            tr("Root mean square distance of the detected edge from the fitted outline"),
         )
     ]
     parameters: list[tuple[str, str, str]] = []
@@ -84,19 +84,19 @@ def geometry_found(road: Acquisition) -> GeometryFound:
             (
                 tr("Highlights"),
                 tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.rms_px, deg=refinement.rms_deg),
-                tr("What is left between found and expected highlights after the refinement"),
+                tr("Distance of found from expected highlights after the refinement"),
             ),
             (
                 tr("Before"),
                 tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.before_px, deg=refinement.before_deg),
-                tr("The same with the numbers of session.json"),
+                tr("Residuals before the refinement, with the values of session.json"),
             ),
             (
                 tr("Used"),
                 tr("{used} of {count} highlights").format(
                     used=int((~refinement.outliers).sum()), count=len(refinement.outliers)
                 ),
-                tr("The others do not belong: a second reflection, or the arm"),
+                tr("The others are outliers, such as a second reflection or the arm"),
             ),
         ]
         parameters = [_refined(row) for row in refinement.parameters if row.observed > 0.005]
@@ -111,7 +111,7 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         (
             tr("Sphere"),
             "{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0)),
-            tr("Middle of its outline, column and row"),
+            tr("Centre of its outline: column and row"),
         ),
         (
             tr("Distance"),
@@ -125,7 +125,10 @@ def geometry_found(road: Acquisition) -> GeometryFound:
             (
                 tr("Lens"),
                 tr("{rms:.3f} px RMS").format(rms=float(lens_rms)),
-                tr("Distance of the board's corners from where the calibrated camera expects them"),
+                tr(
+                    "Distance of the corners of the board from the positions that the calibrated "
+                    "camera predicts"
+                ),
             )
         )
     state = GeometryState(
@@ -157,7 +160,7 @@ def _refined(row: Any) -> tuple[str, str, str]:
     value = tr("{value} ± {sigma}\nstated {stated}").format(
         value=found, sigma=sigma + unit, stated=stated + unit
     )
-    told = tr("The highlights tell {share:.0f} % of it: {why}").format(
+    told = tr("The highlights determine {share:.0f} % of it: {why}").format(
         share=100.0 * row.observed, why=row.why
     )
     return row.name, value, told

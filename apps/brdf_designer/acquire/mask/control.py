@@ -81,7 +81,7 @@ class MaskControl(QObject):
         try:
             session = write_session_mask(bench.folder, bench.session, history.used)
         except SuiteError as error:
-            todo = tr("The mask is kept here; the next stroke tries again.")
+            todo = tr("The mask is kept in this window. The next stroke saves it again.")
             bench.say(message_of(error, "mask", todo=todo))
             return
         self._unwritten = False
@@ -133,13 +133,13 @@ class MaskControl(QObject):
             return
         if session.mask is None:
             self._page.show_kept(
-                tr("Nothing is left out. What is painted is kept in the folder as {file}.").format(
+                tr("No pixels are excluded. The mask is saved in the folder as {file}.").format(
                     file=MASK_FILE
                 )
             )
         else:
-            self._page.show_kept(tr("Kept in the folder as {file}.").format(file=session.mask))
-        self._bench.window.show_step("mask", "done", session.mask or tr("everything is used"))
+            self._page.show_kept(tr("Saved in the folder as {file}.").format(file=session.mask))
+        self._bench.window.show_step("mask", "done", session.mask or tr("no pixels excluded"))
 
     def _found(self, key: str) -> None:
         """Draw the sphere's outline below the mask, as soon as it is known."""

@@ -46,7 +46,7 @@ class PictureView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 120)
-        self.setToolTip(tr("Wheel, + and − zoom; middle or Shift drag and the arrow keys move; F frames"))
+        self.setToolTip(tr("Wheel, + and − zoom; middle drag, Shift drag and the arrow keys pan; F frames"))
         self._empty = empty_text
         self._image = QImage()
         self._marks: tuple[Mark, ...] = ()

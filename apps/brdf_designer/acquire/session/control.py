@@ -80,7 +80,7 @@ class SessionControl(QObject):
         """Make a folder from the template, and open it."""
 
         def refused(error: Exception) -> None:
-            self._bench.say(message_of(error, "open", todo=tr("Nothing was written.")))
+            self._bench.say(message_of(error, "open", todo=tr("No file was written.")))
 
         # On a thread: it looks into every photograph that lies there.
         self._bench.run("make", _make, folder, self.open, failed=refused)
@@ -89,7 +89,7 @@ class SessionControl(QObject):
         """Read a session by its folder or its session.json, and check it."""
         self.write_pending()
         folder = path if path.is_dir() else path.parent
-        todo = tr("The session that was open is unchanged.") if self._bench.session is not None else ""
+        todo = tr("The open session is unchanged.") if self._bench.session is not None else ""
         self._bench.run("open", _open, folder, self._taken, todo=todo)
 
     def check(self) -> None:
@@ -151,7 +151,7 @@ class SessionControl(QObject):
         try:
             after = edited(before, pending)
         except SuiteError as error:
-            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._bench.say(message_of(error, "edit", todo=tr("session.json is unchanged.")))
             self._show()
             return
         if after != before and self._write(after):
@@ -185,7 +185,7 @@ class SessionControl(QObject):
                     Message(
                         "edit",
                         tr("session.json was changed by another program since it was opened here."),
-                        todo=tr("Check Again reads it; then edit once more."),
+                        todo=tr("Click Check Again to read it, then repeat the edit."),
                         severity="warning",
                     )
                 )
@@ -193,7 +193,7 @@ class SessionControl(QObject):
                 return False
             write_session(session, self._bench.folder)
         except SuiteError as error:
-            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._bench.say(message_of(error, "edit", todo=tr("session.json is unchanged.")))
             self._show()
             return False
         self._bench.window.messages.dismiss("edit")

@@ -49,8 +49,8 @@ class ReconstructionPage(AcquirePage):
         super().__init__(
             "reconstruction",
             tr(
-                "Every photograph becomes measurements of the paint. What is done is kept: it can be "
-                "stopped and resumed."
+                "Combines all photographs into one table of the reflectance. It can be stopped "
+                "and resumed; finished positions are kept."
             ),
         )
         self.bar = GreyBar()
@@ -60,16 +60,16 @@ class ReconstructionPage(AcquirePage):
         self.bar.setMaximumHeight(12)
         self.bar.setAccessibleName(tr("Progress of the reconstruction"))
         self.telling = wrapped("")
-        self.map = MapPlot(tr("Covered so far"))
-        self.problems = problem_list(tr("Positions that could not be used"))
+        self.map = MapPlot(tr("Coverage so far"))
+        self.problems = problem_list(tr("Skipped positions"))
         self.centre.addWidget(self.telling)
         self.centre.addWidget(self.bar)
         self.centre.addWidget(self.map, 3)
         self.centre.addWidget(self.problems, 1)
-        self.start = button(tr("Start"), tr("Turn all photographs into a table of the reflectance"))
-        self.cancel = button(tr("Stop"), tr("Stop; what is done is kept, and is gone on with later"))
+        self.start = button(tr("Start"), tr("Combine all photographs into a table of the reflectance"))
+        self.cancel = button(tr("Stop"), tr("Stop. Finished positions are kept; you can resume later."))
         self.again = button(
-            tr("Begin Again"), tr("Forget what is done, and start with the first position once more")
+            tr("Start Over"), tr("Discard the finished positions and start with the first one")
         )
         self.start.clicked.connect(lambda _=False: self.start_asked.emit())
         self.cancel.clicked.connect(lambda _=False: self.cancel_asked.emit())
@@ -80,10 +80,10 @@ class ReconstructionPage(AcquirePage):
         form.add_row(
             tr("Grazing cut-off"),
             self.grazing,
-            tr("Light or view farther from the normal than this is not measured"),
+            tr("Largest angle of light or view from the normal; pixels beyond it are skipped"),
         )
         self.add_part("run", tr("Reconstruction"), beside(self.start, self.cancel), self.again, form)
-        self.facts = Facts(tr("What is done"))
+        self.facts = Facts(tr("Progress"))
         self.add_part("done", tr("Done"), self.facts)
         self.show_progress(0.0, "", running=False)
         self.show_done(0, 0, ())
@@ -105,12 +105,12 @@ class ReconstructionPage(AcquirePage):
                 (
                     tr("Positions"),
                     tr("{done} of {total}").format(done=done, total=total),
-                    tr("Positions of the lamp that are in the table"),
+                    tr("Lamp positions included in the table"),
                 ),
                 (
-                    tr("Left out"),
+                    tr("Excluded"),
                     str(len(failed)),
-                    tr("Positions that could not be used; the list tells why"),
+                    tr("Lamp positions that could not be used; the list gives the reasons"),
                 ),
             )
         )
@@ -120,6 +120,6 @@ class ReconstructionPage(AcquirePage):
     def show_partial(self, state: CoverageState | None) -> None:
         """Show what is covered so far."""
         if state is None:
-            self.map.clear(tr("The map grows while positions are done."))
+            self.map.clear(tr("The map is updated after each position."))
         else:
             self.map.show_map(coverage_map(state, "share"))

@@ -144,17 +144,18 @@ def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState
                 tr("Measured"),
                 tr("{share:.1f} %").format(share=100.0 * covered_share(table, 75.0)),
                 tr(
-                    "Of the bins with light and view up to 75° from the normal; the others are filled from neighbours"
+                    "Share of the bins with light and view up to 75° from the normal; the others "
+                    "are filled from neighbours"
                 ),
             ),
-            (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels that went into the table")),
+            (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels used for the table")),
             (
                 tr("Positions"),
                 tr("{done} of {total}").format(
                     done=len(acquired.positions_done),
                     total=len(acquired.positions_done) + len(acquired.positions_failed),
                 ),
-                tr("Of the lamp"),
+                tr("Lamp positions"),
             ),
             *(("", notice, "") for notice in acquired.notices),
         ]
