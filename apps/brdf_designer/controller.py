@@ -10,8 +10,8 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
-from brdf_designer.session.desk import Desk
-from brdf_designer.session.fields import Key, TooRoughError, edited, step_name
+from brdf_designer.session.fields import Key, TooRoughError, apply_edit, step_name
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import (
     Colours,
     Curves,
@@ -68,7 +68,7 @@ class View(Protocol):
 class Controller(QObject):
     """Keeps the window in step with the desk, and takes the edits of its fields."""
 
-    def __init__(self, view: View, desk: Desk, parent: QObject | None = None) -> None:
+    def __init__(self, view: View, desk: PaintSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._view, self._desk, self._documents = view, desk, desk.documents
         self._refused = False
@@ -113,7 +113,7 @@ class Controller(QObject):
             return
         paint = self._desk.paint
         try:
-            after = edited(paint, key, value)
+            after = apply_edit(paint, key, value)
         except SuiteError as error:
             message = message_of(error, "edit", todo=tr("The last valid value is kept."))
             if isinstance(error, TooRoughError):

@@ -76,10 +76,14 @@ def drive(options: argparse.Namespace) -> int:
         assistant.window.mask.picture.put(used)
         assistant.write_pending()
     # What a kept session has found before has no pictures: these two are found again in any case.
-    for find in (assistant.road.find_response, assistant.road.find_geometry, assistant.do_all):
+    for find in (
+        assistant.reconstruction.find_response,
+        assistant.reconstruction.find_geometry,
+        assistant.do_all,
+    ):
         find()
         wait(lambda: assistant.bench.is_quiet and not assistant._chain)
-    if "fit" not in assistant.bench.have:
+    if "fit" not in assistant.bench.results:
         messages = assistant.window.messages.shown()
         raise SystemExit(f"A step failed: {[message.what for message in messages.values()]}")
     assistant.window.exposures.choose(EXPOSURES - 4)

@@ -1024,8 +1024,8 @@
         <translation>{name}, Zahl</translation>
     </message>
     <message>
-        <source>Aspecular angle: from the mirror direction of the light to the view, positive towards the light.</source>
-        <translation>Aspekularwinkel: von der Spiegelrichtung des Lichts zum Blick, positiv zum Licht hin.</translation>
+        <source>Angle from the mirror direction of the light to the view: the aspecular angle.</source>
+        <translation>Winkel von der Spiegelrichtung des Lichts zum Blick: der Aspekularwinkel.</translation>
     </message>
     <message>
         <source>Remove the reading at {angle}</source>

@@ -308,7 +308,7 @@ def test_the_flakes_section_says_what_they_do(designer, qtbot):
     qtbot.waitUntil(lambda: "spots/mm²" in label.text())
     before = label.text()
     assert "instrument" in label.toolTip()
-    assert "Viewer draws" in flakes.has_flakes.toolTip()
+    assert "Viewer renders" in flakes.has_flakes.toolTip()
     type_in(flakes.panel.fields["flakes.density_per_mm2"], "300")
     qtbot.waitUntil(lambda: label.text() != before)
     flakes.has_flakes.click()

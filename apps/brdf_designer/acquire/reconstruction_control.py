@@ -11,6 +11,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.geometry.work import GeometryAnswer, find_geometry
+from brdf_designer.acquire.reconstruction_session import WORK_FILE, ReconstructionSession, no_session
 from brdf_designer.acquire.response.work import ResponseFound, find_response
 from brdf_designer.acquire.states import CoverageState, Problem
 from brdf_designer.acquire.table.work import (
@@ -22,31 +23,30 @@ from brdf_designer.acquire.table.work import (
     find_table,
     save_table,
 )
-from brdf_designer.acquire.workbench import WORK_FILE, Workbench, no_session
 from brdf_suite.errors import FileError
 
 
-class RoadControl(QObject):
+class ReconstructionController(QObject):
     """Starts the steps, shows what they found, and keeps it."""
 
     _partial = Signal(int, int, object)
 
-    def __init__(self, bench: Workbench, dialogs: Dialogs) -> None:
+    def __init__(self, bench: ReconstructionSession, dialogs: Dialogs) -> None:
         super().__init__(bench)
         self._bench, self._dialogs = bench, dialogs
         self._done = self._total = 0
         self._fraction, self._what = 0.0, ""
         self._saved = ""
         window = bench.window
-        window.response.recover_asked.connect(self.find_response)
+        window.response.recover_requested.connect(self.find_response)
         window.response.kind_chosen.connect(self._choose_response)
-        window.geometry_page.find_asked.connect(self.find_geometry)
+        window.geometry_page.find_requested.connect(self.find_geometry)
         window.geometry_page.refine_chosen.connect(self._choose_refinement)
-        window.reconstruction.start_asked.connect(self.find_table)
-        window.reconstruction.cancel_asked.connect(lambda: bench.cancel("table"))
-        window.reconstruction.again_asked.connect(lambda: self.find_table(restart=True))
+        window.reconstruction.start_requested.connect(self.find_table)
+        window.reconstruction.cancel_requested.connect(lambda: bench.cancel("table"))
+        window.reconstruction.again_requested.connect(lambda: self.find_table(restart=True))
         window.reconstruction.grazing_edited.connect(self._choose_grazing)
-        window.coverage.save_asked.connect(self.save)
+        window.coverage.save_requested.connect(self.save)
         self._partial.connect(self._show_partial)
         bench.opened.connect(self._opened)
         bench.found.connect(self._show)
@@ -91,7 +91,7 @@ class RoadControl(QObject):
 
     def save(self) -> None:
         """Ask where the table is to be, and write it."""
-        table = self._bench.have.get("table")
+        table = self._bench.results.get("table")
         if table is None or self._bench.folder is None or self._bench.session is None:
             return
         named = f"{self._bench.session.name.replace('/', '_')}.brdftable"
@@ -109,16 +109,16 @@ class RoadControl(QObject):
     # Choices.
 
     def _choose_response(self, kind: str) -> None:
-        self._bench.choose(response=kind)
-        self._bench.forget("response")
+        self._bench.set_options(response=kind)
+        self._bench.invalidate("response")
 
     def _choose_refinement(self, on: bool) -> None:
-        self._bench.choose(refine=on)
-        self._bench.forget("geometry")
+        self._bench.set_options(refine=on)
+        self._bench.invalidate("geometry")
 
     def _choose_grazing(self, degrees: float) -> None:
-        self._bench.choose(grazing_deg=degrees)
-        self._bench.forget("table")
+        self._bench.set_options(grazing_deg=degrees)
+        self._bench.invalidate("table")
 
     def _ready(self) -> bool:
         if self._bench.session is None:
@@ -179,7 +179,7 @@ class RoadControl(QObject):
         bench.keep("table", found)
 
     def _show(self, key: str) -> None:
-        window, value = self._bench.window, self._bench.have.get(key)
+        window, value = self._bench.window, self._bench.results.get(key)
         if key == "response":
             window.response.show_response(None if value is None else value.state)
             if value is not None and value.state is None:
@@ -259,7 +259,7 @@ class RoadControl(QObject):
             return
         if busy:
             window.show_step(step, "running", "")
-        elif key not in self._bench.have:
+        elif key not in self._bench.results:
             window.show_step(step, "todo", "")
         else:
             self._show(key)
@@ -269,7 +269,7 @@ class RoadControl(QObject):
             window.geometry_page.start.setEnabled(not busy)
         elif busy:
             window.reconstruction.show_progress(0.0, tr("Waiting…"), running=True)
-        elif key not in self._bench.have:
+        elif key not in self._bench.results:
             stopped = tr("Stopped. Finished positions are kept.") if self._done else ""
             window.reconstruction.show_progress(self._fraction if self._done else 0.0, stopped, running=False)
             self._show_done(())

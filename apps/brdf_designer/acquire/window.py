@@ -44,15 +44,15 @@ _RAIL = 172
 class AcquireWindow(QWidget):
     """All pages, and the way between them.
 
-    Intents: ``step_shown(key)``, ``undo_asked()``, ``redo_asked()``, ``folder_dropped(str)``, ``all_asked()``,
+    Intents: ``step_shown(key)``, ``undo_requested()``, ``redo_requested()``, ``folder_dropped(str)``, ``all_requested()``,
     ``hidden()``, ``brought()``.
     """
 
     step_shown = Signal(str)
-    undo_asked = Signal()
-    redo_asked = Signal()
+    undo_requested = Signal()
+    redo_requested = Signal()
     folder_dropped = Signal(str)
-    all_asked = Signal()
+    all_requested = Signal()
     hidden = Signal()
     brought = Signal()
 
@@ -113,7 +113,7 @@ class AcquireWindow(QWidget):
         self.next.clicked.connect(lambda _=False: self.go(1))
         self.all = QPushButton(tr("Do All Steps"))
         self.all.setToolTip(tr("Run response, geometry, reconstruction and fit in order"))
-        self.all.clicked.connect(lambda _=False: self.all_asked.emit())
+        self.all.clicked.connect(lambda _=False: self.all_requested.emit())
         self.telling = ElidedLabel()
         foot = QHBoxLayout()
         foot.setContentsMargins(8, 8, 8, 8)
@@ -142,9 +142,9 @@ class AcquireWindow(QWidget):
 
     def _shortcuts(self) -> None:
         for keys, slot in (
-            ("Ctrl+Z", self.undo_asked.emit),
-            ("Ctrl+Shift+Z", self.redo_asked.emit),
-            ("Ctrl+Y", self.redo_asked.emit),
+            ("Ctrl+Z", self.undo_requested.emit),
+            ("Ctrl+Shift+Z", self.redo_requested.emit),
+            ("Ctrl+Y", self.redo_requested.emit),
             ("Ctrl+PgUp", lambda: self.go(-1)),
             ("Ctrl+PgDown", lambda: self.go(1)),
             ("Ctrl+W", self.close),

@@ -42,10 +42,10 @@ class CoatSection(PaintSection):
     """Gloss readings, the clearcoat that gives them, and its waviness.
 
     Emits ``("coat", "ior" | "roughness")`` with both numbers: the other stays as it was at the start of the gesture.
-    ``gloss_wanted()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
+    ``gloss_requested()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
     """
 
-    gloss_wanted = Signal()
+    gloss_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -180,7 +180,7 @@ class CoatSection(PaintSection):
 
     def _switch_60(self, on: bool) -> None:
         if on:
-            self.gloss_wanted.emit()
+            self.gloss_requested.emit()
         value = self.panel.fields["gloss.gu_60"].value() if on else None
         self.edited.emit(("gloss", "gu_60"), value)
 

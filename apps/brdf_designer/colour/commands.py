@@ -5,7 +5,7 @@ from __future__ import annotations
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import QObject
 
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.focus import focus_first_number
 from brdf_designer.window.window import DesignerWindow
 
@@ -29,7 +29,7 @@ _SETS = (
 class ColourCommands(QObject):
     """Adds the commands; each does what the button or the list over the colours does."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         head = window.editors.head
@@ -37,7 +37,7 @@ class ColourCommands(QObject):
         window.paint_menu.addSeparator()
         window.add_command("paint", mark("&Go to First Value"), "Alt+0", self.type_numbers, "type_numbers")
         # Who makes a new paint wants to say what it is.
-        window.new_asked.connect(self.type_numbers)
+        window.new_requested.connect(self.type_numbers)
         for mode, text, keys in _MODES:
             window.add_command("paint", text, keys, head.modes.buttons[mode].click, f"edit_{mode}")
         window.paint_menu.addSeparator()

@@ -9,8 +9,8 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.colour.patches import lab_text
-from brdf_designer.session.desk import Desk
 from brdf_designer.session.fields import angle_text, by_angle, step_name
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -35,7 +35,7 @@ def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
 class NearestOffer(QObject):
     """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._runner = TaskRunner(self, threads=1)

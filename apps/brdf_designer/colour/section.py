@@ -168,8 +168,8 @@ class AngleEditor(QWidget):
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
-    pick_asked = Signal(int)
-    remove_asked = Signal(int)
+    pick_requested = Signal(int)
+    remove_requested = Signal(int)
 
     def __init__(self, space: str = "lab", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -183,11 +183,11 @@ class AngleEditor(QWidget):
         font.setBold(True)
         self._title.setFont(font)
         self.swatch = Swatch()
-        self.swatch.clicked.connect(lambda: self.pick_asked.emit(self.index))
+        self.swatch.clicked.connect(lambda: self.pick_requested.emit(self.index))
         self.remove = QToolButton()
         self.remove.setIcon(icon("x"))
         self.remove.setAutoRaise(True)
-        self.remove.clicked.connect(lambda: self.remove_asked.emit(self.index))
+        self.remove.clicked.connect(lambda: self.remove_requested.emit(self.index))
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
         head.addWidget(self._title, 1)
@@ -285,10 +285,7 @@ class AngleEditor(QWidget):
         self.setObjectName(f"angle_{colour.index}")
         self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
         self._title.setToolTip(
-            tr(
-                "Aspecular angle: from the mirror direction of the light to the view, positive "
-                "towards the light."
-            )
+            tr("Angle from the mirror direction of the light to the view: the aspecular angle.")
         )
         self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))
         self.remove.setToolTip(plain_tip(tr("Remove the reading at {angle}").format(angle=colour.text)))
@@ -312,8 +309,8 @@ class AngleEditors(QWidget):
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
-    pick_asked = Signal(int)
-    remove_asked = Signal(int)
+    pick_requested = Signal(int)
+    remove_requested = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -367,7 +364,13 @@ class AngleEditors(QWidget):
             editor.deleteLater()
         while len(self.editors) < count:
             editor = AngleEditor(self.space)
-            for name in ("edited", "gesture_started", "gesture_finished", "pick_asked", "remove_asked"):
+            for name in (
+                "edited",
+                "gesture_started",
+                "gesture_finished",
+                "pick_requested",
+                "remove_requested",
+            ):
                 getattr(editor, name).connect(getattr(self, name))
             self._box.addWidget(editor)
             self.editors.append(editor)

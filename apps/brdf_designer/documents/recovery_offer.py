@@ -7,7 +7,7 @@ from brdf_qt.program.translation import moment, tr
 from brdf_qt.window.message_bar import Message
 
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.desk import Messages
+from brdf_designer.session.paint_session import Messages
 from brdf_suite.documents.paint import Paint
 
 _MOST_NAMED = 4

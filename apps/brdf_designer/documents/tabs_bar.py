@@ -20,14 +20,14 @@ MARK = "•"
 class DocumentTabs(QTabBar):
     """Tabs that are clicked, dragged into another order, and closed by their cross or the middle button.
 
-    Signals: ``chosen(place)``, ``close_asked(place)``, ``dragged(before, after)``, ``new_asked()`` on a double
+    Signals: ``chosen(place)``, ``close_requested(place)``, ``dragged(before, after)``, ``new_requested()`` on a double
     click beside them.
     """
 
     chosen = Signal(int)
-    close_asked = Signal(int)
+    close_requested = Signal(int)
     dragged = Signal(int, int)
-    new_asked = Signal()
+    new_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,7 +70,7 @@ class DocumentTabs(QTabBar):
         close.setIconSize(QSize(12, 12))
         close.setAutoRaise(True)
         close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        close.clicked.connect(lambda: self.close_asked.emit(self._place_of(close)))
+        close.clicked.connect(lambda: self.close_requested.emit(self._place_of(close)))
         self.setTabButton(place, QTabBar.ButtonPosition.RightSide, close)
 
     def _fill(self, place: int, tab: TabState) -> None:
@@ -105,12 +105,12 @@ class DocumentTabs(QTabBar):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         place = self.tabAt(event.position().toPoint())
         if event.button() == Qt.MouseButton.MiddleButton and place >= 0:
-            self.close_asked.emit(place)
+            self.close_requested.emit(place)
             return
         super().mouseReleaseEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.tabAt(event.position().toPoint()) < 0:
-            self.new_asked.emit()
+            self.new_requested.emit()
             return
         super().mouseDoubleClickEvent(event)

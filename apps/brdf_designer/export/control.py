@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.export.process import Request, run_export
 from brdf_designer.export.section import REPORTS, HandoverSection
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
@@ -46,7 +46,7 @@ class _Told:
 class HandoverControl(QObject):
     """Joins the section to the desk."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=2)
@@ -62,7 +62,7 @@ class HandoverControl(QObject):
         )
         self.section.choose(settings().value(_FORMAT, NAMES[0][0], type=str))
         self.section.format_chosen.connect(self._chosen)
-        self.section.export_asked.connect(self.ask)
+        self.section.export_requested.connect(self.ask)
         self.host.toggled.connect(lambda _on: self._later())
         desk.paint_changed.connect(lambda _paint: self._later())
 

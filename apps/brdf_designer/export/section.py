@@ -28,11 +28,11 @@ REPORTS = ("html", "pdf")
 class HandoverSection(QWidget):
     """The body of the section.
 
-    Intents: ``format_chosen(name)``, ``export_asked()``.
+    Intents: ``format_chosen(name)``, ``export_requested()``.
     """
 
     format_chosen = Signal(str)
-    export_asked = Signal()
+    export_requested = Signal()
 
     def __init__(self, names: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
         """``names``: each format's name and ending, in the order of the list."""
@@ -72,7 +72,7 @@ class HandoverSection(QWidget):
         self.export = QPushButton(tr("Export…"))
         self.export.setToolTip(tr("Export the current paint to a file of this format"))
         self.export.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.export.clicked.connect(lambda _=False: self.export_asked.emit())
+        self.export.clicked.connect(lambda _=False: self.export_requested.emit())
         for widget in (self.holds, self.losses, self.pictures, self.compared, self.export):
             box.addWidget(widget)
         self.show_options(self.chosen, has_standard=False)

@@ -178,11 +178,11 @@ class _Painter(QStyledItemDelegate):
 class HistoryStrip(QListView):
     """The states side by side, the newest at the right.
 
-    Signals: ``chosen(place)`` on a click or Enter, ``menu_asked(place, QPoint)`` with where, on the screen.
+    Signals: ``chosen(place)`` on a click or Enter, ``menu_requested(place, QPoint)`` with where, on the screen.
     """
 
     chosen = Signal(int)
-    menu_asked = Signal(int, QPoint)
+    menu_requested = Signal(int, QPoint)
 
     def __init__(self, picture: Callable[[Paint], QImage], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -241,4 +241,4 @@ class HistoryStrip(QListView):
     def _ask_menu(self, place: QPoint) -> None:
         index = self.indexAt(place)
         if index.isValid():
-            self.menu_asked.emit(index.row(), self.viewport().mapToGlobal(place))
+            self.menu_requested.emit(index.row(), self.viewport().mapToGlobal(place))

@@ -13,7 +13,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import ANGLE_SETS, MeasuredSection, patterns
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
@@ -46,7 +46,7 @@ class _Request:
 class MeasuredControl(QObject):
     """Opens what is measured, or a paint that was not designed by angles, as the start of a design."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=1)
@@ -54,8 +54,8 @@ class MeasuredControl(QObject):
         self.section = MeasuredSection()
         self.host = window.add_section(KEY, tr("Measurement"), self.section, after="model")
         self.host.hide()
-        self.section.again_asked.connect(self.read_again)
-        self.section.standard_asked.connect(self._take_standard)
+        self.section.again_requested.connect(self.read_again)
+        self.section.standard_requested.connect(self._take_standard)
         self.action = window.add_command(
             "file",
             tr("New from &Measurement…"),

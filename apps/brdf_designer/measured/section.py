@@ -26,11 +26,11 @@ ANGLE_SETS = (
 class MeasuredSection(QWidget):
     """The body of the section.
 
-    Intents: ``again_asked(name)`` with a geometry set's name, ``standard_asked`` to judge against the original.
+    Intents: ``again_requested(name)`` with a geometry set's name, ``standard_requested`` to judge against the original.
     """
 
-    again_asked = Signal(str)
-    standard_asked = Signal()
+    again_requested = Signal(str)
+    standard_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,7 +43,9 @@ class MeasuredSection(QWidget):
         for name, title in ANGLE_SETS:
             self.angles.addItem(tr(title), name)
         self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.angles.activated.connect(lambda _index: self.again_asked.emit(str(self.angles.currentData())))
+        self.angles.activated.connect(
+            lambda _index: self.again_requested.emit(str(self.angles.currentData()))
+        )
         form.add_row(
             tr("Read at"), self.angles, tr("Angles of the design; another set measures the original again")
         )
@@ -53,7 +55,7 @@ class MeasuredSection(QWidget):
         self.standard = QPushButton(tr("Original as Standard"))
         self.standard.setToolTip(tr("Compare the design with the measured original at every angle"))
         self.standard.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.standard.clicked.connect(lambda _=False: self.standard_asked.emit())
+        self.standard.clicked.connect(lambda _=False: self.standard_requested.emit())
         row = QHBoxLayout()
         row.addWidget(self.standard)
         for widget in (self.origin, form, self.gloss, self.summary, self.table):

@@ -17,7 +17,7 @@ from brdf_designer.preview.drawer import PreviewContents, PreviewDrawer
 from brdf_designer.preview.pace import PreviewPace
 from brdf_designer.preview.panel import PreviewPanel
 from brdf_designer.preview.scene import LIGHTS, PreviewScene, load_scene
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.view import Camera, View
 
@@ -37,7 +37,7 @@ _LIGHT, _SHOWN = "preview/light", "preview/shown"
 class PreviewControl(QObject):
     """Loads the scene on a thread, hands each fit over, and moves camera and light."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=1)

@@ -49,7 +49,7 @@ _GLOSS_DIGITS = 3
 _HALVINGS = 14
 
 
-def edited(paint: Paint, key: Key, value: Any) -> Paint:
+def apply_edit(paint: Paint, key: Key, value: Any) -> Paint:
     """Return ``paint`` with the field ``key`` set to ``value``.
 
     Raises

@@ -14,7 +14,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.keeping import StandardKeeping
 from brdf_designer.standard.kept import Kept, Request, Swap, load_request
 from brdf_designer.standard.memory import Record
@@ -38,7 +38,7 @@ _TAB, _SHIPPED = "tab ", "shipped "
 class StandardControl(QObject):
     """The standards of all documents; the one in front is shown, in its section and in the patches."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._kept: dict[int, Kept] = {}
@@ -49,18 +49,18 @@ class StandardControl(QObject):
         self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
         self._add_commands()
         section = self.section
-        section.take_asked.connect(self.take_present)
-        section.load_asked.connect(self.ask_standard)
-        section.known_wanted.connect(self._show_known)
-        section.known_asked.connect(self.load_known)
-        section.swap_asked.connect(self.swap)
-        section.remove_asked.connect(self.remove)
+        section.take_requested.connect(self.take_present)
+        section.load_requested.connect(self.ask_standard)
+        section.known_list_requested.connect(self._show_known)
+        section.known_requested.connect(self.load_known)
+        section.swap_requested.connect(self.swap)
+        section.remove_requested.connect(self.remove)
         section.chosen.connect(self.choose)
         section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
         section.limit_edited.connect(self._set_limit)
         section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
-        section.add_batches_asked.connect(self._ask_batch)
-        section.clear_batches_asked.connect(self._clear_batches)
+        section.add_batches_requested.connect(self._ask_batch)
+        section.clear_batches_requested.connect(self._clear_batches)
         section.batch_opened.connect(self._open_batch)
         section.refused.connect(lambda text: desk.show_message(Message(KEY, text, severity="warning")))
         section.batch_section.toggled.connect(lambda _on: self._batches_later())

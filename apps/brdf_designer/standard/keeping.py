@@ -9,7 +9,7 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject
 
 from brdf_designer.documents.tabs import OpenDocument
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.memory import Record, keep, kept, record_from_json
 from brdf_suite.errors import FileError
 
@@ -29,7 +29,7 @@ class Holder(Protocol):
 class StandardKeeping(QObject):
     """Gives documents that are opened the standard that they had, and keeps what becomes of it."""
 
-    def __init__(self, desk: Desk, holder: Holder, parent: QObject) -> None:
+    def __init__(self, desk: PaintSession, holder: Holder, parent: QObject) -> None:
         super().__init__(parent)
         self._desk, self._holder = desk, holder
         self._known: set[int] = set()

@@ -45,24 +45,24 @@ _EMPTY = mark(
 class StandardSection(QWidget):
     """The body of the section.
 
-    Intents: ``take_asked``, ``load_asked``, ``known_wanted`` and ``known_asked(key)`` for the
-    entries of :meth:`show_known`, ``swap_asked``, ``remove_asked``, ``chosen(index)`` among the standards
+    Intents: ``take_requested``, ``load_requested``, ``known_list_requested`` and ``known_requested(key)`` for the
+    entries of :meth:`show_known`, ``swap_requested``, ``remove_requested``, ``chosen(index)`` among the standards
     of a file, ``formula_chosen(name)``, ``limit_edited(angle | None, part, value | None)``, ``ellipsoid_chosen(on)``,
-    ``add_batches_asked``, ``clear_batches_asked``, ``batch_opened(index)``, ``refused(text)``.
+    ``add_batches_requested``, ``clear_batches_requested``, ``batch_opened(index)``, ``refused(text)``.
     """
 
-    take_asked = Signal()
-    load_asked = Signal()
-    known_asked = Signal(str)
-    known_wanted = Signal()
-    swap_asked = Signal()
-    remove_asked = Signal()
+    take_requested = Signal()
+    load_requested = Signal()
+    known_requested = Signal(str)
+    known_list_requested = Signal()
+    swap_requested = Signal()
+    remove_requested = Signal()
     chosen = Signal(int)
     formula_chosen = Signal(str)
     limit_edited = Signal(object, str, object)
     ellipsoid_chosen = Signal(bool)
-    add_batches_asked = Signal()
-    clear_batches_asked = Signal()
+    add_batches_requested = Signal()
+    clear_batches_requested = Signal()
     batch_opened = Signal(int)
     refused = Signal(str)
 
@@ -71,19 +71,21 @@ class StandardSection(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
-        self.take = _button(tr("This State"), tr("Use the current state as the standard"), self.take_asked)
+        self.take = _button(
+            tr("This State"), tr("Use the current state as the standard"), self.take_requested
+        )
         self.load = _button(
             tr("Load"),
             tr("Load an open tab, a sample paint, or a file: paint, palette, CxF3, measured BRDF"),
             None,
         )
         self.load_menu = QMenu(self.load)
-        self.load_menu.aboutToShow.connect(self.known_wanted)
+        self.load_menu.aboutToShow.connect(self.known_list_requested)
         self.load.setMenu(self.load_menu)
         self.swap = _button(
-            tr("Swap"), tr("Edit the standard and compare it with the current paint"), self.swap_asked
+            tr("Swap"), tr("Edit the standard and compare it with the current paint"), self.swap_requested
         )
-        self.remove = _button(tr("Remove"), tr("Remove the standard"), self.remove_asked)
+        self.remove = _button(tr("Remove"), tr("Remove the standard"), self.remove_requested)
         box.addLayout(_row(self.take, self.load, self.swap, self.remove))
         self.empty = _wrapped(tr(_EMPTY))
         box.addWidget(self.empty)
@@ -119,14 +121,14 @@ class StandardSection(QWidget):
         """Fill the menu of the Load button: a file, (key, title) of the open tabs and of the shipped paints."""
         menu = self.load_menu
         menu.clear()
-        menu.addAction(tr("From a &File…"), self.load_asked.emit)
+        menu.addAction(tr("From a &File…"), self.load_requested.emit)
         if tabs:
             menu.addSection(tr("Open tabs"))
         for key, title in tabs:
-            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_asked.emit(key))
+            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_requested.emit(key))
         inside = menu.addMenu(tr("&Sample Paint"))
         for key, title in shipped:
-            inside.addAction(title, lambda key=key: self.known_asked.emit(key))
+            inside.addAction(title, lambda key=key: self.known_requested.emit(key))
 
     def show_choices(self, names: Sequence[str], chosen: int) -> None:
         """Show the standards of the file that was loaded; a chooser only where there are several."""
@@ -241,9 +243,9 @@ class StandardSection(QWidget):
         self.batches.setToolTip(tr("Paints compared with this standard; Return or a double click opens one"))
         self.batches.opened.connect(self.batch_opened)
         section.add(self.batches)
-        add = _button(tr("Add…"), tr("Compare more paints with this standard"), self.add_batches_asked)
+        add = _button(tr("Add…"), tr("Compare more paints with this standard"), self.add_batches_requested)
         self.clear_batches = _button(
-            tr("Clear"), tr("Remove the added paints; the tabs remain"), self.clear_batches_asked
+            tr("Clear"), tr("Remove the added paints; the tabs remain"), self.clear_batches_requested
         )
         self.add_batches = add
         row = QWidget()

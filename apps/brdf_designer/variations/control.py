@@ -10,7 +10,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.preview.thumbnails import ThumbnailScene, thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.words import say
 from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
 from brdf_designer.window.window import DesignerWindow
@@ -52,7 +52,7 @@ class _Request:
 class VariationsControl(QObject):
     """The neighbours of the paint in front; nothing is done while the section is closed."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._pictures = thumbnails_of(window)

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
 from brdf_designer.preview.thumbnails import thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
@@ -44,7 +44,7 @@ class _Way:
 class InterpolationControl(QObject):
     """The way of the document in front; another document, or an edit of any other kind, begins it anew."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._pictures = thumbnails_of(window)

@@ -12,7 +12,7 @@ import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.acquire.fit.work import _told
-from brdf_designer.acquire.workbench import WORK_FILE
+from brdf_designer.acquire.reconstruction_session import WORK_FILE
 
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.documents.store import load_any_paint
@@ -45,7 +45,7 @@ def open_folder(assistant, folder, qtbot):
 def finished(assistant, qtbot, key):
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     assert assistant.window.messages.shown() == {}
-    return assistant.bench.have[key]
+    return assistant.bench.results[key]
 
 
 def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, qtbot):
@@ -68,11 +68,11 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
     # Stopped as soon as the first position is in the file, then resumed: what was done is taken up.
     window.reconstruction.start.click()
-    qtbot.waitUntil(lambda: assistant.road._done >= 1 or "table" in bench.have)
+    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 1 or "table" in bench.results)
     window.reconstruction.cancel.click()
     assert (folder / WORK_FILE).exists()
     assert window.reconstruction.start.isEnabled()
-    assert "table" not in bench.have
+    assert "table" not in bench.results
     window.reconstruction.start.click()
     table = finished(assistant, qtbot, "table")
     assert table.acquired.resumed >= 1
@@ -118,7 +118,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     used = np.ones((96, 96), bool)
     used[:, :10] = False
     window.mask.picture.put(used)
-    assert set(bench.have) == {"response", "geometry"}
+    assert set(bench.results) == {"response", "geometry"}
     assert not window.coverage.save.isEnabled()
     assert not window.fit.open.isEnabled()
     assistant.write_pending()
@@ -130,12 +130,12 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
 def test_work_of_an_earlier_run_is_taken_up(assistant, folder, qtbot):
     """What was done is there when the folder is opened again, with its calibration."""
-    assistant.road.find_table()
-    qtbot.waitUntil(lambda: assistant.road._done >= 2 or "table" in assistant.bench.have)
+    assistant.reconstruction.find_table()
+    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 2 or "table" in assistant.bench.results)
     assistant.bench.cancel("table")
     open_folder(assistant, folder, qtbot)
-    assert set(assistant.bench.have) == {"response", "geometry"}
-    assert assistant.road._done >= 1
+    assert set(assistant.bench.results) == {"response", "geometry"}
+    assert assistant.reconstruction._done >= 1
     assert assistant.window.reconstruction.start.text() in ("Resume", "Start")
 
 
@@ -169,8 +169,8 @@ def test_an_error_of_a_step_is_told_and_the_others_stay(assistant, folder, qtbot
     finished(assistant, qtbot, "response")
     assistant.window.geometry_page.start.click()
     qtbot.waitUntil(lambda: "geometry" in assistant.window.messages.shown())
-    assert "geometry" not in assistant.bench.have
-    assert "response" in assistant.bench.have
+    assert "geometry" not in assistant.bench.results
+    assert "response" in assistant.bench.results
 
 
 def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
@@ -178,12 +178,12 @@ def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
     finished(assistant, qtbot, "response")
     assistant.window.geometry_page.refined.click()
     assert assistant.bench.options.refine is False
-    assert "response" in assistant.bench.have
+    assert "response" in assistant.bench.results
     assistant.window.geometry_page.refined.click()
     kind = assistant.window.response.kind
     kind.setCurrentIndex(kind.findData("linear"))
     kind.activated.emit(kind.currentIndex())
-    assert assistant.bench.have == {}
+    assert assistant.bench.results == {}
     assert assistant.bench.options.response == "linear"
 
 

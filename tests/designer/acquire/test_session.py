@@ -195,10 +195,10 @@ def test_a_number_that_is_typed_is_in_the_file_and_undone_in_it(opened, folder, 
     QTest.keyClicks(field, "61.5")
     QTest.keyClick(field, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: read_session(folder).sphere.radius_m == pytest.approx(0.0615))
-    opened.window.undo_asked.emit()
+    opened.window.undo_requested.emit()
     assert read_session(folder).sphere.radius_m == pytest.approx(0.06)
     assert field.value() == pytest.approx(60.0)
-    opened.window.redo_asked.emit()
+    opened.window.redo_requested.emit()
     assert read_session(folder).sphere.radius_m == pytest.approx(0.0615)
 
 

@@ -204,7 +204,7 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
     found = dict(commands(designer.window))
     head = designer.window.editors.head
     modes, spaces = head.modes.value, head.spaces.value
-    found["Paint ▸ Edit All Angles Together"].trigger()
+    found["Paint ▸ Edit All Angles"].trigger()
     found["Paint ▸ Colours in LCh"].trigger()
     assert (head.modes.value, head.spaces.value) == ("all", "lch") != (modes, spaces)
     assert head.modes.buttons["all"].isChecked()
@@ -234,7 +234,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     assert not fit.font().bold()
 
 
-def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer, qtbot):
+def test_the_status_bar_shows_target_and_fit(designer, qtbot):
     qtbot.waitUntil(lambda: designer.controller.is_complete)
     flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
     assert flop.text() == "Flop 13.9, achieved 13.9"
@@ -247,7 +247,7 @@ def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer,
     asked, achieved = flop.text().rstrip(" ?").split(", achieved ")
     lightness = [row.lab_fitted[0] for row in designer.desk.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
-    assert reached == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
+    assert achieved == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
     assert fit.text().startswith("! Fit ΔE00 ≤ ")
     worst = max(row.delta_e_2000 for row in designer.desk.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01

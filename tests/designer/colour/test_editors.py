@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_panel import HANDLES
-from brdf_designer.session.fields import edited, step_name
+from brdf_designer.session.fields import apply_edit, step_name
 from brdf_designer.session.state import colours_of
 from brdf_qt.documents.store import DocumentStore
 from hypothesis import HealthCheck, given, settings
@@ -48,7 +48,7 @@ class Host:
 
     def edit(self, key, value) -> None:
         try:
-            after = edited(self.store.value, key, value)
+            after = apply_edit(self.store.value, key, value)
         except SuiteError as error:
             self.refused.append(str(error))
             return
@@ -288,7 +288,7 @@ def test_any_edits_and_as_many_undos_give_the_identical_paint(kept_host: Host, w
         elif what == "add":
             host.editors.head.angle_added.emit(rest[0])
         elif what == "remove":
-            host.editors.angles.remove_asked.emit(rest[0])
+            host.editors.angles.remove_requested.emit(rest[0])
         elif what in ("space", "mode"):
             choose(host, rest[0])
         elif what == "edit":

@@ -23,13 +23,13 @@ LEAST_LOBES, MOST_LOBES, USUAL_LOBES = 1, 6, 3
 class FitPage(AcquirePage):
     """The page of the fit.
 
-    Intents: ``fit_asked()``, ``choice_edited()``, ``open_asked()``, ``save_asked()``.
+    Intents: ``fit_requested()``, ``choice_edited()``, ``open_requested()``, ``save_requested()``.
     """
 
-    fit_asked = Signal()
+    fit_requested = Signal()
     choice_edited = Signal()
-    open_asked = Signal()
-    save_asked = Signal()
+    open_requested = Signal()
+    save_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
@@ -74,7 +74,7 @@ class FitPage(AcquirePage):
         )
         form.add_row(tr("Lobes"), self.lobes, tr("Number of lobes; the last one models the sharp peak"))
         self.start = button(tr("Fit Lobes"), tr("Fit the lobes to the table; takes several seconds"))
-        self.start.clicked.connect(lambda _=False: self.fit_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.fit_requested.emit())
         self.note = wrapped("")
         self.add_part("model", tr("Model"), form, self.start, self.note)
         look = Form()
@@ -101,8 +101,8 @@ class FitPage(AcquirePage):
             tr("Start an unsaved design from this fit in a new tab"),
         )
         self.save = button(tr("Save Paint…"), tr("Save the lobes as a .brdfpaint file for Viewer"))
-        self.open.clicked.connect(lambda _=False: self.open_asked.emit())
-        self.save.clicked.connect(lambda _=False: self.save_asked.emit())
+        self.open.clicked.connect(lambda _=False: self.open_requested.emit())
+        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
         self.kept = wrapped("")
         self.add_part("result", tr("Result"), self.open, self.save, self.kept)
         self.show_fit(None)

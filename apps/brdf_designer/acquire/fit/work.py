@@ -135,7 +135,7 @@ def find_start(request: StartRequest, progress: Progress) -> MeasuredStart:
     from brdf_suite.reflectance.designed.build import build_reflectance
 
     paint = request.paint
-    item = Material(paint.name, build_reflectance(paint), source=request.source)
+    item = Material(paint.name, build_reflectance(paint), origin=request.source)
     return measured_start(item, progress=progress)
 
 

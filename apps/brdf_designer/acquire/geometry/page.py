@@ -21,9 +21,9 @@ _HALF = 0.5
 
 
 class GeometryPage(AcquirePage):
-    """The page of the geometry. Intents: ``find_asked()``, ``refine_chosen(on)``."""
+    """The page of the geometry. Intents: ``find_requested()``, ``refine_chosen(on)``."""
 
-    find_asked = Signal()
+    find_requested = Signal()
     refine_chosen = Signal(bool)
 
     def __init__(self) -> None:
@@ -53,7 +53,7 @@ class GeometryPage(AcquirePage):
             tr("Find Sphere and Lamp"),
             tr("Find the outline and the highlights of many positions, and fit the geometry to them"),
         )
-        self.start.clicked.connect(lambda _=False: self.find_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.find_requested.emit())
         self.refined = QCheckBox(tr("Refine from highlights"))
         self.refined.setChecked(True)
         self.refined.setToolTip(

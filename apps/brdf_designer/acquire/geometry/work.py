@@ -10,9 +10,9 @@ from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.exposures.work import LONGEST_SIDE
 from brdf_designer.acquire.pictures.tone import tones_of_linear
+from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, response_found
 from brdf_designer.acquire.states import GeometryState, Problem
-from brdf_designer.acquire.workbench import RoadRequest
 from brdf_suite.progress import Progress, subrange
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ class GeometryAnswer:
     response: ResponseFound | None
 
 
-def road_of(request: RoadRequest) -> Acquisition:
+def open_acquisition(request: StepRequest) -> Acquisition:
     """Take the road up where the request says."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
@@ -49,9 +49,9 @@ def road_of(request: RoadRequest) -> Acquisition:
     return road
 
 
-def find_geometry(request: RoadRequest, progress: Progress) -> GeometryAnswer:
+def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
     """Find sphere and lamp; the response first, where it is not known."""
-    road = road_of(replace(request, geometry=None))
+    road = open_acquisition(replace(request, geometry=None))
     response = None
     start = 0.0
     if request.response is None:

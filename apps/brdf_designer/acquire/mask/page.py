@@ -22,12 +22,12 @@ from brdf_designer.acquire.pictures.tone import Tones, drawn
 class MaskPage(AcquirePage):
     """The page of the mask.
 
-    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_asked()``.
+    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_requested()``.
     """
 
     mask_edited = Signal()
     position_chosen = Signal(int)
-    everything_asked = Signal()
+    everything_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
@@ -76,7 +76,7 @@ class MaskPage(AcquirePage):
             "brush", tr("Brush"), beside(self.leave_out, self.take_in), form, beside(self.undo, self.redo)
         )
         self.everything = button(tr("Include All"), tr("Replace the mask by one that excludes no pixels"))
-        self.everything.clicked.connect(lambda _=False: self.everything_asked.emit())
+        self.everything.clicked.connect(lambda _=False: self.everything_requested.emit())
         self.facts = Facts(tr("The mask"))
         self.kept = wrapped("")
         self.add_part("mask", tr("Mask"), self.facts, self.everything, self.kept)

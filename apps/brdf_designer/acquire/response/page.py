@@ -14,9 +14,9 @@ from brdf_designer.acquire.states import ResponseState
 
 
 class ResponsePage(AcquirePage):
-    """The page of the response curve. Intents: ``recover_asked()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
+    """The page of the response curve. Intents: ``recover_requested()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
 
-    recover_asked = Signal()
+    recover_requested = Signal()
     kind_chosen = Signal(str)
 
     def __init__(self) -> None:
@@ -59,7 +59,7 @@ class ResponsePage(AcquirePage):
         self.start = button(
             tr("Find Response"), tr("Estimate the response curve from photographs of several positions")
         )
-        self.start.clicked.connect(lambda _=False: self.recover_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.recover_requested.emit())
         self.note = wrapped("")
         self.add_part("find", tr("Response"), self.kind, self.start, self.note)
         self.facts = Facts(tr("Quality of the response curve"))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from brdf_qt.program.translation import tr
 
+from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.states import ResponseState
-from brdf_designer.acquire.workbench import RoadRequest
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class ResponseFound:
     kept: bool = False
 
 
-def find_response(request: RoadRequest, progress: Progress) -> ResponseFound:
+def find_response(request: StepRequest, progress: Progress) -> ResponseFound:
     """Find the response of the camera."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 

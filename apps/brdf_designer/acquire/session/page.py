@@ -97,13 +97,13 @@ _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note
 class SessionPage(AcquirePage):
     """The page of the session.
 
-    Intents: ``open_asked()``, ``template_asked()``, ``check_asked()``, ``number_edited(key, value)`` in the field's
+    Intents: ``open_requested()``, ``template_requested()``, ``check_requested()``, ``number_edited(key, value)`` in the field's
     unit.
     """
 
-    open_asked = Signal()
-    template_asked = Signal()
-    check_asked = Signal()
+    open_requested = Signal()
+    template_requested = Signal()
+    check_requested = Signal()
     number_edited = Signal(str, float)
 
     def __init__(self) -> None:
@@ -121,12 +121,12 @@ class SessionPage(AcquirePage):
         self.template_button = button(
             tr("New Folder…"), tr("Create a folder with a session.json template for new photographs")
         )
-        self.open_button.clicked.connect(lambda _=False: self.open_asked.emit())
-        self.template_button.clicked.connect(lambda _=False: self.template_asked.emit())
+        self.open_button.clicked.connect(lambda _=False: self.open_requested.emit())
+        self.template_button.clicked.connect(lambda _=False: self.template_requested.emit())
         self.folder = wrapped("")
         self.folder.setAccessibleName(tr("Folder"))
         self.check_button = button(tr("Check Again"), tr("Check all photographs of the folder again"))
-        self.check_button.clicked.connect(lambda _=False: self.check_asked.emit())
+        self.check_button.clicked.connect(lambda _=False: self.check_requested.emit())
         self.add_part(
             "folder",
             tr("Folder"),

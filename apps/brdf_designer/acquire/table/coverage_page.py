@@ -20,9 +20,9 @@ _TICKS_DEG = (0.0, 2.0, 10.0, 30.0, 60.0, 90.0)
 
 
 class CoveragePage(AcquirePage):
-    """The page of the coverage. Intents: ``save_asked()``."""
+    """The page of the coverage. Intents: ``save_requested()``."""
 
-    save_asked = Signal()
+    save_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
@@ -53,7 +53,7 @@ class CoveragePage(AcquirePage):
         self.save = button(
             tr("Save Table…"), tr("Save as .brdftable with the coverage, or as .binary in the MERL layout")
         )
-        self.save.clicked.connect(lambda _=False: self.save_asked.emit())
+        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
         self.kept = wrapped("")
         self.saving = self.add_part("save", tr("Save"), self.save, self.kept)
         self.map.hovered.connect(self._read)

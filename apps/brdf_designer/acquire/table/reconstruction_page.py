@@ -37,12 +37,12 @@ class GreyBar(QProgressBar):
 class ReconstructionPage(AcquirePage):
     """The page of the reconstruction.
 
-    Intents: ``start_asked()``, ``cancel_asked()``, ``again_asked()``, ``grazing_edited(degrees)``.
+    Intents: ``start_requested()``, ``cancel_requested()``, ``again_requested()``, ``grazing_edited(degrees)``.
     """
 
-    start_asked = Signal()
-    cancel_asked = Signal()
-    again_asked = Signal()
+    start_requested = Signal()
+    cancel_requested = Signal()
+    again_requested = Signal()
     grazing_edited = Signal(float)
 
     def __init__(self) -> None:
@@ -71,9 +71,9 @@ class ReconstructionPage(AcquirePage):
         self.again = button(
             tr("Start Over"), tr("Discard the finished positions and start with the first one")
         )
-        self.start.clicked.connect(lambda _=False: self.start_asked.emit())
-        self.cancel.clicked.connect(lambda _=False: self.cancel_asked.emit())
-        self.again.clicked.connect(lambda _=False: self.again_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.start_requested.emit())
+        self.cancel.clicked.connect(lambda _=False: self.cancel_requested.emit())
+        self.again.clicked.connect(lambda _=False: self.again_requested.emit())
         form = Form()
         self.grazing = NumberField(tr("Grazing cut-off"), "°", 45.0, 89.0, 1.0, 0, 80.0)
         self.grazing.edited.connect(self.grazing_edited)

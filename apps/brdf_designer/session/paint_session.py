@@ -1,6 +1,6 @@
 """The paint in front, for every part of the desk: read it, edit it by named steps, hear of what became of it.
 
-A section is a widget (intents out, setters in) and a control that joins it to the :class:`Desk`. No section knows
+A section is a widget (intents out, setters in) and a control that joins it to the :class:`PaintSession`. No section knows
 which tab is in front, or another section.
 """
 
@@ -41,7 +41,7 @@ class Fitter(Protocol):
         """Return the fit, or raise :class:`UnreachableError`."""
 
 
-class Desk(QObject):
+class PaintSession(QObject):
     """The document in front, whichever tab it is.
 
     Signals
