@@ -119,7 +119,7 @@ class Designer:
         try:
             document = load_document(name_or_path)
         except SuiteError as error:
-            self._tell_unknown(error)
+            self._report_unknown(error)
             return
         if isinstance(document, Paint):
             self.desk.open_paint(document)
@@ -173,7 +173,7 @@ class Designer:
         if app is not None:
             app.aboutToQuit.connect(self.close)
 
-    def _tell_unknown(self, error: SuiteError) -> None:
+    def _report_unknown(self, error: SuiteError) -> None:
         todo = tr("The open paint is unchanged.")
         self.window.show_message(message_of(error, "open", todo=todo))
 

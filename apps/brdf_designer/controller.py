@@ -47,7 +47,7 @@ class View(Protocol):
         """Show which documents are open, whether they are saved, and which one is in front."""
 
     def show_reopen(self, can: bool) -> None:
-        """Show whether a closed tab can be had back."""
+        """Show whether a closed tab can be reopened."""
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""

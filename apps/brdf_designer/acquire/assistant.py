@@ -27,7 +27,7 @@ class Assistant(QObject):
         self.bench = ReconstructionSession(self.window, host.progress, self)
         self.sessions = SessionControl(self.bench, self.window.session, dialogs)
         self.series = SeriesControl(self.bench, self.window.exposures, self.sessions)
-        self.mask = MaskControl(self.bench, self.window.mask)
+        self.mask = MaskControl(self.bench, self.window.mask_page)
         self.reconstruction = ReconstructionController(self.bench, dialogs)
         self.fit = FitControl(self.bench, self.window.fit, desk, dialogs)
         self._chain: list[str] = []
@@ -80,6 +80,7 @@ class Assistant(QObject):
 
     def _step(self, *, back: bool) -> None:
         """Undo or redo what belongs to the page that is shown."""
-        owner = {"mask": self.mask, "session": self.sessions}.get(self.window.step)
+        owners: dict[str, MaskControl | SessionControl] = {"mask": self.mask, "session": self.sessions}
+        owner = owners.get(self.window.step)
         if owner is not None:
             (owner.undo if back else owner.redo)()

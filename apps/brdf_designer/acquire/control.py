@@ -42,7 +42,7 @@ class AcquireControl(QObject):
 
     @property
     def is_complete(self) -> bool:
-        """Whether nothing runs that somebody waits for."""
+        """Whether no work is pending."""
         return self.assistant is None or self.assistant.bench.is_quiet
 
     def close(self) -> None:

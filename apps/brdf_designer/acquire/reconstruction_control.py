@@ -73,21 +73,25 @@ class ReconstructionController(QObject):
             return
         request = TableRequest(self._bench.request(), restart, self._partial.emit)
         self._bench.window.reconstruction.show_partial(None)
-        self._bench.run("table", find_table, request, self._take_table, told=self._moved, failed=self._failed)
+        self._bench.run(
+            "table", find_table, request, self._take_table, moved=self._moved, failed=self._failed
+        )
 
     def _failed(self, error: Exception) -> None:
-        told = message_of(error, "table", todo=tr("Finished positions are kept. Click Resume to continue."))
+        message = message_of(
+            error, "table", todo=tr("Finished positions are kept. Click Resume to continue.")
+        )
         folder = self._bench.folder
         if isinstance(error, FileError) and folder is not None and error.path == str(folder / WORK_FILE):
-            told = replace(
-                told,
+            message = replace(
+                message,
                 todo=tr(
                     "The mask, the rig or an option has changed since. Starting over discards the "
                     "earlier results."
                 ),
                 actions=((tr("Start Over"), lambda: self.find_table(restart=True)),),
             )
-        self._bench.say(told)
+        self._bench.say(message)
 
     def save(self) -> None:
         """Ask where the table is to be, and write it."""
@@ -191,14 +195,14 @@ class ReconstructionController(QObject):
         elif key == "geometry":
             window.geometry_page.show_geometry(None if value is None else value.state)
             if value is not None and value.state is None:
-                told = tr("Result of an earlier run. Run this step again to display it.")
-                window.geometry_page.note.setText(told)
-                window.geometry_page.picture.show_empty(told)
-            self._tell_geometry(value)
+                text = tr("Result of an earlier run. Run this step again to display it.")
+                window.geometry_page.note.setText(text)
+                window.geometry_page.picture.show_empty(text)
+            self._report_geometry(value)
         elif key == "table":
             self._show_table(value)
 
-    def _tell_geometry(self, value: Any) -> None:
+    def _report_geometry(self, value: Any) -> None:
         if value is None:
             self._bench.window.show_step("geometry", "todo", "")
             return

@@ -157,7 +157,7 @@ class ReconstructionSession(QObject):
         *,
         beside: bool = False,
         todo: str = "",
-        told: Callable[[float, str], None] | None = None,
+        moved: Callable[[float, str], None] | None = None,
         shown: bool = True,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
@@ -169,12 +169,12 @@ class ReconstructionSession(QObject):
         self._running[key] = (runner, 0.0, "") if shown else (runner, -1.0, "")
         self.window.messages.dismiss(key)
 
-        def moved(fraction: float, what: str) -> None:
+        def report(fraction: float, what: str) -> None:
             if shown:
                 self._running[key] = (runner, fraction, what)
                 self._strip.set_job(key, fraction, what, lambda: self.cancel(key))
-            if told is not None:
-                told(fraction, what)
+            if moved is not None:
+                moved(fraction, what)
 
         def answered(answer: Any) -> None:
             self._end(key)
@@ -190,7 +190,7 @@ class ReconstructionSession(QObject):
             self.ended.emit(key, False)
 
         self.busy_changed.emit(key, True)
-        runner.submit(key, work, request, answered, refused, moved)
+        runner.submit(key, work, request, answered, refused, report)
 
     def cancel(self, key: str) -> None:
         """Stop work of that key; nothing where none runs."""

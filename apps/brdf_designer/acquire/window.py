@@ -44,8 +44,8 @@ _RAIL = 172
 class AcquireWindow(QWidget):
     """All pages, and the way between them.
 
-    Intents: ``step_shown(key)``, ``undo_requested()``, ``redo_requested()``, ``folder_dropped(str)``, ``all_requested()``,
-    ``hidden()``, ``brought()``.
+    Intents: ``step_shown(key)``, ``undo_requested()``, ``redo_requested()``, ``folder_dropped(str)``,
+    ``all_requested()``, ``hidden()``, ``brought()``.
     """
 
     step_shown = Signal(str)
@@ -62,7 +62,11 @@ class AcquireWindow(QWidget):
         self.setAcceptDrops(True)
         self.setMinimumSize(_LEAST)
         self.session, self.exposures, self.response = SessionPage(), ExposuresPage(), ResponsePage()
-        self.geometry_page, self.mask, self.reconstruction = GeometryPage(), MaskPage(), ReconstructionPage()
+        self.geometry_page, self.mask_page, self.reconstruction = (
+            GeometryPage(),
+            MaskPage(),
+            ReconstructionPage(),
+        )
         self.coverage, self.fit = CoveragePage(), FitPage()
         self.pages: dict[str, AcquirePage] = {
             page.key: page
@@ -71,7 +75,7 @@ class AcquireWindow(QWidget):
                 self.exposures,
                 self.response,
                 self.geometry_page,
-                self.mask,
+                self.mask_page,
                 self.reconstruction,
                 self.coverage,
                 self.fit,
@@ -114,11 +118,11 @@ class AcquireWindow(QWidget):
         self.all = QPushButton(tr("Do All Steps"))
         self.all.setToolTip(tr("Run response, geometry, reconstruction and fit in order"))
         self.all.clicked.connect(lambda _=False: self.all_requested.emit())
-        self.telling = ElidedLabel()
+        self.status_text = ElidedLabel()
         foot = QHBoxLayout()
         foot.setContentsMargins(8, 8, 8, 8)
         foot.setSpacing(8)
-        foot.addWidget(self.telling, 1)
+        foot.addWidget(self.status_text, 1)
         foot.addWidget(self.all)
         foot.addWidget(self.back)
         foot.addWidget(self.next)
@@ -185,9 +189,9 @@ class AcquireWindow(QWidget):
         """Show whose photographs these are."""
         self.setWindowTitle(tr("Acquire: {name}").format(name=name) if name else tr("Acquire"))
 
-    def show_telling(self, text: str) -> None:
+    def show_status_text(self, text: str) -> None:
         """Say what is so at the moment, at the foot."""
-        self.telling.setText(text)
+        self.status_text.setText(text)
 
     def _changed(self, row: int) -> None:
         if row < 0:

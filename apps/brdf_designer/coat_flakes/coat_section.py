@@ -147,7 +147,7 @@ class CoatSection(PaintSection):
         self.haze.setText(tr("{haze:.1f} GU, {source}").format(haze=haze, source=source).replace("-", "−"))
 
     def _show_note(self) -> None:
-        """Tell where the readings are also those of another coat, which was solved."""
+        """Show a note where another coat has the same readings."""
         text = ""
         if self._asked is not None:
             ior, roughness = self._asked

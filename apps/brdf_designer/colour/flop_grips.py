@@ -98,7 +98,7 @@ class FlopOfPaint:
             grip.key
         ]
 
-    def told(self, grip: Grip) -> tuple[str, str]:
+    def describe(self, grip: Grip) -> tuple[str, str]:
         """Return what a grip stands at, in words and in short."""
         value = self.amount(grip)
         unit = grip.handle.unit

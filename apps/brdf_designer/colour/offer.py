@@ -95,7 +95,7 @@ class NearestOffer(QObject):
             self._desk.show_message(Message(KEY, what, todo=todo, severity="warning"))
             return
         self.offered = found
-        todo = tr("Closest possible paint: {paint}.").format(paint=told(found))
+        todo = tr("Closest possible paint: {paint}.").format(paint=describe(found))
         actions = ((tr("Use Closest"), self.take),)
         self._desk.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
 
@@ -115,7 +115,7 @@ def missed(fit: LobeFit) -> list[int]:
     """Return the readings whose colour the lobes miss by so much that another paint is worth an offer.
 
     Lobes are the same on both sides of the mirror direction, and a coat lets a little less out beyond it: what a
-    reading there misses by that alone, about 1.2, is told at its patch and no reason for another paint.
+    reading there misses by that alone, about 1.2, is shown at its patch and no reason for another paint.
     """
     return [
         index
@@ -125,7 +125,7 @@ def missed(fit: LobeFit) -> list[int]:
     ]
 
 
-def told(found: Feasible) -> str:
+def describe(found: Feasible) -> str:
     """Return what is another in the offered paint, in words."""
     parts = []
     if found.gloss_changed:

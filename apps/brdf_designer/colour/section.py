@@ -342,18 +342,18 @@ class AngleEditors(QWidget):
         """Show every measurement; only what is another is worked out and drawn."""
         self._colours = colours
         self._make(len(colours.angles))
-        told: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
+        rows: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
         for editor, colour in zip(self.editors, colours.angles, strict=True):
             editor.show_place(colour)
             editor.remove.setEnabled(len(colours.angles) > 3)
             if editor.needs(colour):
-                told.append((editor, colour, editor.values(colour.lab)))
-        if not told:
+                rows.append((editor, colour, editor.values(colour.lab)))
+        if not rows:
             return
         positions = [slider.positions() for slider in self.editors[0].sliders]
-        values = np.array([row for _, _, row in told])
+        values = np.array([row for _, _, row in rows])
         tracks = component_tracks(values, positions, in_lch=self.space == "lch")
-        for (editor, colour, row), of_editor in zip(told, tracks, strict=True):
+        for (editor, colour, row), of_editor in zip(rows, tracks, strict=True):
             editor.show_colour(colour, row, of_editor)
 
     def _make(self, count: int) -> None:

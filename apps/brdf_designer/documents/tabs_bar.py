@@ -43,8 +43,8 @@ class DocumentTabs(QTabBar):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._shown: tuple[tuple[TabState, ...], int] = ((), -1)
         self._filling = False
-        self.currentChanged.connect(self._tell_chosen)
-        self.tabMoved.connect(self._tell_moved)
+        self.currentChanged.connect(self._report_chosen)
+        self.tabMoved.connect(self._report_moved)
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
         """Show the tabs; nothing is emitted."""
@@ -91,11 +91,11 @@ class DocumentTabs(QTabBar):
         side = QTabBar.ButtonPosition.RightSide
         return next(place for place in range(self.count()) if self.tabButton(place, side) is button)
 
-    def _tell_chosen(self, place: int) -> None:
+    def _report_chosen(self, place: int) -> None:
         if not self._filling and place >= 0:
             self.chosen.emit(place)
 
-    def _tell_moved(self, before: int, after: int) -> None:
+    def _report_moved(self, before: int, after: int) -> None:
         if not self._filling:
             tabs, front = list(self._shown[0]), self.currentIndex()
             tabs.insert(after, tabs.pop(before))

@@ -1,4 +1,4 @@
-"""Hands the paint in front over: losses told while the section is open, the file written in the background."""
+"""Exports the current paint: losses are listed while the section is open, the file written in the background."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ NAMES = (
 
 
 @dataclass(frozen=True)
-class _Told:
+class _Losses:
     """What a format holds and loses of a paint; ``refusal`` where it cannot be written at all."""
 
     holds: str
@@ -60,7 +60,7 @@ class HandoverControl(QObject):
             KEY,
             tip=tr("Export the paint for other programs, or as a report"),
         )
-        self.section.choose(settings().value(_FORMAT, NAMES[0][0], type=str))
+        self.section.choose(str(settings().value(_FORMAT, NAMES[0][0], type=str)))
         self.section.format_chosen.connect(self._chosen)
         self.section.export_requested.connect(self.ask)
         self.host.toggled.connect(lambda _on: self._later())
@@ -78,7 +78,7 @@ class HandoverControl(QObject):
         """Ask for a file and write it."""
         name = self.section.chosen
         ending = dict(NAMES)[name]
-        kept = Path(settings().value(_FOLDER, "", type=str) or Path.home())
+        kept = Path(str(settings().value(_FOLDER, "", type=str)) or Path.home())
         folder = kept if kept.is_dir() else Path.home()
         suggested = folder / (file_name(self._desk.paint.name) + ending)
         filters = f"{self.section.formats.currentText()} (*{ending})"
@@ -147,11 +147,11 @@ class HandoverControl(QObject):
         self._later()
 
     def _later(self) -> None:
-        """Tell once the edits pause, and only what is seen."""
+        """Update once the edits pause, and only what is visible."""
         if self.host.is_open:
-            self._desk.at_idle(_LOSSES, self._tell)
+            self._desk.at_idle(_LOSSES, self._report)
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         name = self.section.chosen
         standards = self._window.findChild(StandardControl)
         has_standard = standards is not None and standards.standard is not None
@@ -159,22 +159,22 @@ class HandoverControl(QObject):
         self.section.show_format(self.section.holds.text(), None)
         self._tasks.submit(_LOSSES, _find_out, (self._desk.paint, name), self._show, self._not_found)
 
-    def _show(self, told: _Told) -> None:
-        self.section.show_format(told.holds, told.losses, told.refusal)
+    def _show(self, losses: _Losses) -> None:
+        self.section.show_format(losses.holds, losses.losses, losses.refusal)
 
     def _not_found(self, error: Exception) -> None:
         self._desk.show_message(message_of(error, KEY))
 
 
-def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Told:
+def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Losses:
     from brdf_suite.reports.handover import format_named, item_of_paint
 
     paint, name = request
     known = format_named(name)
     try:
-        return _Told(known.holds, known.losses(item_of_paint(paint)))
+        return _Losses(known.holds, known.losses(item_of_paint(paint)))
     except UnreachableError as error:
-        return _Told(known.holds, (), str(error))
+        return _Losses(known.holds, (), str(error))
 
 
 def file_name(name: str) -> str:

@@ -91,14 +91,14 @@ class HistoryModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return state.step or tr("Opened")
         if role == Qt.ItemDataRole.ToolTipRole:
-            return plain_tip(self._told(index.row(), state))
+            return plain_tip(self._description(index.row(), state))
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return self._told(index.row(), state)
+            return self._description(index.row(), state)
         if role == Qt.ItemDataRole.DecorationRole:
             return self.picture(state.paint)
         return None
 
-    def _told(self, row: int, state: HistoryState) -> str:
+    def _description(self, row: int, state: HistoryState) -> str:
         text = tr("State {number}: {step}").format(number=row, step=state.step or tr("Opened"))
         if row == self.present:
             return tr("{state}, current").format(state=text)
@@ -108,7 +108,7 @@ class HistoryModel(QAbstractListModel):
 
 
 def name_lines(name: str, metrics: QFontMetrics, width: int) -> list[str]:
-    """Return a step's name in as many lines as there is room for; what is left out is told by an ellipsis."""
+    """Return a step's name in as many lines as there is room for; omissions are marked by an ellipsis."""
     lines: list[str] = []
     for word in name.split():
         longer = f"{lines[-1]} {word}" if lines else word

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 KEY = "measured"
 _SET = "measured/angles"
 MOST_TABS = 12
-"""A file of many paints is a palette: more tabs than these nobody would find his way in."""
+"""A file of many paints is a palette: more tabs than these are unusable."""
 _HEAD = 1 << 16
 
 
@@ -105,17 +105,17 @@ class MeasuredControl(QObject):
         for paint in paints[:MOST_TABS]:
             self._desk.open_paint(paint)
         self._desk.documents.front.files.remember(path.absolute())
-        told = list(handed.notes)
+        notes = list(handed.notes)
         if len(paints) > MOST_TABS:
-            told.insert(
+            notes.insert(
                 0,
                 tr("{name} contains {count} paints. The first {opened} were opened.").format(
                     name=path.name, count=len(paints), opened=MOST_TABS
                 ),
             )
         self._desk.dismiss_message("open")
-        if told:
-            self._desk.show_message(Message("open", " ".join(told), where=str(path)))
+        if notes:
+            self._desk.show_message(Message("open", " ".join(notes), where=str(path)))
 
     def read_again(self, geometry: str) -> None:
         """Read the original of the document in front at another set of angles; one step."""
@@ -136,7 +136,7 @@ class MeasuredControl(QObject):
     def _submit(self, request: _Request) -> None:
         progress = self._window.progress
 
-        def told(fraction: float, what: str) -> None:
+        def moved(fraction: float, what: str) -> None:
             progress.set_job(KEY, fraction, what, lambda: self._tasks.cancel(KEY))
 
         def done(start: MeasuredStart) -> None:
@@ -148,14 +148,14 @@ class MeasuredControl(QObject):
             todo = tr("The open paints are unchanged.")
             self._desk.show_message(message_of(error, "open", todo=todo))
 
-        self._tasks.submit(KEY, _read, request, done, failed, told)
+        self._tasks.submit(KEY, _read, request, done, failed, moved)
 
     def _opened(self, request: _Request, start: MeasuredStart) -> None:
         self._desk.dismiss_message("open")
         if request.document is None:
             self._desk.open_paint(start.paint)
         elif request.document != self._desk.document_key:
-            return  # its tab is no longer in front; nobody waits for it
+            return  # its tab is no longer in front; its result is not needed
         else:
             present = self._desk.paint
             read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)

@@ -124,7 +124,7 @@ class PreviewControl(QObject):
         if self.panel.surface is None or not self.action.isChecked() or self._asked == self.light:
             return
         self._asked = self.light
-        self._tasks.submit("scene", _load_scene, self.light, self._show_scene, self._tell_failure)
+        self._tasks.submit("scene", _load_scene, self.light, self._show_scene, self._report_failure)
 
     def _show_scene(self, scene: PreviewScene) -> None:
         old = self._contents.scene
@@ -141,7 +141,7 @@ class PreviewControl(QObject):
             )
         )
 
-    def _tell_failure(self, error: Exception) -> None:
+    def _report_failure(self, error: Exception) -> None:
         self._asked = ""
         self._window.show_message(message_of(error, "preview", todo=tr("The picture is unchanged.")))
 

@@ -78,7 +78,7 @@ class Curves:
 
 @dataclass(frozen=True, eq=False)
 class FitState:
-    """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement.
+    """The reflectance and its fit as the session publishes them; ``delta_e`` ΔE00 by index of the measurement.
 
     ``given`` is what the lobes give at each measurement, by its index: L*a*b*, sRGB code, whether sRGB holds it.
 

@@ -242,7 +242,7 @@ class StandardControl(QObject):
                 kept.standards, kept.chosen = found, record.chosen
             else:
                 kept.source = ""
-                self._tell_kept(tr("{file} has changed.").format(file=record.source))
+                self._report_kept(tr("{file} has changed.").format(file=record.source))
             if key == self._desk.document_key:
                 self._show_choices()
                 self.refresh()
@@ -250,11 +250,11 @@ class StandardControl(QObject):
         def failed(_error: Exception) -> None:
             if kept.awaited is record:
                 kept.awaited = None
-                self._tell_kept(tr("{file} can no longer be read.").format(file=record.source))
+                self._report_kept(tr("{file} can no longer be read.").format(file=record.source))
 
         self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
 
-    def _tell_kept(self, what: str) -> None:
+    def _report_kept(self, what: str) -> None:
         todo = tr("The stored standard is used. Load the file again to use its current contents.")
         self._desk.show_message(Message(KEY, what, todo=todo))
 

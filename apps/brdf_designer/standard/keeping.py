@@ -52,9 +52,9 @@ class StandardKeeping(QObject):
             self._desk.dismiss_message(_KEY)
 
     def _take(self, document: OpenDocument) -> None:
-        document.recovery.beside = self._told(document.key)
+        document.recovery.beside = self._extra_writer(document.key)
         if document.key in self._known:
-            # It was closed and had back, with an autosave that is new.
+            # It was closed and reopened, with an autosave that is new.
             document.recovery.note()
             return
         self._known.add(document.key)
@@ -66,9 +66,9 @@ class StandardKeeping(QObject):
             self._holder.restore(document.key, record)
             document.recovery.note()
 
-    def _told(self, key: int) -> Callable[[], object]:
-        def told() -> object:
+    def _extra_writer(self, key: int) -> Callable[[], object]:
+        def extra() -> object:
             record = self._holder.record(key)
             return None if record is None else record.to_json()
 
-        return told
+        return extra

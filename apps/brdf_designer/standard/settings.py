@@ -56,7 +56,7 @@ class ToleranceSettings:
 
 def load() -> ToleranceSettings:
     """Return what was kept; the usual ones where there is nothing, or nothing that can be used."""
-    text = settings().value(_KEY, "", type=str)
+    text = str(settings().value(_KEY, "", type=str))
     try:
         plain = json.loads(text)
         found = ToleranceSettings(

@@ -54,6 +54,8 @@ class WholeTable(QTableWidget):
     def set_text(self, row: int, column: int, text: str, *, bold: bool = False, tip: str = "") -> None:
         """Show a text; nothing where it is shown already."""
         item = self.item(row, column)
+        if item is None:
+            return
         if item.text() != text:
             item.setText(text)
         if item.font().bold() != bold:
@@ -84,7 +86,8 @@ class ResultTable(WholeTable):
     def show_rows(self, title: str, rows: Sequence[ResultRow]) -> None:
         """Show the rows; ``title`` is the formula's."""
         heading = self.horizontalHeaderItem(1)
-        heading.setToolTip(plain_tip(title))
+        if heading is not None:
+            heading.setToolTip(plain_tip(title))
         self.set_row_count(len(rows))
         for number, row in enumerate(rows):
             for column, text in enumerate(row.cells):
@@ -123,7 +126,9 @@ class ToleranceTable(WholeTable):
             for row, angle in enumerate(self._angles):
                 name = tr(_EVERYWHERE) if angle is None else f"{angle:g}°"
                 self.set_text(row, 0, name)
-                self.item(row, 0).setFlags(Qt.ItemFlag.ItemIsEnabled)
+                heading = self.item(row, 0)
+                if heading is not None:
+                    heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)

@@ -160,7 +160,7 @@ class VariationsControl(QObject):
             self._show_words()
 
     def _failed(self, error: Exception) -> None:
-        raise error  # no file and no user's value is met there: a fault of ours, which the program tells
+        raise error  # no file and no user's value is met there: a fault of ours, which the program reports
 
     # Showing.
 
@@ -207,7 +207,7 @@ def _state(one: Variation) -> NeighbourState:
 
 def _kept_step() -> float:
     try:
-        step = float(settings().value(_STEP, USUAL_STEP))
+        step = float(str(settings().value(_STEP, USUAL_STEP)))
     except (TypeError, ValueError):  # edited by hand
         return USUAL_STEP
     return step if LEAST_STEP <= step <= MOST_STEP else USUAL_STEP

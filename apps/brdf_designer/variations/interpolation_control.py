@@ -91,11 +91,11 @@ class InterpolationControl(QObject):
                 other = next(one.store.value for one in self._desk.documents.row if one.key == number)
             self._begin(key, other)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
 
     def load(self, name_or_path: str | Path) -> None:
         """Take the first paint in a file, or what is measured there, as the other end."""
-        self._tasks.submit(KEY, _load, name_or_path, self._loaded, self._tell)
+        self._tasks.submit(KEY, _load, name_or_path, self._loaded, self._report)
 
     def set_share(self, share: float) -> None:
         """Make the paint the one at ``share`` of the way; part of the running gesture."""
@@ -131,10 +131,10 @@ class InterpolationControl(QObject):
         try:
             self._begin(FILE, found)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
         self._list()
 
-    def _tell(self, error: Exception) -> None:
+    def _report(self, error: Exception) -> None:
         self._desk.show_message(
             message_of(error, KEY, todo=tr("Choose a different paint for the other end."))
         )

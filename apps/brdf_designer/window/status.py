@@ -52,7 +52,7 @@ class DeskStatus:
         )
 
     def show_fit(self, state: FitState) -> None:
-        """Show the flop that is reached; what the fit gives is told with what it gives between the angles."""
+        """Show the flop that is reached; what the fit gives is shown with the fit between the angles."""
         self._fitted = (self._colours, state)
         if self._colours is not None:
             self._show_flop(self._colours.flop, _reached_flop(self._colours, state))
@@ -73,8 +73,8 @@ class DeskStatus:
         large = is_large(worst)
         tip = fit_tips(worst, state.time_limited, state.exact_follows)
         rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
-        told = "\n".join((*rows, tip) if tip else rows)
-        self._fit.set(self._fit_text, told, "warning" if large or state.time_limited else "fresh")
+        text = "\n".join((*rows, tip) if tip else rows)
+        self._fit.set(self._fit_text, text, "warning" if large or state.time_limited else "fresh")
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""

@@ -34,11 +34,11 @@ class DesignerWindow(SuiteWindow):
     """The window of Designer.
 
     Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
-    :mod:`brdf_designer.session.fields` names them; ``new_requested``, ``open_requested(Path | None)``, ``shipped_requested(name)``,
-    ``save_requested``, ``save_as_requested``, ``undo_requested``, ``redo_requested``, ``viewer_requested``, ``recent_cleared``;
-    of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``, ``close_front_requested``,
-    ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``; ``close_requested(QCloseEvent)``, to be
-    ignored where the window must stay.
+    :mod:`brdf_designer.session.fields` names them; ``new_requested``, ``open_requested(Path | None)``,
+    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``undo_requested``, ``redo_requested``,
+    ``viewer_requested``, ``recent_cleared``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
+    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``;
+    ``close_requested(QCloseEvent)``, to be ignored where the window must stay.
     """
 
     edited = Signal(object, object)
@@ -226,7 +226,7 @@ class DesignerWindow(SuiteWindow):
             action.setEnabled(len(tabs) > 1)
 
     def show_reopen(self, can: bool) -> None:
-        """Show whether a closed tab can be had back."""
+        """Show whether a closed tab can be reopened."""
         self.reopen_action.setEnabled(can)
 
     def show_message(self, message: Message) -> None:

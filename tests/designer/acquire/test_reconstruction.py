@@ -114,10 +114,10 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
     # Another mask takes the table and the fit with it, and nothing else.
     window.show_page("mask")
-    qtbot.waitUntil(lambda: window.mask.picture.history is not None)
+    qtbot.waitUntil(lambda: window.mask_page.picture.history is not None)
     used = np.ones((96, 96), bool)
     used[:, :10] = False
-    window.mask.picture.put(used)
+    window.mask_page.picture.put(used)
     assert set(bench.results) == {"response", "geometry"}
     assert not window.coverage.save.isEnabled()
     assert not window.fit.open.isEnabled()

@@ -230,7 +230,7 @@ def test_what_another_program_has_written_is_not_overwritten(opened, folder):
 
 def mask_page(assistant, qtbot):
     assistant.window.show_page("mask")
-    page = assistant.window.mask
+    page = assistant.window.mask_page
     qtbot.waitUntil(lambda: page.picture.history is not None)
     return page
 

@@ -113,18 +113,18 @@ class ExposuresPage(AcquirePage):
         self.position.blockSignals(True)
         self.position.setRange(0, max(0, len(angles_deg) - 1))
         self.position.blockSignals(False)
-        self._tell_position(self.position.value())
+        self._report_position(self.position.value())
 
     _angles: tuple[float, ...] = ()
     differing = 0
-    """How many files of what is shown tell another time than the session."""
+    """Number of displayed files whose exposure time differs from the session."""
 
     def show_position(self, index: int) -> None:
         """Show which position is chosen, without an intent."""
         self.position.blockSignals(True)
         self.position.setValue(index)
         self.position.blockSignals(False)
-        self._tell_position(index)
+        self._report_position(index)
 
     def show_series(self, series: Series | None) -> None:
         """Show a position's photographs; the same exposure stays chosen."""
@@ -198,10 +198,10 @@ class ExposuresPage(AcquirePage):
             self.times.setText(tr("The times in the files match session.json."))
 
     def _move(self, index: int) -> None:
-        self._tell_position(index)
+        self._report_position(index)
         self.position_chosen.emit(index)
 
-    def _tell_position(self, index: int) -> None:
+    def _report_position(self, index: int) -> None:
         if index < len(self._angles):
             self.where.setText(
                 tr("Lamp at {angle:g}°, position {number} of {count}").format(

@@ -72,10 +72,10 @@ class FitControl(QObject):
 
     def _opened(self, start: MeasuredStart) -> None:
         self._desk.open_paint(start.paint)
-        told = tr("“{name}” is open in a new tab in Designer. It is not saved yet.").format(
+        text = tr("“{name}” is open in a new tab in Designer. It is not saved yet.").format(
             name=start.paint.name
         )
-        self._page.show_kept(told)
+        self._page.show_kept(text)
         notes = list(start.notices)
         if start.mean_delta_e is not None:
             notes.insert(
@@ -84,7 +84,7 @@ class FitControl(QObject):
                     mean=start.mean_delta_e
                 ),
             )
-        self._desk.show_message(Message("acquired", told, where=" ".join(notes)))
+        self._desk.show_message(Message("acquired", text, where=" ".join(notes)))
 
     def _show(self, key: str) -> None:
         if key not in ("fit", "table"):

@@ -119,8 +119,9 @@ class FitPage(AcquirePage):
         self.start.setEnabled(has_table or there)
         for part in (self.look, self.errors, self.table):
             part.setVisible(there)
-        self.open.setEnabled(there and state.has_paint)
-        self.save.setEnabled(there and state.has_paint)
+        has_paint = state is not None and state.has_paint
+        self.open.setEnabled(has_paint)
+        self.save.setEnabled(has_paint)
         if state is None:
             self.note.setText("")
             self.plot.show_empty(

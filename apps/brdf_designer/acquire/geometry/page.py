@@ -1,4 +1,4 @@
-"""Step 4: where the sphere lies in the picture and where the lamp really was, with what is left over."""
+"""Step 4: where the sphere lies in the picture and where the lamp really was, with the residuals."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QSplitter
 
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.marks import Differences, Outline, Points
+from brdf_designer.acquire.pictures.marks import Area, Differences, Outline, Points
 from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.states import GeometryState
@@ -128,7 +128,7 @@ class GeometryPage(AcquirePage):
         if state is None:
             return
         gain = self.gain.value()
-        marks = [
+        marks: list[Outline | Points | Differences | Area] = [
             Outline(state.outline + _HALF, tr("fitted outline")),
             Points(state.predicted + _HALF, tr("highlight, expected"), "ring"),
             Points(state.found + _HALF, tr("highlight, found"), "cross"),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
+from numpy.typing import ArrayLike, NDArray
 
 from brdf_designer.acquire.exposures.work import LONGEST_SIDE
 from brdf_designer.acquire.pictures.tone import tones_of_linear
@@ -106,7 +107,10 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         off = found - geometry.highlights(seen) if len(seen) else found
     step = max(1, -(-max(union.shape) // LONGEST_SIDE))
     around = geometry.outline(np.linspace(0.0, 2.0 * np.pi, _OUTLINE_POINTS))
-    scaled = lambda places: (np.asarray(places, float) + 0.5) / step - 0.5  # noqa: E731 - one line, used four times
+
+    def scaled(places: ArrayLike) -> NDArray[np.float64]:
+        return (np.asarray(places, np.float64) + 0.5) / step - 0.5
+
     rig = [
         (
             tr("Sphere"),
@@ -160,7 +164,7 @@ def _refined(row: Any) -> tuple[str, str, str]:
     value = tr("{value} ± {sigma}\nstated {stated}").format(
         value=found, sigma=sigma + unit, stated=stated + unit
     )
-    told = tr("The highlights determine {share:.0f} % of it: {why}").format(
+    share = tr("The highlights determine {share:.0f} % of it: {why}").format(
         share=100.0 * row.observed, why=row.why
     )
-    return row.name, value, told
+    return row.name, value, share

@@ -87,7 +87,7 @@ class MaskControl(QObject):
         self._unwritten = False
         bench.window.messages.dismiss("mask")
         bench.edit(session, forget=None)
-        self._tell()
+        self._report()
 
     def _opened(self) -> None:
         self._pause.stop()
@@ -115,7 +115,7 @@ class MaskControl(QObject):
             self._fresh = False
             used = answer.mask if answer.mask is not None else np.ones(answer.shape, bool)
             self._page.show_mask(used)
-            self._tell()
+            self._report()
 
     def _take_everything(self) -> None:
         history = self._page.picture.history
@@ -127,7 +127,7 @@ class MaskControl(QObject):
         self._bench.invalidate("table")
         self._pause.start()
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         session = self._bench.session
         if session is None:
             return

@@ -101,7 +101,7 @@ class MaskPage(AcquirePage):
         self.position.setRange(0, max(0, len(angles_deg) - 1))
         self.position.setValue(len(angles_deg) // 2)
         self.position.blockSignals(False)
-        self._tell_position(self.position.value())
+        self._report_position(self.position.value())
 
     _angles: tuple[float, ...] = ()
 
@@ -151,10 +151,10 @@ class MaskPage(AcquirePage):
         (self.take_in if takes_in else self.leave_out).setChecked(True)
 
     def _move(self, index: int) -> None:
-        self._tell_position(index)
+        self._report_position(index)
         self.position_chosen.emit(index)
 
-    def _tell_position(self, index: int) -> None:
+    def _report_position(self, index: int) -> None:
         if index < len(self._angles):
             self.where.setText(tr("Lamp at {angle:g}°").format(angle=self._angles[index]))
 

@@ -40,7 +40,7 @@ class AngleMap:
 
 
 class MapPlot(QWidget):
-    """One map; ``hovered(row, column)`` tells the cell under the cursor, (−1, −1) none."""
+    """One map; ``hovered(row, column)`` gives the cell under the cursor, (−1, −1) none."""
 
     hovered = Signal(int, int)
 

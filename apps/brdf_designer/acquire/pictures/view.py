@@ -1,6 +1,6 @@
 """A picture that takes the window: zoomed by the wheel, moved by a drag, with marks over it.
 
-F frames it, + and − zoom, the arrow keys move it. ``hovered(x, y)`` tells the pixel under the cursor, in the picture's
+F frames it, + and − zoom, the arrow keys move it. ``hovered(x, y)`` gives the pixel under the cursor, in the picture's
 own pixels; ``left_picture()`` that there is none.
 """
 

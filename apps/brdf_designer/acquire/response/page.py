@@ -14,7 +14,7 @@ from brdf_designer.acquire.states import ResponseState
 
 
 class ResponsePage(AcquirePage):
-    """The page of the response curve. Intents: ``recover_requested()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
+    """Page of the response curve. Intents: ``recover_requested()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
 
     recover_requested = Signal()
     kind_chosen = Signal(str)

@@ -203,7 +203,7 @@ class SessionControl(QObject):
     def _last_folder(self) -> Path:
         if self._bench.folder is not None:
             return self._bench.folder
-        kept = Path(settings().value(_LAST, "", type=str) or Path.home())
+        kept = Path(str(settings().value(_LAST, "", type=str)) or Path.home())
         return kept if kept.is_dir() else Path.home()
 
 

@@ -97,8 +97,8 @@ _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note
 class SessionPage(AcquirePage):
     """The page of the session.
 
-    Intents: ``open_requested()``, ``template_requested()``, ``check_requested()``, ``number_edited(key, value)`` in the field's
-    unit.
+    Intents: ``open_requested()``, ``template_requested()``, ``check_requested()``, ``number_edited(key, value)`` in
+    the unit of the field.
     """
 
     open_requested = Signal()

@@ -111,6 +111,7 @@ class CoveragePage(AcquirePage):
 def coverage_map(state: CoverageState, what: What) -> AngleMap:
     """Return the map of ``what``, θd over θh, as bins lie in the table (θh is finer towards the highlight)."""
     measured = np.isfinite(state.share) & (state.share > 0.0)
+    ticks: tuple[tuple[float, str], ...]
     if what == "share":
         values, low, high, scale = 100.0 * state.share, 0.0, 100.0, tr("φd bins measured (%)")
         ticks = ((0.0, "0"), (0.25, "25"), (0.5, "50"), (0.75, "75"), (1.0, "100"))

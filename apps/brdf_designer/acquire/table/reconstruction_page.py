@@ -59,10 +59,10 @@ class ReconstructionPage(AcquirePage):
         self.bar.setTextVisible(False)
         self.bar.setMaximumHeight(12)
         self.bar.setAccessibleName(tr("Progress of the reconstruction"))
-        self.telling = wrapped("")
+        self.progress_text = wrapped("")
         self.map = MapPlot(tr("Coverage so far"))
         self.problems = problem_list(tr("Skipped positions"))
-        self.centre.addWidget(self.telling)
+        self.centre.addWidget(self.progress_text)
         self.centre.addWidget(self.bar)
         self.centre.addWidget(self.map, 3)
         self.centre.addWidget(self.problems, 1)
@@ -91,7 +91,7 @@ class ReconstructionPage(AcquirePage):
     def show_progress(self, fraction: float, text: str, *, running: bool) -> None:
         """Show how far it is; ``running`` says whether it can be stopped."""
         self.bar.setValue(round(1000 * fraction))
-        self.telling.setText(text or tr("Not started."))
+        self.progress_text.setText(text or tr("Not started."))
         self.start.setEnabled(not running)
         self.again.setEnabled(not running)
         self.cancel.setEnabled(running)

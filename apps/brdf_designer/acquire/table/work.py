@@ -1,4 +1,4 @@
-"""The table, made and gone on with on a thread, and what its pages show of it."""
+"""Builds and resumes the table on a thread, and prepares what its pages show."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class TableFound:
 class KeptWork:
     """What lies in the work file of a session: how many positions are done, and what they were calibrated with.
 
-    ``reason`` says why what lies there cannot be gone on with; empty where it can.
+    ``reason`` says why the earlier work cannot be resumed; empty where it can.
     """
 
     done: int = 0
