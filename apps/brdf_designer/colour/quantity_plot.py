@@ -249,8 +249,8 @@ class QuantityPlot(QWidget):
             point.set_chosen(accent if self.hasFocus() and number == self._chosen else None)
         if self._angles:
             angle, value = self._angles[self._chosen], float(self._values[self._chosen])
-            number = f"{value % 360.0 if self._quantity.component == 2 else value:.1f}"
-            text = f"{angle.text}: {tr(self._quantity.axis)} {number if math.isfinite(value) else '–'}"
+            reading = f"{value % 360.0 if self._quantity.component == 2 else value:.1f}"
+            text = f"{angle.text}: {tr(self._quantity.axis)} {reading if math.isfinite(value) else '–'}"
             if text != self.accessibleDescription():
                 self.setAccessibleDescription(text)
 

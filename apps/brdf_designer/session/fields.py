@@ -112,7 +112,11 @@ def _colour(paint: Paint, key: Key, value: tuple[float, float, float]) -> Paint:
 
 
 def _gloss(paint: Paint, key: Key, value: float | None) -> Paint:
-    return replace(paint, gloss=replace(paint.gloss, **{str(key[1]): value}))
+    if key[1] == "gu_60":
+        return replace(paint, gloss=replace(paint.gloss, gu_60=value))
+    if value is None:
+        raise TypeError("a paint always has a gloss reading at 20°")
+    return replace(paint, gloss=replace(paint.gloss, gu_20=value))
 
 
 def _flakes(paint: Paint, key: Key, value: Any) -> Paint:

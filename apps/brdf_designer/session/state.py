@@ -124,6 +124,7 @@ def colours_of(paint: Paint) -> Colours:
 
 def fit_state_of(fit: LobeFit) -> FitState:
     """Return what the reflectance and its lobes give."""
+    assert fit.worst_delta_e is not None, "a designed paint has readings"
     return FitState(
         given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.readings),

@@ -278,9 +278,8 @@ class StandardControl(QObject):
         rows = []
         for paint in self.batches():
             report = self.report(paint, standard)
-            numbers = [_number(report.largest), _number(report.mean)]
             word = verdict_word(report.passes)
-            cells = (paint.name, *numbers, word)
+            cells = (paint.name, _number(report.largest), _number(report.mean), word)
             rows.append((cells, report.passes is False, report.sentence(say)))
         self.section.batches.show_batches(rows)
         self.section.clear_batches.setEnabled(bool(self._of_front.batches))

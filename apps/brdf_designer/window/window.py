@@ -351,11 +351,11 @@ class DesignerWindow(SuiteWindow):
         viewer = self.add_action(
             self.window_menu, mark("Open &Viewer"), self.viewer_requested.emit, icon="monitor"
         )
-        for action in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
-            if action is None:
+        for entry in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
+            if entry is None:
                 self.toolbar.addSeparator()
             else:
-                self.toolbar.addAction(action)
+                self.toolbar.addAction(entry)
 
     # The picker, drops and the end.
 

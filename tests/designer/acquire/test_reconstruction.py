@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
-from brdf_designer.acquire.fit.work import _told
+from brdf_designer.acquire.fit.work import with_error
 from brdf_designer.acquire.reconstruction_session import WORK_FILE
 
 from brdf_suite.acquisition.session.store import read_session, write_session
@@ -197,4 +197,4 @@ def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
     ],
 )
 def test_an_uncertainty_has_one_digit_and_its_value_no_more(value, error, text):
-    assert _told(value, error) == text
+    assert with_error(value, error) == text

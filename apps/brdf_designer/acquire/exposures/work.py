@@ -91,7 +91,11 @@ def _shot(
     )
     step = max(1, -(-max(codes.shape[:2]) // LONGEST_SIDE))
     shown = codes[::step, ::step]
-    tones: Tones = tones_of_codes(shown.astype(np.uint16), bits) if bits else tones_of_linear(shown, top)
+    tones: Tones = (
+        tones_of_codes(shown.astype(np.uint16), bits)
+        if bits
+        else tones_of_linear(shown.astype(np.float32), top)
+    )
     return Shot(
         float(time),
         None if exif is None else float(exif),

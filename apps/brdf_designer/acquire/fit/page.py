@@ -10,7 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox
 
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
-from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
+from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
 from brdf_designer.acquire.states import FitState
 from brdf_designer.standard.tables import WholeTable
 
@@ -158,7 +158,9 @@ class FitPage(AcquirePage):
         every = chosen >= len(state.theta_d_deg)
         places = range(len(state.theta_d_deg)) if every else (chosen,)
         channel = int(self.channel.currentData())
-        looks = [*CHANNELS] if channel == 3 else [("text", "solid") if channel < 0 else CHANNELS[channel]]
+        looks: list[tuple[Kind, str]] = (
+            [*CHANNELS] if channel == 3 else [("text", "solid") if channel < 0 else CHANNELS[channel]]
+        )
         curves: list[Curve] = []
         for place in places:
             for number, (kind, _dash) in enumerate(looks):

@@ -82,14 +82,14 @@ def fit_state(found: Any) -> FitState:
         (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
     ]
     spread = fit.standard_errors
-    rows = [(tr("diffuse"), *(_with_error(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]
+    rows = [(tr("diffuse"), *(with_error(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]
     for lobe in range(len(fit.m)):
         rows.append(
             (
                 tr("lobe {number}").format(number=lobe + 1),
-                *(_with_error(fit.ks[lobe][c], spread.ks[lobe][c]) for c in range(3)),
-                _with_error(fit.m[lobe], spread.m[lobe]),
-                _with_error(fit.r[lobe], spread.r[lobe]),
+                *(with_error(fit.ks[lobe][c], spread.ks[lobe][c]) for c in range(3)),
+                with_error(fit.m[lobe], spread.m[lobe]),
+                with_error(fit.r[lobe], spread.r[lobe]),
             )
         )
     return FitState(
@@ -105,10 +105,10 @@ def fit_state(found: Any) -> FitState:
     )
 
 
-def _with_error(value: float, error: float) -> str:
+def with_error(value: float, error: float) -> str:
     """Return a value with its standard uncertainty, to one digit of that.
 
-    >>> _with_error(0.31234, 0.0123)
+    >>> with_error(0.31234, 0.0123)
     '0.31 ± 0.01'
     """
     value, error = float(value), float(error)

@@ -109,7 +109,8 @@ def geometry_found(road: Acquisition) -> GeometryFound:
     around = geometry.outline(np.linspace(0.0, 2.0 * np.pi, _OUTLINE_POINTS))
 
     def scaled(places: ArrayLike) -> NDArray[np.float64]:
-        return (np.asarray(places, np.float64) + 0.5) / step - 0.5
+        result: NDArray[np.float64] = (np.asarray(places, np.float64) + 0.5) / step - 0.5
+        return result
 
     rig = [
         (
