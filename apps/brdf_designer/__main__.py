@@ -1,4 +1,4 @@
-"""Designer: the program in which a paint is made. ``brdf-designer --help`` tells its options."""
+"""Designer: the program that designs paints. ``brdf-designer --help`` lists its options."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from brdf_designer.documents.recovery_offer import RecoveryOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.thumbnails import thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.part import Closable, Unhurried
 from brdf_designer.window.sections import build_sections
 from brdf_designer.window.window import DesignerWindow
@@ -72,7 +72,7 @@ class Designer:
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
-        self.desk = Desk(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.controller = Controller(self.window, self.desk, self.window)
         self.recovery_offer = RecoveryOffer(self.documents, self.window)
         self._closed = self._ended = False
@@ -119,7 +119,7 @@ class Designer:
         try:
             document = load_document(name_or_path)
         except SuiteError as error:
-            self._tell_unknown(error)
+            self._report_unknown(error)
             return
         if isinstance(document, Paint):
             self.desk.open_paint(document)
@@ -146,22 +146,24 @@ class Designer:
         window.edited.connect(controller.edit)
         window.gesture_started.connect(controller.begin_gesture)
         window.gesture_finished.connect(controller.end_gesture)
-        window.new_asked.connect(documents.new)
-        window.open_asked.connect(documents.open)
-        window.shipped_asked.connect(lambda name: controller.open_shipped(lambda: load_shipped_paint(name)))
-        window.save_asked.connect(lambda: self.files.save())
-        window.save_as_asked.connect(lambda: self.files.save_as())
-        window.undo_asked.connect(controller.undo)
-        window.redo_asked.connect(controller.redo)
+        window.new_requested.connect(documents.new)
+        window.open_requested.connect(documents.open)
+        window.shipped_requested.connect(
+            lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
+        )
+        window.save_requested.connect(lambda: self.files.save())
+        window.save_as_requested.connect(lambda: self.files.save_as())
+        window.undo_requested.connect(controller.undo)
+        window.redo_requested.connect(controller.redo)
         window.tab_chosen.connect(lambda place: documents.show(documents.row[place]))
-        window.tab_close_asked.connect(lambda place: documents.close(documents.row[place]))
-        window.close_front_asked.connect(lambda: documents.close(documents.front))
+        window.tab_close_requested.connect(lambda place: documents.close(documents.row[place]))
+        window.close_front_requested.connect(lambda: documents.close(documents.front))
         window.tab_moved.connect(documents.move)
-        window.tab_step_asked.connect(documents.step)
-        window.reopen_asked.connect(documents.reopen)
-        window.viewer_asked.connect(self._open_viewer)
+        window.tab_step_requested.connect(documents.step)
+        window.reopen_requested.connect(documents.reopen)
+        window.viewer_requested.connect(self._open_viewer)
         window.recent_cleared.connect(lambda: self.files.clear_recent())
-        window.close_asked.connect(self._may_close)
+        window.close_requested.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
         self.paint_offer = PaintOffer(documents, self.desk)
@@ -171,8 +173,8 @@ class Designer:
         if app is not None:
             app.aboutToQuit.connect(self.close)
 
-    def _tell_unknown(self, error: SuiteError) -> None:
-        todo = tr("The paint that was open is unchanged.")
+    def _report_unknown(self, error: SuiteError) -> None:
+        todo = tr("The open paint is unchanged.")
         self.window.show_message(message_of(error, "open", todo=todo))
 
     def _may_close(self, question: QCloseEvent) -> None:
@@ -192,6 +194,8 @@ class Designer:
         if not started:
             self.window.show_message(
                 Message(
-                    "viewer", tr("Viewer could not be started."), todo=tr("Start it by hand: brdf-viewer.")
+                    "viewer",
+                    tr("Viewer could not be started."),
+                    todo=tr("Start it from a terminal: brdf-viewer."),
                 )
             )

@@ -10,8 +10,8 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
-from brdf_designer.session.desk import Desk
-from brdf_designer.session.fields import Key, TooRoughError, edited, step_name
+from brdf_designer.session.fields import Key, TooRoughError, apply_edit, step_name
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import (
     Colours,
     Curves,
@@ -47,7 +47,7 @@ class View(Protocol):
         """Show which documents are open, whether they are saved, and which one is in front."""
 
     def show_reopen(self, can: bool) -> None:
-        """Show whether a closed tab can be had back."""
+        """Show whether a closed tab can be reopened."""
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
@@ -68,7 +68,7 @@ class View(Protocol):
 class Controller(QObject):
     """Keeps the window in step with the desk, and takes the edits of its fields."""
 
-    def __init__(self, view: View, desk: Desk, parent: QObject | None = None) -> None:
+    def __init__(self, view: View, desk: PaintSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._view, self._desk, self._documents = view, desk, desk.documents
         self._refused = False
@@ -113,12 +113,12 @@ class Controller(QObject):
             return
         paint = self._desk.paint
         try:
-            after = edited(paint, key, value)
+            after = apply_edit(paint, key, value)
         except SuiteError as error:
-            message = message_of(error, "edit", todo=tr("The paint keeps its last valid value."))
+            message = message_of(error, "edit", todo=tr("The last valid value is kept."))
             if isinstance(error, TooRoughError):
                 nearest = error.nearest
-                text = tr("Take Roughness {roughness:.4f}").format(roughness=nearest[1])
+                text = tr("Use Roughness {roughness:.4f}").format(roughness=nearest[1])
                 message = replace(message, actions=((text, lambda: self.edit(key, nearest)),))
             self._view.show_message(message)
             self._refused = True
@@ -221,7 +221,8 @@ def _refusal(error: SuiteError) -> Message:
             "fit",
             str(error),
             todo=tr(
-                "The numbers keep your edit; curve, strip and the other programs show the last paint that can be."
+                "The numbers keep your edit. Curves, strip and the other programs show the "
+                "last possible paint."
             ),
             severity="warning",
             closable=False,

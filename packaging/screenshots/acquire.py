@@ -65,21 +65,25 @@ def drive(options: argparse.Namespace) -> int:
     assistant.sessions.open(options.session)
     wait(lambda: assistant.bench.is_quiet and assistant.bench.session is not None)
     assistant.window.show_page("mask")
-    wait(lambda: assistant.window.mask.picture.history is not None)
+    wait(lambda: assistant.window.mask_page.picture.history is not None)
     used = np.ones((PIXELS, PIXELS), bool)
-    history = assistant.window.mask.picture.history
+    history = assistant.window.mask_page.picture.history
     if history.used.all():
         # The post of the arm, as a hand would paint it out.
         history.dab((0.66 * PIXELS, 0.97 * PIXELS), (0.66 * PIXELS, 0.8 * PIXELS), 0.05 * PIXELS, use=False)
         used = history.used.copy()
-        assistant.window.mask.show_mask(np.ones_like(used))
-        assistant.window.mask.picture.put(used)
+        assistant.window.mask_page.show_mask(np.ones_like(used))
+        assistant.window.mask_page.picture.put(used)
         assistant.write_pending()
     # What a kept session has found before has no pictures: these two are found again in any case.
-    for find in (assistant.road.find_response, assistant.road.find_geometry, assistant.do_all):
+    for find in (
+        assistant.reconstruction.find_response,
+        assistant.reconstruction.find_geometry,
+        assistant.do_all,
+    ):
         find()
         wait(lambda: assistant.bench.is_quiet and not assistant._chain)
-    if "fit" not in assistant.bench.have:
+    if "fit" not in assistant.bench.results:
         messages = assistant.window.messages.shown()
         raise SystemExit(f"A step failed: {[message.what for message in messages.values()]}")
     assistant.window.exposures.choose(EXPOSURES - 4)

@@ -90,7 +90,7 @@ class Walk:
     def hand_over(self, name: str, file: str) -> Callable[[], bool]:
         """Write it in a format."""
         control = self.control("HandoverControl")
-        self.choose("File ▸ Hand Over…")
+        self.choose("File ▸ Export…")
         control.section.choose(name)
         control.section.format_chosen.emit(name)
         self.see(self.window.section("handover"))

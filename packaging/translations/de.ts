@@ -16,28 +16,24 @@
         <translation>Ab dem nächsten Start des Programms</translation>
     </message>
     <message>
-        <source>Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped.</source>
-        <translation>Außerhalb von sRGB: Dieser Bildschirm zeigt durch Abschneiden die nächste Farbe. Der Lack selbst wird nicht beschnitten.</translation>
+        <source>Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped.</source>
+        <translation>Außerhalb von sRGB: Dieser Bildschirm zeigt die Farbe auf seinen Farbraum beschnitten. Der Lack selbst wird nicht beschnitten.</translation>
     </message>
     <message>
-        <source>Colour difference CIEDE2000 between what is asked and what the fitted lobes give.</source>
-        <translation>Farbabstand CIEDE2000 zwischen dem Verlangten und dem, was die angepassten Keulen ergeben.</translation>
+        <source>Colour difference CIEDE2000 between the target and the fitted lobes.</source>
+        <translation>Farbabstand CIEDE2000 zwischen dem Ziel und den angepassten Keulen.</translation>
     </message>
     <message>
-        <source>Flop over the aspecular angle: what is asked above, what the fitted lobes give below</source>
-        <translation>Flop über dem Aspekularwinkel: oben das Verlangte, unten was die angepassten Keulen ergeben</translation>
-    </message>
-    <message>
-        <source>Flop: asked above, fitted lobes below</source>
-        <translation>Flop: oben verlangt, unten angepasst</translation>
+        <source>Flop (target above, fit below)</source>
+        <translation>Flop (Ziel oben, Anpassung unten)</translation>
     </message>
     <message>
         <source>Flop over the aspecular angle</source>
         <translation>Flop über dem Aspekularwinkel</translation>
     </message>
     <message>
-        <source>The grips move the flop about a face that stays: L, C and h at either end the travel of lightness, chroma and hue, F the flop index. Drag one up or down, or choose one with Left and Right and move it with Up and Down (Shift: finely).</source>
-        <translation>Die Griffe bewegen den Flop um eine Aufsicht, die bleibt: L, C und h an beiden Enden den Weg von Helligkeit, Buntheit und Buntton, F den Flop-Index. Einen nach oben oder unten ziehen, oder mit Pfeil links und rechts wählen und mit Pfeil auf und ab bewegen (Umschalt: fein).</translation>
+        <source>The grips change the flop about the face: L, C and h at either end the travel of lightness, chroma and hue, F the flop index. Drag one up or down, or choose one with Left and Right and move it with Up and Down (Shift: fine).</source>
+        <translation>Die Griffe ändern den Flop um die Aufsicht: L, C und h an beiden Enden den Weg von Helligkeit, Buntheit und Buntton, F den Flop-Index. Einen nach oben oder unten ziehen, oder mit Pfeil links und rechts wählen und mit Pfeil auf und ab bewegen (Umschalt: fein).</translation>
     </message>
     <message>
         <source>Colour at {angle}: {lab}</source>
@@ -56,8 +52,8 @@
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>asked</source>
-        <translation>verlangt</translation>
+        <source>target</source>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>fit: none</source>
@@ -88,16 +84,16 @@
         <translation>fernes Ende</translation>
     </message>
     <message>
-        <source>Drag it up or down, or press Up and Down (Shift: finely): this end follows, the far end goes the other way, and the face stays. A double click goes back to the document as it was opened.</source>
-        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das ferne geht entgegengesetzt, und die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+        <source>Drag up or down, or press Up and Down (Shift: fine): this end follows, the far end moves the opposite way, the face stays. A double click restores the value of the opened document.</source>
+        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das ferne bewegt sich entgegengesetzt, die Aufsicht bleibt. Ein Doppelklick stellt den Wert des geöffneten Dokuments wieder her.</translation>
     </message>
     <message>
-        <source>Drag it up for more flop and down for less, or press Up and Down (Shift: finely); the face stays. A double click goes back to the document as it was opened.</source>
-        <translation>Nach oben ziehen für mehr Flop, nach unten für weniger, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein); die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+        <source>Drag up for more flop and down for less, or press Up and Down (Shift: fine); the face stays. A double click restores the value of the opened document.</source>
+        <translation>Nach oben ziehen für mehr Flop, nach unten für weniger, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein); die Aufsicht bleibt. Ein Doppelklick stellt den Wert des geöffneten Dokuments wieder her.</translation>
     </message>
     <message>
-        <source>Drag it up or down, or press Up and Down (Shift: finely): this end follows, the near end goes the other way, and the face stays. A double click goes back to the document as it was opened.</source>
-        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das nahe geht entgegengesetzt, und die Aufsicht bleibt. Ein Doppelklick geht zum Stand beim Öffnen zurück.</translation>
+        <source>Drag up or down, or press Up and Down (Shift: fine): this end follows, the near end moves the opposite way, the face stays. A double click restores the value of the opened document.</source>
+        <translation>Nach oben oder unten ziehen, oder Pfeil auf und Pfeil ab drücken (Umschalt: fein): Dieses Ende folgt, das nahe bewegt sich entgegengesetzt, die Aufsicht bleibt. Ein Doppelklick stellt den Wert des geöffneten Dokuments wieder her.</translation>
     </message>
     <message>
         <source>{value}, from {near:g}° to {far:g}° ({place})</source>
@@ -108,8 +104,8 @@
         <translation>Flop</translation>
     </message>
     <message>
-        <source>Flop: of the last paint that can be</source>
-        <translation>Flop: vom letzten möglichen Lack</translation>
+        <source>Flop: last possible paint</source>
+        <translation>Flop: letzter möglicher Lack</translation>
     </message>
     <message>
         <source>Flop strip</source>
@@ -124,8 +120,8 @@
         <translation>{count} weitere</translation>
     </message>
     <message>
-        <source>Unsaved work on {count} paints was found, the newest from {when}: {names}.</source>
-        <translation>Ungesicherte Arbeit an {count} Lacken wurde gefunden, die neueste von {when}: {names}.</translation>
+        <source>Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?</source>
+        <translation>Designer wurde unerwartet beendet. Ungesicherte Arbeit an {count} Lacken (neueste: {when}) wiederherstellen: {names}?</translation>
     </message>
     <message>
         <source>Recover All</source>
@@ -136,20 +132,20 @@
         <translation>Einzeln</translation>
     </message>
     <message>
-        <source>An earlier run ended before they were saved. Each opens in a tab; no file is changed.</source>
-        <translation>Ein früherer Lauf endete, bevor sie gesichert waren. Jeder öffnet sich in einem Reiter; keine Datei wird geändert.</translation>
+        <source>Each paint opens in a tab. No file is changed.</source>
+        <translation>Jeder Lack öffnet sich in einem Reiter. Keine Datei wird geändert.</translation>
     </message>
     <message>
-        <source>Unsaved work on “{name}” was found, from {when}.</source>
-        <translation>Ungesicherte Arbeit an „{name}“ wurde gefunden, von {when}.</translation>
+        <source>Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
+        <translation>Designer wurde unerwartet beendet. Ungesicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
     </message>
     <message>
-        <source>{what} After it: {count} more.</source>
-        <translation>{what} Danach: {count} weitere.</translation>
+        <source>{what} {count} more will follow.</source>
+        <translation>{what} {count} weitere folgen.</translation>
     </message>
     <message>
-        <source>An earlier run ended before it was saved. Recover opens it; the file on disk is unchanged.</source>
-        <translation>Ein früherer Lauf endete, bevor sie gesichert war. „Wiederherstellen“ öffnet sie; die Datei bleibt unverändert.</translation>
+        <source>The file on disk is not changed.</source>
+        <translation>Die Datei auf der Platte wird nicht geändert.</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -164,8 +160,8 @@
         <translation>Offene Lacke</translation>
     </message>
     <message>
-        <source>Not yet in a file</source>
-        <translation>Noch in keiner Datei</translation>
+        <source>No file yet</source>
+        <translation>Noch keine Datei</translation>
     </message>
     <message>
         <source>Not saved</source>
@@ -204,8 +200,8 @@
         <translation>Flakes</translation>
     </message>
     <message>
-        <source>A few lobes stand for the whole table; points are measured, the line is the fit, dashed lines are its parts.</source>
-        <translation>Wenige Lappen stehen für die ganze Tabelle; Punkte sind gemessen, die Linie ist die Anpassung, gestrichelt sind ihre Teile.</translation>
+        <source>The table approximated by a few lobes: measured values as points, the fit as a line, its components dashed.</source>
+        <translation>Die Tabelle, durch wenige Lappen angenähert: Messwerte als Punkte, die Anpassung als Linie, ihre Anteile gestrichelt.</translation>
     </message>
     <message>
         <source>Measured reflectance and its fit</source>
@@ -256,27 +252,27 @@
         <translation>Modell</translation>
     </message>
     <message>
-        <source>The shape of the lobes; only Cook-Torrance becomes a paint</source>
-        <translation>Die Form der Lappen; nur aus Cook-Torrance wird ein Lack</translation>
+        <source>Lobe model; only Cook-Torrance can be opened or saved as a paint</source>
+        <translation>Lappenmodell; nur Cook-Torrance lässt sich als Lack öffnen oder speichern</translation>
     </message>
     <message>
         <source>Lobes</source>
         <translation>Lappen</translation>
     </message>
     <message>
-        <source>How many; the last one stands for the sharp peak</source>
-        <translation>Wie viele; der letzte steht für die scharfe Spitze</translation>
+        <source>Number of lobes; the last one models the sharp peak</source>
+        <translation>Anzahl der Lappen; der letzte bildet die scharfe Spitze nach</translation>
     </message>
     <message>
         <source>Fit</source>
         <translation>Anpassung</translation>
     </message>
     <message>
-        <source>Fit the lobes to the table; some seconds</source>
-        <translation>Die Lappen an die Tabelle anpassen; einige Sekunden</translation>
+        <source>Fit the lobes to the table; takes several seconds</source>
+        <translation>Die Lappen an die Tabelle anpassen; dauert einige Sekunden</translation>
     </message>
     <message>
-        <source>Fit the Lobes</source>
+        <source>Fit Lobes</source>
         <translation>Lappen anpassen</translation>
     </message>
     <message>
@@ -308,8 +304,8 @@
         <translation>Diagramm</translation>
     </message>
     <message>
-        <source>How well the fit stands for the table</source>
-        <translation>Wie gut die Anpassung für die Tabelle steht</translation>
+        <source>Fit errors</source>
+        <translation>Fehler der Anpassung</translation>
     </message>
     <message>
         <source>Errors</source>
@@ -320,16 +316,16 @@
         <translation>Als neuen Lack öffnen</translation>
     </message>
     <message>
-        <source>Start a design in Designer from it, in a tab of its own; nothing is saved yet</source>
-        <translation>Daraus einen Entwurf in Designer beginnen, in einem eigenen Reiter; gespeichert ist noch nichts</translation>
+        <source>Start an unsaved design from this fit in a new tab</source>
+        <translation>Aus dieser Anpassung einen ungespeicherten Entwurf in einem neuen Reiter beginnen</translation>
     </message>
     <message>
         <source>Save Paint…</source>
         <translation>Lack speichern …</translation>
     </message>
     <message>
-        <source>Save the lobes themselves as a .brdfpaint that Viewer opens</source>
-        <translation>Die Lappen selbst als .brdfpaint speichern, die Viewer öffnet</translation>
+        <source>Save the lobes as a .brdfpaint file for Viewer</source>
+        <translation>Die Lappen als .brdfpaint-Datei für Viewer speichern</translation>
     </message>
     <message>
         <source>Result</source>
@@ -340,8 +336,8 @@
         <translation>Noch nicht angepasst.</translation>
     </message>
     <message>
-        <source>There is no table yet: the reconstruction makes it.</source>
-        <translation>Es gibt noch keine Tabelle: Die Rekonstruktion macht sie.</translation>
+        <source>No table yet. Run the reconstruction first.</source>
+        <translation>Noch keine Tabelle. Zuerst die Rekonstruktion ausführen.</translation>
     </message>
     <message>
         <source>all</source>
@@ -376,8 +372,8 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open S&amp;hipped Paint</source>
-        <translation>Mitgelieferten Lack öff&amp;nen</translation>
+        <source>Open &amp;Sample Paint</source>
+        <translation>&amp;Beispiellack öffnen</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
@@ -700,7 +696,7 @@
         <translation>L*, C* und h über dem Aspekularwinkel</translation>
     </message>
     <message>
-        <source>L*, C*, h over the angle</source>
+        <source>L*, C*, h over angle</source>
         <translation>L*, C*, h über dem Winkel</translation>
     </message>
     <message>
@@ -708,20 +704,20 @@
         <translation>Kurven</translation>
     </message>
     <message>
-        <source>L*, C* and h: lines of the last paint that can be</source>
-        <translation>L*, C* und h: Linien des letzten möglichen Lacks</translation>
+        <source>L*, C* and h: last possible paint</source>
+        <translation>L*, C* und h: letzter möglicher Lack</translation>
     </message>
     <message>
-        <source>Lines of the last paint that can be</source>
-        <translation>Linien des letzten möglichen Lacks</translation>
+        <source>Curves of the last possible paint</source>
+        <translation>Kurven des letzten möglichen Lacks</translation>
     </message>
     <message>
-        <source>Earlier lines</source>
-        <translation>Frühere Linien</translation>
+        <source>Earlier curves</source>
+        <translation>Frühere Kurven</translation>
     </message>
     <message>
-        <source>Points are what is asked at the measured angles; drag one up or down to change it.</source>
-        <translation>Die Punkte sind das an den gemessenen Winkeln Verlangte; einer lässt sich nach oben oder unten ziehen.</translation>
+        <source>Points are the targets at the measured angles; drag one up or down to change it.</source>
+        <translation>Die Punkte sind die Ziele an den gemessenen Winkeln; zum Ändern nach oben oder unten ziehen.</translation>
     </message>
     <message>
         <source>model</source>
@@ -732,11 +728,11 @@
         <translation>angepasste Keulen</translation>
     </message>
     <message>
-        <source>Show the plot of {name}</source>
+        <source>Show plot of {name}</source>
         <translation>Diagramm von {name} zeigen</translation>
     </message>
     <message>
-        <source>The paint that was open is unchanged.</source>
+        <source>The open paint is unchanged.</source>
         <translation>Der offene Lack ist unverändert.</translation>
     </message>
     <message>
@@ -744,32 +740,32 @@
         <translation>Viewer konnte nicht gestartet werden.</translation>
     </message>
     <message>
-        <source>Start it by hand: brdf-viewer.</source>
-        <translation>Von Hand starten: brdf-viewer.</translation>
+        <source>Start it from a terminal: brdf-viewer.</source>
+        <translation>In einem Terminal starten: brdf-viewer.</translation>
     </message>
     <message>
-        <source>Refractive index n of the clearcoat: the higher, the more it mirrors; resins have 1.45 to 1.55. Setting it sets both gloss readings.</source>
-        <translation>Brechzahl n des Klarlacks: je höher, desto mehr spiegelt er; Harze haben 1,45 bis 1,55. Sie setzt beide Glanzwerte.</translation>
+        <source>Refractive index n of the clearcoat: a higher index reflects more. Resins have 1.45 to 1.55. Changing it changes both gloss readings.</source>
+        <translation>Brechzahl n des Klarlacks: Eine höhere reflektiert mehr. Harze haben 1,45 bis 1,55. Eine Änderung ändert beide Glanzwerte.</translation>
     </message>
     <message>
-        <source>Roughness α of the clearcoat: spread of its facets&apos; slopes (Beckmann). 0.003 is a fresh car, 0.05 satin. Setting it sets both gloss readings.</source>
-        <translation>Rauheit α des Klarlacks: Streuung der Neigungen seiner Facetten (Beckmann). 0.003 ist ein neues Auto, 0.05 seidenmatt. Sie setzt beide Glanzwerte.</translation>
+        <source>Roughness α of the clearcoat: spread of the facet slopes (Beckmann). A new car has 0.003, satin 0.05. Changing it changes both gloss readings.</source>
+        <translation>Rauheit α des Klarlacks: Streuung der Facettenneigungen (Beckmann). Ein neues Auto hat 0.003, seidenmatt ist 0.05. Eine Änderung ändert beide Glanzwerte.</translation>
     </message>
     <message>
-        <source>Haze index: gloss at 60° minus gloss at 20° (as practice reads ASTM D4039), GU. It grows where light is scattered just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 5 to 12.</source>
-        <translation>Haze-Index: Glanz bei 60° minus Glanz bei 20° (wie ASTM D4039 in der Praxis gelesen wird), GU. Er wächst, wo Licht dicht neben die Spiegelrichtung gestreut wird, sodass ein glänzender Lack milchig aussieht; ein glatter Klarlack hat etwa 5 bis 12.</translation>
+        <source>Haze index: gloss at 60° minus gloss at 20° (common practice for ASTM D4039), GU. Light scattered close to the mirror direction raises it and makes a glossy coat look milky. A smooth clearcoat has about 5 to 12.</source>
+        <translation>Haze-Index: Glanz bei 60° minus Glanz bei 20° (übliche Praxis zu ASTM D4039), GU. Licht, das nahe der Spiegelrichtung gestreut wird, erhöht ihn und lässt einen glänzenden Lack milchig aussehen. Ein glatter Klarlack hat etwa 5 bis 12.</translation>
     </message>
     <message>
-        <source>Root mean square slope of the waves; a tenth of a degree is seen at arm&apos;s length.</source>
-        <translation>Quadratisches Mittel der Wellenneigung; ein Zehntelgrad sieht man auf Armlänge.</translation>
+        <source>Root mean square slope of the waves. A tenth of a degree is visible at arm&apos;s length.</source>
+        <translation>Quadratisches Mittel der Wellenneigung. Ein Zehntelgrad ist auf Armlänge sichtbar.</translation>
     </message>
     <message>
-        <source>A 60° reading is known</source>
-        <translation>Ein 60°-Wert ist bekannt</translation>
+        <source>Specify 60° gloss</source>
+        <translation>60°-Glanz angeben</translation>
     </message>
     <message>
-        <source>With both readings the refractive index is solved too; otherwise it is 1.5, or what 20° needs.</source>
-        <translation>Mit beiden Werten wird auch die Brechzahl bestimmt; sonst ist sie 1,5 oder was 20° braucht.</translation>
+        <source>Both readings determine the refractive index. With 20° alone it is 1.5, or the value that the reading requires.</source>
+        <translation>Beide Werte bestimmen die Brechzahl. Mit 20° allein ist sie 1,5 oder der Wert, den die Messung verlangt.</translation>
     </message>
     <message>
         <source>Index n</source>
@@ -792,8 +788,8 @@
         <translation>Orangenhaut</translation>
     </message>
     <message>
-        <source>Waviness of the coat, as sprayed coats have it. Viewer draws it, and a view may set its own instead.</source>
-        <translation>Welligkeit des Klarlacks, wie gespritzte Lacke sie haben. Viewer zeichnet sie; eine Ansicht kann statt ihrer eine eigene setzen.</translation>
+        <source>Waviness of a sprayed coat. Viewer renders it; a view can override it.</source>
+        <translation>Welligkeit eines gespritzten Klarlacks. Viewer zeigt sie; eine Ansicht kann sie ersetzen.</translation>
     </message>
     <message>
         <source>Slope</source>
@@ -812,28 +808,28 @@
         <translation>berechnet</translation>
     </message>
     <message>
-        <source>–, no such coat</source>
-        <translation>–, kein solcher Klarlack</translation>
+        <source>–, impossible coat</source>
+        <translation>–, unmöglicher Klarlack</translation>
     </message>
     <message>
         <source>{haze:.1f} GU, {source}</source>
         <translation>{haze:.1f} GU, {source}</translation>
     </message>
     <message>
-        <source>A coat of n {ior:.3f} and α {roughness:.4f} reads the same at 20 and 60°; the readings are what the paint keeps, and the coat nearest to n 1.5 is taken.</source>
-        <translation>Ein Klarlack mit n {ior:.3f} und α {roughness:.4f} hat dieselben Werte bei 20 und 60°; der Lack behält die Messwerte, und genommen wird der Klarlack, der n 1,5 am nächsten ist.</translation>
+        <source>A coat with n {ior:.3f} and α {roughness:.4f} has the same gloss at 20 and 60°. The paint stores the readings, and the coat with n closest to 1.5 is used.</source>
+        <translation>Ein Klarlack mit n {ior:.3f} und α {roughness:.4f} hat denselben Glanz bei 20 und 60°. Der Lack speichert die Messwerte; verwendet wird der Klarlack, dessen n näher an 1,5 liegt.</translation>
     </message>
     <message>
         <source>Edit &amp;One Angle</source>
         <translation>&amp;Einen Winkel ändern</translation>
     </message>
     <message>
-        <source>Edit &amp;All Angles Together</source>
-        <translation>&amp;Alle Winkel zusammen ändern</translation>
+        <source>Edit &amp;All Angles</source>
+        <translation>&amp;Alle Winkel ändern</translation>
     </message>
     <message>
-        <source>Edit the &amp;Flop</source>
-        <translation>Den &amp;Flop ändern</translation>
+        <source>Edit &amp;Flop</source>
+        <translation>&amp;Flop ändern</translation>
     </message>
     <message>
         <source>Colours in &amp;L*a*b*</source>
@@ -860,8 +856,8 @@
         <translation>Winkel: &amp;8, zwei Lichter (E2539)</translation>
     </message>
     <message>
-        <source>Type the &amp;Numbers</source>
-        <translation>&amp;Zahlen eintippen</translation>
+        <source>&amp;Go to First Value</source>
+        <translation>Zum ersten &amp;Wert gehen</translation>
     </message>
     <message>
         <source>3 angles: 15, 45, 110°</source>
@@ -880,12 +876,12 @@
         <translation>8 Geometrien, zwei Lichter (E2539)</translation>
     </message>
     <message>
-        <source>Own angles</source>
+        <source>Custom angles</source>
         <translation>Eigene Winkel</translation>
     </message>
     <message>
-        <source>The aspecular angles at which the colour is given. Another set takes the colours that the paint has at the new angles, so that it keeps its look.</source>
-        <translation>Die Aspekularwinkel, an denen die Farbe angegeben ist. Ein anderer Satz nimmt die Farben, die der Lack an den neuen Winkeln hat, sodass er sein Aussehen behält.</translation>
+        <source>Aspecular angles at which the colour is specified. Another set is filled with the colours of this paint at the new angles, so the appearance is kept.</source>
+        <translation>Aspekularwinkel, an denen die Farbe angegeben ist. Ein anderer Satz übernimmt die Farben dieses Lacks an den neuen Winkeln, sodass das Aussehen bleibt.</translation>
     </message>
     <message>
         <source>L*a*b*</source>
@@ -904,28 +900,24 @@
         <translation>Helligkeit, Buntheit und Bunttonwinkel (CIE 1976, D65, 10°).</translation>
     </message>
     <message>
-        <source>One angle</source>
-        <translation>Ein Winkel</translation>
+        <source>An edit changes the colour at one angle only.</source>
+        <translation>Eine Änderung gilt nur der Farbe an einem Winkel.</translation>
     </message>
     <message>
-        <source>An edit changes the colour at its own angle alone.</source>
-        <translation>Eine Änderung gilt nur der Farbe am eigenen Winkel.</translation>
+        <source>All</source>
+        <translation>Alle</translation>
     </message>
     <message>
-        <source>All together</source>
-        <translation>Alle zusammen</translation>
-    </message>
-    <message>
-        <source>Face and flop move in step: what an edit adds at one angle is added at every angle.</source>
-        <translation>Aufsicht und Flop bewegen sich gemeinsam: Was an einem Winkel dazukommt, kommt an jedem dazu.</translation>
+        <source>An edit adds the same difference at all angles.</source>
+        <translation>Eine Änderung addiert dieselbe Differenz an allen Winkeln.</translation>
     </message>
     <message>
         <source>Flop</source>
         <translation>Flop</translation>
     </message>
     <message>
-        <source>Flop: how the colour changes from the view near the mirror direction to the shallow one. The face (45°) stays, and the angles on either side of it move.</source>
-        <translation>Flop: wie sich die Farbe vom Blick nahe der Spiegelrichtung zum flachen Blick ändert. Die Aufsicht (45°) bleibt, die Winkel zu beiden Seiten bewegen sich.</translation>
+        <source>Flop: change of colour from the view near the mirror direction to the grazing view. An edit keeps the face (45°) and moves the angles on either side.</source>
+        <translation>Flop: Änderung der Farbe vom Blick nahe der Spiegelrichtung zum streifenden Blick. Eine Änderung hält die Aufsicht (45°) und bewegt die Winkel zu beiden Seiten.</translation>
     </message>
     <message>
         <source>New angle</source>
@@ -936,60 +928,56 @@
         <translation>Winkel hinzufügen</translation>
     </message>
     <message>
-        <source>Add a reading at this angle, with the colour that the paint has there.</source>
-        <translation>Einen Wert an diesem Winkel hinzufügen, mit der Farbe, die der Lack dort hat.</translation>
+        <source>Add a reading at this angle with the current colour of the paint.</source>
+        <translation>Einen Wert an diesem Winkel hinzufügen, mit der jetzigen Farbe des Lacks.</translation>
     </message>
     <message>
         <source>Angles</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Further</source>
-        <translation>Weiterer</translation>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Colours in</source>
-        <translation>Farben in</translation>
+        <source>Colour space</source>
+        <translation>Farbraum</translation>
     </message>
     <message>
-        <source>An edit moves</source>
-        <translation>Eine Änderung bewegt</translation>
-    </message>
-    <message>
-        <source>In</source>
-        <translation>In</translation>
+        <source>Angles that an edit changes</source>
+        <translation>Winkel, die eine Änderung betrifft</translation>
     </message>
     <message>
         <source>Edit</source>
         <translation>Ändern</translation>
     </message>
     <message>
-        <source>Aspecular angle of a further reading, with the light at {light:g}°.</source>
-        <translation>Aspekularwinkel eines weiteren Werts, mit dem Licht bei {light:g}°.</translation>
+        <source>Aspecular angle of the new reading, with the light at {light:g}°.</source>
+        <translation>Aspekularwinkel des neuen Werts, mit dem Licht bei {light:g}°.</translation>
     </message>
     <message>
-        <source>No such paint can be.</source>
-        <translation>Einen solchen Lack kann es nicht geben.</translation>
+        <source>This paint is impossible.</source>
+        <translation>Dieser Lack ist nicht möglich.</translation>
     </message>
     <message>
-        <source>No sum of the lobes gives the colour asked at {angles}.</source>
-        <translation>Keine Summe der Keulen ergibt die bei {angles} verlangte Farbe.</translation>
+        <source>No combination of lobes produces the target colour at {angles}.</source>
+        <translation>Keine Kombination der Keulen ergibt die Zielfarbe bei {angles}.</translation>
     </message>
     <message>
-        <source>No paint near to it was found that can be; change a colour or the gloss.</source>
-        <translation>In der Nähe wurde kein möglicher Lack gefunden; eine Farbe oder den Glanz ändern.</translation>
+        <source>No possible paint was found close to it. Change a colour or the gloss.</source>
+        <translation>In der Nähe wurde kein möglicher Lack gefunden. Ändern Sie eine Farbe oder den Glanz.</translation>
     </message>
     <message>
-        <source>The nearest that can be: {paint}.</source>
-        <translation>Der nächste mögliche: {paint}.</translation>
+        <source>Closest possible paint: {paint}.</source>
+        <translation>Nächster möglicher Lack: {paint}.</translation>
     </message>
     <message>
-        <source>Take the Nearest</source>
-        <translation>Den nächsten nehmen</translation>
+        <source>Use Closest</source>
+        <translation>Nächsten verwenden</translation>
     </message>
     <message>
-        <source>The nearest paint that can be was not found: {error}</source>
-        <translation>Der nächste mögliche Lack wurde nicht gefunden: {error}</translation>
+        <source>The search for the closest possible paint failed: {error}</source>
+        <translation>Die Suche nach dem nächsten möglichen Lack schlug fehl: {error}</translation>
     </message>
     <message>
         <source>gloss {gu:g} GU at 20°</source>
@@ -1004,7 +992,7 @@
         <translation>{angle}: {lab} (ΔE00 {error:.1f})</translation>
     </message>
     <message>
-        <source>Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic may pass it near the mirror direction.</source>
+        <source>Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic can exceed it near the mirror direction.</source>
         <translation>Helligkeit L* (CIE 1976, D65, 10°). Ein vollkommen weißer Streuer hat 100; ein Metallic kann nahe der Spiegelrichtung darüber liegen.</translation>
     </message>
     <message>
@@ -1020,8 +1008,8 @@
         <translation>Buntheit C*ab: wie weit die Farbe von Grau entfernt ist, der Abstand von 0 in der Ebene von a* und b*.</translation>
     </message>
     <message>
-        <source>Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue; the circle closes. A grey has no hue: then this is the hue that it gets as soon as it has chroma.</source>
-        <translation>Bunttonwinkel hab: 0° Rot, 90° Gelb, 180° Grün, 270° Blau; der Kreis schließt sich. Ein Grau hat keinen Buntton: Dann ist dies der, den es bekommt, sobald es Buntheit hat.</translation>
+        <source>Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; this value is used as soon as it has chroma.</source>
+        <translation>Bunttonwinkel hab: 0° Rot, 90° Gelb, 180° Grün, 270° Blau. Ein Grau hat keinen Buntton; dieser Wert gilt, sobald es Buntheit hat.</translation>
     </message>
     <message>
         <source>Pick the colour at {angle}</source>
@@ -1036,32 +1024,32 @@
         <translation>{name}, Zahl</translation>
     </message>
     <message>
-        <source>The angle from the mirror direction of the light to the view, past the normal: the aspecular angle.</source>
-        <translation>Der Winkel von der Spiegelrichtung des Lichts zum Blick, an der Normalen vorbei: der Aspekularwinkel.</translation>
+        <source>Angle from the mirror direction of the light to the view: the aspecular angle.</source>
+        <translation>Winkel von der Spiegelrichtung des Lichts zum Blick: der Aspekularwinkel.</translation>
     </message>
     <message>
         <source>Remove the reading at {angle}</source>
         <translation>Wert bei {angle} entfernen</translation>
     </message>
     <message>
-        <source>The paint keeps its last valid value.</source>
-        <translation>Der Lack behält seinen letzten gültigen Wert.</translation>
+        <source>The last valid value is kept.</source>
+        <translation>Der letzte gültige Wert bleibt.</translation>
     </message>
     <message>
-        <source>Take Roughness {roughness:.4f}</source>
-        <translation>Rauheit {roughness:.4f} nehmen</translation>
+        <source>Use Roughness {roughness:.4f}</source>
+        <translation>Rauheit {roughness:.4f} verwenden</translation>
     </message>
     <message>
-        <source>The numbers keep your edit; curve, strip and the other programs show the last paint that can be.</source>
-        <translation>Die Zahlen behalten die Änderung; Kurve, Streifen und die anderen Programme zeigen den letzten möglichen Lack.</translation>
+        <source>The numbers keep your edit. Curves, strip and the other programs show the last possible paint.</source>
+        <translation>Die Zahlen behalten die Eingabe. Kurven, Streifen und die anderen Programme zeigen den letzten möglichen Lack.</translation>
     </message>
     <message>
-        <source>The paint cannot be told to the other programs: {reason}.</source>
-        <translation>Der Lack kann den anderen Programmen nicht gesagt werden: {reason}.</translation>
+        <source>The paint could not be sent to the other programs: {reason}.</source>
+        <translation>Der Lack konnte nicht an die anderen Programme gesendet werden: {reason}.</translation>
     </message>
     <message>
-        <source>They keep the paint before.</source>
-        <translation>Sie behalten den Lack davor.</translation>
+        <source>They keep the previous paint.</source>
+        <translation>Sie behalten den vorigen Lack.</translation>
     </message>
     <message>
         <source>Change {name} at {angle}</source>
@@ -1080,8 +1068,8 @@
         <translation>{name} ändern</translation>
     </message>
     <message>
-        <source>A coat that rough mirrors {share:.4f} of the light at {angle:g}° by itself, and the colour there is darker. With index {ior:.3f} its roughness can be up to {most:.4f}.</source>
-        <translation>Ein so rauer Klarlack spiegelt bei {angle:g}° allein {share:.4f} des Lichts, und die Farbe dort ist dunkler. Mit der Brechzahl {ior:.3f} kann seine Rauheit bis {most:.4f} gehen.</translation>
+        <source>With this roughness the coat alone reflects {share:.4f} of the light at {angle:g}°, more than the colour there. With index {ior:.3f} the roughness can be up to {most:.4f}.</source>
+        <translation>Mit dieser Rauheit reflektiert der Klarlack allein bei {angle:g}° {share:.4f} des Lichts, mehr als die Farbe dort. Mit der Brechzahl {ior:.3f} kann die Rauheit höchstens {most:.4f} betragen.</translation>
     </message>
     <message>
         <source>Change Flop Index</source>
@@ -1112,28 +1100,28 @@
         <translation>Winkel entfernen</translation>
     </message>
     <message>
-        <source>Change Index of the Coat</source>
+        <source>Change Coat Index</source>
         <translation>Brechzahl des Klarlacks ändern</translation>
     </message>
     <message>
-        <source>Change Roughness of the Coat</source>
+        <source>Change Coat Roughness</source>
         <translation>Rauheit des Klarlacks ändern</translation>
     </message>
     <message>
-        <source>Switch Orange Peel</source>
-        <translation>Orangenhaut ein oder aus</translation>
+        <source>Orange Peel On</source>
+        <translation>Orangenhaut ein</translation>
     </message>
     <message>
-        <source>Switch Flakes</source>
-        <translation>Flakes ein oder aus</translation>
+        <source>Flakes On</source>
+        <translation>Flakes ein</translation>
     </message>
     <message>
         <source>Make Solid</source>
         <translation>Uni machen</translation>
     </message>
     <message>
-        <source>Take Nearest Paint</source>
-        <translation>Nächsten Lack nehmen</translation>
+        <source>Use Closest Paint</source>
+        <translation>Nächsten Lack verwenden</translation>
     </message>
     <message>
         <source>Change Interpolation</source>
@@ -1156,15 +1144,15 @@
         <translation>Herkunft ändern</translation>
     </message>
     <message>
-        <source>Viewer draws these flakes one by one in the brightest lights; the mean colour stays that of the readings.</source>
-        <translation>Viewer zeichnet diese Flakes einzeln in den hellsten Lichtern; die mittlere Farbe bleibt die der Messwerte.</translation>
+        <source>Viewer renders these flakes individually in the brightest lights. The mean colour still matches the readings.</source>
+        <translation>Viewer zeigt diese Flakes einzeln in den hellsten Lichtern. Die mittlere Farbe entspricht weiter den Messwerten.</translation>
     </message>
     <message>
-        <source>Our own sparkle figure, from the model of the flakes: spots per mm² that are brighter than the surface around them by {contrast:.0%} or more, and the mean of how much brighter they are (contrast); in the sun 45° off the normal, seen from {distance:g} mm by an eye that takes in {resolved:.3f} mm. It is no instrument&apos;s reading and must not be compared with one.</source>
-        <translation>Unser eigenes Glitzermaß, aus dem Modell der Flakes: Punkte je mm², die um {contrast:.0%} oder mehr heller sind als die Fläche um sie, und wie viel heller sie im Mittel sind (Kontrast); in der Sonne 45° neben der Normalen, aus {distance:g} mm gesehen von einem Auge, das {resolved:.3f} mm auflöst. Es ist kein Messwert eines Geräts und mit keinem zu vergleichen.</translation>
+        <source>Sparkle (BRDF Suite metric), computed from the flake model: spots per mm² that are at least {contrast:.0%} brighter than their surroundings, and their mean contrast. In the sun at 45° from the normal, seen from {distance:g} mm by an eye that resolves {resolved:.3f} mm. Not comparable with the readings of an instrument.</source>
+        <translation>Glitzern (Maß der BRDF Suite), aus dem Modell der Flakes berechnet: Punkte je mm², die mindestens {contrast:.0%} heller sind als ihre Umgebung, und ihr mittlerer Kontrast. In der Sonne 45° neben der Normalen, aus {distance:g} mm gesehen von einem Auge, das {resolved:.3f} mm auflöst. Nicht mit Messwerten eines Geräts vergleichbar.</translation>
     </message>
     <message>
-        <source>Flakes that can be seen</source>
+        <source>Visible flakes</source>
         <translation>Sichtbare Flakes</translation>
     </message>
     <message>
@@ -1212,8 +1200,8 @@
         <translation>Δh-Weg</translation>
     </message>
     <message>
-        <source>Travel of hue: by how many degrees it turns from the nearest to the farthest angle; positive from red towards yellow. A grey has no hue to travel.</source>
-        <translation>Bunttonweg: um wie viel Grad sich der Buntton vom nächsten zum fernsten Winkel dreht; positiv von Rot nach Gelb. Ein Grau hat keinen Buntton.</translation>
+        <source>Travel of hue: rotation in degrees from the nearest to the farthest angle, positive from red towards yellow. A grey has no hue.</source>
+        <translation>Bunttonweg: Drehung in Grad vom nächsten zum fernsten Winkel, positiv von Rot nach Gelb. Ein Grau hat keinen Buntton.</translation>
     </message>
     <message>
         <source>{name}, slider</source>
@@ -1228,27 +1216,27 @@
         <translation>Von {near:g}° bis {far:g}°; die Farbe bei {face:g}° bleibt.</translation>
     </message>
     <message>
-        <source>Hand-over</source>
-        <translation>Übergabe</translation>
+        <source>Export</source>
+        <translation>Export</translation>
     </message>
     <message>
-        <source>&amp;Hand Over…</source>
-        <translation>Über&amp;geben …</translation>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
     </message>
     <message>
-        <source>Export the paint for other programs, or make a report of it</source>
-        <translation>Den Lack für andere Programme ausgeben oder einen Bericht machen</translation>
+        <source>Export the paint for other programs, or as a report</source>
+        <translation>Den Lack für andere Programme oder als Bericht exportieren</translation>
     </message>
     <message>
         <source>Session (session.json)</source>
         <translation>Sitzung (session.json)</translation>
     </message>
     <message>
-        <source>Nothing was written.</source>
-        <translation>Nichts wurde geschrieben.</translation>
+        <source>No file was written.</source>
+        <translation>Keine Datei wurde geschrieben.</translation>
     </message>
     <message>
-        <source>The session that was open is unchanged.</source>
+        <source>The open session is unchanged.</source>
         <translation>Die geöffnete Sitzung ist unverändert.</translation>
     </message>
     <message>
@@ -1260,16 +1248,16 @@
         <translation>Keines der Fotos dieser Stellung ist lesbar.</translation>
     </message>
     <message>
-        <source>session.json keeps what it had.</source>
-        <translation>session.json behält, was sie hatte.</translation>
+        <source>session.json is unchanged.</source>
+        <translation>session.json ist unverändert.</translation>
     </message>
     <message>
         <source>session.json was changed by another program since it was opened here.</source>
         <translation>session.json wurde von einem anderen Programm geändert, seit sie hier geöffnet ist.</translation>
     </message>
     <message>
-        <source>Check Again reads it; then edit once more.</source>
-        <translation>Erneut prüfen liest sie; danach noch einmal ändern.</translation>
+        <source>Click Check Again to read it, then repeat the edit.</source>
+        <translation>„Erneut prüfen“ liest sie; danach die Änderung wiederholen.</translation>
     </message>
     <message>
         <source>With dark frames</source>
@@ -1296,12 +1284,12 @@
         <translation>{name} wird ausgegeben</translation>
     </message>
     <message>
-        <source>{name} was written.</source>
-        <translation>{name} wurde geschrieben.</translation>
+        <source>{name} exported.</source>
+        <translation>{name} exportiert.</translation>
     </message>
     <message>
-        <source>An older file of that name is unchanged.</source>
-        <translation>Eine ältere Datei dieses Namens ist unverändert.</translation>
+        <source>An existing file with this name is unchanged.</source>
+        <translation>Eine vorhandene Datei dieses Namens ist unverändert.</translation>
     </message>
     <message>
         <source>CxF3, one specification per angle</source>
@@ -1344,76 +1332,76 @@
         <translation>Format</translation>
     </message>
     <message>
-        <source>The kind of file; what it cannot hold of this paint stands below</source>
-        <translation>Die Art der Datei; was sie von diesem Lack nicht fasst, steht darunter</translation>
+        <source>File format; properties of this paint that it cannot store are listed below</source>
+        <translation>Dateiformat; Eigenschaften dieses Lacks, die es nicht speichern kann, stehen darunter</translation>
     </message>
     <message>
-        <source>What the format holds</source>
-        <translation>Was das Format fasst</translation>
+        <source>Contents of the format</source>
+        <translation>Inhalt des Formats</translation>
     </message>
     <message>
-        <source>What the format loses</source>
-        <translation>Was das Format verliert</translation>
+        <source>Losses of the format</source>
+        <translation>Verluste des Formats</translation>
     </message>
     <message>
         <source>With pictures</source>
         <translation>Mit Bildern</translation>
     </message>
     <message>
-        <source>The speed form in the booth and a sphere in the sun, by the real renderer</source>
-        <translation>Die Speedform in der Lichtkabine und eine Kugel in der Sonne, vom wirklichen Renderer</translation>
+        <source>Rendered pictures of the speed form in the booth and a sphere in the sun</source>
+        <translation>Gerenderte Bilder der Speedform in der Lichtkabine und einer Kugel in der Sonne</translation>
     </message>
     <message>
-        <source>Against the standard</source>
-        <translation>Gegen den Bezug</translation>
+        <source>Compare with standard</source>
+        <translation>Mit Bezug vergleichen</translation>
     </message>
     <message>
-        <source>Differences, words and tolerances of the section Standard go into the report</source>
-        <translation>Abstände, Worte und Toleranzen des Abschnitts „Bezug“ kommen in den Bericht</translation>
+        <source>Include the differences, words and tolerances of the section Standard in the report</source>
+        <translation>Abstände, Worte und Toleranzen des Abschnitts „Bezug“ in den Bericht aufnehmen</translation>
     </message>
     <message>
         <source>Export…</source>
         <translation>Ausgeben …</translation>
     </message>
     <message>
-        <source>Write the paint as it is now into a file of this format</source>
-        <translation>Den Lack, wie er jetzt ist, in eine Datei dieses Formats schreiben</translation>
+        <source>Export the current paint to a file of this format</source>
+        <translation>Den jetzigen Lack in eine Datei dieses Formats exportieren</translation>
     </message>
     <message>
-        <source>Finding out what is lost…</source>
-        <translation>Es wird ermittelt, was verloren geht …</translation>
+        <source>Determining losses…</source>
+        <translation>Verluste werden ermittelt …</translation>
     </message>
     <message>
-        <source>Nothing is lost.</source>
-        <translation>Nichts geht verloren.</translation>
+        <source>No losses.</source>
+        <translation>Keine Verluste.</translation>
     </message>
     <message>
-        <source>Lost:</source>
-        <translation>Verloren:</translation>
+        <source>Losses:</source>
+        <translation>Verluste:</translation>
     </message>
     <message>
-        <source>&amp;History Strip</source>
+        <source>&amp;History</source>
         <translation>&amp;Verlaufsstreifen</translation>
     </message>
     <message>
-        <source>Show or hide the states of this paint</source>
-        <translation>Zustände dieses Lacks zeigen oder verbergen</translation>
+        <source>Show or hide the history of this paint</source>
+        <translation>Den Verlauf dieses Lacks zeigen oder verbergen</translation>
     </message>
     <message>
         <source>&amp;Go to This State</source>
         <translation>Zu diesem Zustand &amp;gehen</translation>
     </message>
     <message>
-        <source>&amp;Take It as a New Step</source>
-        <translation>Als neuen Schritt über&amp;nehmen</translation>
+        <source>&amp;Restore as New Step</source>
+        <translation>Als neuen &amp;Schritt wiederherstellen</translation>
     </message>
     <message>
-        <source>Take Earlier State</source>
-        <translation>Früheren Zustand nehmen</translation>
+        <source>Restore Earlier State</source>
+        <translation>Früheren Zustand wiederherstellen</translation>
     </message>
     <message>
-        <source>&amp;Open It in a New Tab</source>
-        <translation>In neuem Reiter &amp;öffnen</translation>
+        <source>&amp;Open in New Tab</source>
+        <translation>In neuem Reiter ö&amp;ffnen</translation>
     </message>
     <message>
         <source>Opened</source>
@@ -1424,8 +1412,8 @@
         <translation>Zustand {number}: {step}</translation>
     </message>
     <message>
-        <source>{state}, the paint as it is now</source>
-        <translation>{state}, der Lack, wie er jetzt ist</translation>
+        <source>{state}, current</source>
+        <translation>{state}, aktuell</translation>
     </message>
     <message>
         <source>{state}, undone</source>
@@ -1436,15 +1424,15 @@
         <translation>Verlauf dieses Lacks</translation>
     </message>
     <message>
-        <source>Every state of this paint, the oldest at the left; click one to go back to it.</source>
-        <translation>Jeder Zustand dieses Lacks, der älteste links; ein Klick geht zu ihm zurück.</translation>
+        <source>States of this paint, oldest at the left; click one to restore it.</source>
+        <translation>Zustände dieses Lacks, der älteste links; ein Klick stellt einen wieder her.</translation>
     </message>
     <message>
         <source>Interpolate</source>
         <translation>Interpolieren</translation>
     </message>
     <message>
-        <source>Choose another paint for the other end.</source>
+        <source>Choose a different paint for the other end.</source>
         <translation>Für das andere Ende einen anderen Lack wählen.</translation>
     </message>
     <message>
@@ -1468,8 +1456,8 @@
         <translation>Der andere Lack</translation>
     </message>
     <message>
-        <source>The paint at the other end: an open tab, a shipped paint, or one of a file</source>
-        <translation>Der Lack am anderen Ende: ein offener Reiter, ein mitgelieferter Lack oder einer aus einer Datei</translation>
+        <source>Paint at the other end: an open tab, a sample paint, or a file</source>
+        <translation>Lack am anderen Ende: ein offener Reiter, ein Beispiellack oder eine Datei</translation>
     </message>
     <message>
         <source>Choose the paint at the other end.</source>
@@ -1480,8 +1468,8 @@
         <translation>Interpolieren zu …</translation>
     </message>
     <message>
-        <source>Click to take the paint at {percent:.0f} %</source>
-        <translation>Klick nimmt den Lack bei {percent:.0f} %</translation>
+        <source>Click to use the paint at {percent:.0f} %</source>
+        <translation>Klick übernimmt den Lack bei {percent:.0f} %</translation>
     </message>
     <message>
         <source>Share of the other paint, %</source>
@@ -1492,16 +1480,16 @@
         <translation>Anteil des anderen Lacks</translation>
     </message>
     <message>
-        <source>Where the mixture lies: 0 % is this paint, 100 % the other one</source>
-        <translation>Wo die Mischung liegt: 0 % ist dieser Lack, 100 % der andere</translation>
+        <source>Position of the mixture: 0 % is this paint, 100 % the other one</source>
+        <translation>Lage der Mischung: 0 % ist dieser Lack, 100 % der andere</translation>
     </message>
     <message>
         <source>Beyond the ends</source>
         <translation>Über die Enden hinaus</translation>
     </message>
     <message>
-        <source>From −50 to 150 %: away from the other paint, or past it</source>
-        <translation>Von −50 bis 150 %: vom anderen Lack weg oder an ihm vorbei</translation>
+        <source>Extend the range from −50 to 150 %</source>
+        <translation>Den Bereich auf −50 bis 150 % erweitern</translation>
     </message>
     <message>
         <source>Measurement</source>
@@ -1512,20 +1500,20 @@
         <translation>Neu aus &amp;Messung …</translation>
     </message>
     <message>
-        <source>Measure a reflectance by the virtual spectrophotometer and design from there</source>
-        <translation>Eine Reflexion mit dem virtuellen Spektralfotometer messen und von dort aus gestalten</translation>
+        <source>Start a design from the readings of a virtual spectrophotometer on a measured reflectance</source>
+        <translation>Einen Entwurf mit den Werten des virtuellen Spektralfotometers an einer gemessenen Reflexion beginnen</translation>
     </message>
     <message>
         <source>Measured files and paints ({patterns})</source>
         <translation>Messdateien und Lacke ({patterns})</translation>
     </message>
     <message>
-        <source>The paints that are open are unchanged.</source>
+        <source>The open paints are unchanged.</source>
         <translation>Die offenen Lacke sind unverändert.</translation>
     </message>
     <message>
-        <source>{name} holds {count} paints; the first {opened} are open.</source>
-        <translation>{name} enthält {count} Lacke; die ersten {opened} sind offen.</translation>
+        <source>{name} contains {count} paints. The first {opened} were opened.</source>
+        <translation>{name} enthält {count} Lacke. Die ersten {opened} wurden geöffnet.</translation>
     </message>
     <message>
         <source>Measure Again</source>
@@ -1536,8 +1524,8 @@
         <translation>Gelesen bei</translation>
     </message>
     <message>
-        <source>The angles of the design; another set reads the original again</source>
-        <translation>Die Winkel des Entwurfs; ein anderer Satz liest das Original erneut</translation>
+        <source>Angles of the design; another set measures the original again</source>
+        <translation>Winkel des Entwurfs; ein anderer Satz misst das Original neu</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -1552,16 +1540,16 @@
         <translation>ΔE00 zwischen Entwurf und Original</translation>
     </message>
     <message>
-        <source>ΔE00 between the design and the original at angles that it was not made from</source>
-        <translation>ΔE00 zwischen Entwurf und Original an Winkeln, aus denen er nicht gemacht ist</translation>
+        <source>ΔE00 between the design and the original at angles that were not used</source>
+        <translation>ΔE00 zwischen dem Entwurf und dem Original an nicht benutzten Winkeln</translation>
     </message>
     <message>
         <source>Original as Standard</source>
         <translation>Original als Bezug</translation>
     </message>
     <message>
-        <source>Judge the design against what was measured, at every angle</source>
-        <translation>Den Entwurf an jedem Winkel gegen das Gemessene beurteilen</translation>
+        <source>Compare the design with the measured original at every angle</source>
+        <translation>Den Entwurf an jedem Winkel mit dem gemessenen Original vergleichen</translation>
     </message>
     <message>
         <source>Glossmeter: no reading; {gloss:g} GU at 20° is set, not measured</source>
@@ -1576,8 +1564,8 @@
         <translation>Glanzmesser: {readings}; statt dessen ist {gloss:g} GU bei 20° gesetzt</translation>
     </message>
     <message>
-        <source>The design cannot be compared with the original yet: no such paint can be built.</source>
-        <translation>Der Entwurf lässt sich noch nicht mit dem Original vergleichen: Einen solchen Lack kann es nicht geben.</translation>
+        <source>The design cannot be compared with the original: the paint is impossible.</source>
+        <translation>Der Entwurf lässt sich nicht mit dem Original vergleichen: Der Lack ist nicht möglich.</translation>
     </message>
     <message>
         <source>ΔE00 to the original at {count} angles that were not used: mean {mean:.1f}, at most {worst:.1f} ({angle:g}°, light {light:g}°)</source>
@@ -1620,40 +1608,40 @@
         <translation>Nahe Spiegelrichtung</translation>
     </message>
     <message>
-        <source>Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 reads 100. Coat and base together. The narrow 20° receptor tells glossy coats apart.</source>
+        <source>Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 has 100. Coat and base together. The narrow 20° receptor distinguishes glossy coats.</source>
         <translation>Glanzeinheiten bei 20° (ASTM D523, ISO 2813): poliertes schwarzes Glas der Brechzahl 1,567 hat 100. Klarlack und Basis zusammen. Der schmale 20°-Empfänger unterscheidet glänzende Lacke.</translation>
     </message>
     <message>
-        <source>Gloss units at 60°, coat and base together: the wide receptor, for coats of every gloss. With both readings index and roughness of the coat are solved.</source>
+        <source>Gloss units at 60°, coat and base together: the wide receptor, for coats of any gloss. Both readings determine the index and roughness of the coat.</source>
         <translation>Glanzeinheiten bei 60°, Klarlack und Basis zusammen: der weite Empfänger, für Lacke jeden Glanzes. Mit beiden Werten werden Brechzahl und Rauheit des Klarlacks bestimmt.</translation>
     </message>
     <message>
-        <source>Root mean square height of the coat&apos;s waviness, µm. A good finish has some tenths of a micrometre.</source>
+        <source>Root mean square height of the waviness of the coat, µm. A good finish has a few tenths of a micrometre.</source>
         <translation>Quadratisches Mittel der Wellenhöhe des Klarlacks, µm. Eine gute Lackierung hat einige Zehntel Mikrometer.</translation>
     </message>
     <message>
-        <source>Typical distance from crest to crest, mm. Waves of 1 to 10 mm are seen from arm&apos;s length as orange peel; they blur the edges of what is mirrored, which lowers the distinctness of image (DOI).</source>
-        <translation>Üblicher Abstand von Kamm zu Kamm, mm. Wellen von 1 bis 10 mm sieht man auf Armlänge als Orangenhaut; sie verwischen die Kanten des Gespiegelten und mindern die Abbildungsschärfe (DOI).</translation>
+        <source>Typical distance from crest to crest, mm. Waves of 1 to 10 mm are visible at arm&apos;s length as orange peel. They blur the edges of reflections and lower the distinctness of image (DOI).</source>
+        <translation>Üblicher Abstand von Kamm zu Kamm, mm. Wellen von 1 bis 10 mm sind auf Armlänge als Orangenhaut sichtbar. Sie verwischen die Kanten von Spiegelungen und mindern die Abbildungsschärfe (DOI).</translation>
     </message>
     <message>
-        <source>How many flakes of a square millimetre can be seen one by one; most flakes of a paint lie too deep for that.</source>
-        <translation>Wie viele Flakes eines Quadratmillimeters einzeln zu sehen sind; die meisten Flakes eines Lacks liegen dafür zu tief.</translation>
+        <source>Number of individually visible flakes per square millimetre. Most flakes of a paint lie too deep to be visible.</source>
+        <translation>Zahl der einzeln sichtbaren Flakes je Quadratmillimeter. Die meisten Flakes eines Lacks liegen dafür zu tief.</translation>
     </message>
     <message>
         <source>Mean diameter of a flake, µm; larger flakes are brighter and sparkle more coarsely.</source>
         <translation>Mittlerer Durchmesser eines Flakes, µm; größere Flakes sind heller und glitzern gröber.</translation>
     </message>
     <message>
-        <source>Spread of the flakes&apos; tilts, as the root mean square slope m: about 0.15 to 0.19 for metallic paints. Wider spreads sparkle at more angles, and less at each.</source>
+        <source>Spread of the flake tilts as the root mean square slope m: about 0.15 to 0.19 for metallic paints. A wider spread sparkles at more angles, but less at each.</source>
         <translation>Streuung der Flake-Neigungen, als quadratisches Mittel der Steigung m: etwa 0.15 bis 0.19 für Metalliclacke. Breitere Streuung glitzert an mehr Winkeln und an jedem weniger.</translation>
     </message>
     <message>
-        <source>How differently the flakes are coloured: 0 all alike, 1 every hue.</source>
-        <translation>Wie verschieden die Flakes gefärbt sind: 0 alle gleich, 1 jeder Buntton.</translation>
+        <source>Variation of the flake colours: 0 all equal, 1 all hues.</source>
+        <translation>Streuung der Flake-Farben: 0 alle gleich, 1 alle Bunttöne.</translation>
     </message>
     <message>
-        <source>Scales the base in the mirror direction, where no instrument looks; not measured.</source>
-        <translation>Skaliert die Basis in der Spiegelrichtung, in die kein Gerät blickt; nicht gemessen.</translation>
+        <source>Scale of the base in the mirror direction, where instruments do not measure.</source>
+        <translation>Skalierung der Basis in der Spiegelrichtung, in der Geräte nicht messen.</translation>
     </message>
     <message>
         <source>Flake tilts (bell)</source>
@@ -1672,15 +1660,15 @@
         <translation>Zwischen Winkeln</translation>
     </message>
     <message>
-        <source>The rule between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a parabola.</source>
-        <translation>Die Regel zwischen den gemessenen Winkeln: eine Glocke von Flake-Neigungen, eine monotone Kurve durch L*a*b* oder eine Parabel.</translation>
+        <source>Interpolation between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a parabola.</source>
+        <translation>Interpolation zwischen den gemessenen Winkeln: eine Glocke von Flake-Neigungen, eine monotone Kurve durch L*a*b* oder eine Parabel.</translation>
     </message>
     <message>
-        <source>Not measured: no instrument of three angles looks below 15°.</source>
-        <translation>Nicht gemessen: Kein Gerät mit drei Winkeln blickt unter 15°.</translation>
+        <source>Not measured: instruments with three angles do not measure below 15°.</source>
+        <translation>Nicht gemessen: Geräte mit drei Winkeln messen nicht unter 15°.</translation>
     </message>
     <message>
-        <source>Not measured: no reading lies nearer to the mirror direction than {angle:g}°.</source>
+        <source>Not measured: no reading is closer to the mirror direction than {angle:g}°.</source>
         <translation>Nicht gemessen: Kein Wert liegt näher an der Spiegelrichtung als {angle:g}°.</translation>
     </message>
     <message>
@@ -1700,8 +1688,8 @@
         <translation>Kameraneigung</translation>
     </message>
     <message>
-        <source>Of the optical axis, positive upwards</source>
-        <translation>Der optischen Achse, nach oben positiv</translation>
+        <source>Tilt of the optical axis, positive upwards</source>
+        <translation>Neigung der optischen Achse, nach oben positiv</translation>
     </message>
     <message>
         <source>Lamp distance</source>
@@ -1716,12 +1704,12 @@
         <translation>Winkelversatz</translation>
     </message>
     <message>
-        <source>A known error of the turntable&apos;s zero, added to every stated angle</source>
-        <translation>Ein bekannter Fehler der Null des Drehtellers; kommt zu jedem angegebenen Winkel hinzu</translation>
+        <source>Known zero error of the turntable; added to every stated angle</source>
+        <translation>Bekannter Nullfehler des Drehtellers; wird zu jedem angegebenen Winkel addiert</translation>
     </message>
     <message>
-        <source>A folder with photographs of the painted sphere and a session.json that describes them.</source>
-        <translation>Ein Ordner mit Fotos der lackierten Kugel und einer session.json, die sie beschreibt.</translation>
+        <source>Photographs of the painted sphere in a folder, described by a session.json.</source>
+        <translation>Fotos der lackierten Kugel in einem Ordner, beschrieben durch eine session.json.</translation>
     </message>
     <message>
         <source>A photograph of the session</source>
@@ -1736,7 +1724,7 @@
         <translation>Ordner öffnen …</translation>
     </message>
     <message>
-        <source>Open a folder that has a session.json</source>
+        <source>Open a folder with a session.json</source>
         <translation>Einen Ordner mit einer session.json öffnen</translation>
     </message>
     <message>
@@ -1744,8 +1732,8 @@
         <translation>Neuer Ordner …</translation>
     </message>
     <message>
-        <source>Make a folder with a session.json to fill in, for photographs to come</source>
-        <translation>Einen Ordner mit einer session.json zum Ausfüllen anlegen, für künftige Fotos</translation>
+        <source>Create a folder with a session.json template for new photographs</source>
+        <translation>Einen Ordner mit einer session.json zum Ausfüllen für neue Fotos anlegen</translation>
     </message>
     <message>
         <source>Folder</source>
@@ -1756,20 +1744,20 @@
         <translation>Erneut prüfen</translation>
     </message>
     <message>
-        <source>Look at every photograph of the folder once more</source>
-        <translation>Jedes Foto des Ordners noch einmal ansehen</translation>
+        <source>Check all photographs of the folder again</source>
+        <translation>Alle Fotos des Ordners erneut prüfen</translation>
     </message>
     <message>
-        <source>What is changed here is written to session.json at once; Ctrl+Z takes it back.</source>
-        <translation>Was hier geändert wird, steht sofort in session.json; Strg+Z nimmt es zurück.</translation>
+        <source>Changes are saved immediately. Undo: Ctrl+Z.</source>
+        <translation>Änderungen werden sofort gesichert. Rückgängig: Strg+Z.</translation>
     </message>
     <message>
         <source>Rig</source>
         <translation>Aufbau</translation>
     </message>
     <message>
-        <source>What the session holds</source>
-        <translation>Was die Sitzung enthält</translation>
+        <source>Contents of the session</source>
+        <translation>Inhalt der Sitzung</translation>
     </message>
     <message>
         <source>Photographs</source>
@@ -1780,24 +1768,24 @@
         <translation>Kein Ordner ist geöffnet.</translation>
     </message>
     <message>
-        <source>Open a folder of photographs, or make a new one: its session.json tells what to photograph.</source>
-        <translation>Öffnen Sie einen Ordner mit Fotos oder legen Sie einen neuen an: Seine session.json sagt, was zu fotografieren ist.</translation>
+        <source>Open a folder of photographs, or create a new one. Its session.json lists the photographs to take.</source>
+        <translation>Öffnen Sie einen Ordner mit Fotos oder legen Sie einen neuen an. Seine session.json listet die nötigen Fotos auf.</translation>
     </message>
     <message>
         <source>Name</source>
         <translation>Name</translation>
     </message>
     <message>
-        <source>As session.json has it</source>
-        <translation>Wie es in session.json steht</translation>
+        <source>Name in session.json</source>
+        <translation>Name in session.json</translation>
     </message>
     <message>
         <source>{count}, {first:g} to {last:g}°</source>
         <translation>{count}, {first:g} bis {last:g}°</translation>
     </message>
     <message>
-        <source>Angles of the lamp; 0° is in front of the camera</source>
-        <translation>Winkel der Lampe; 0° ist vor der Kamera</translation>
+        <source>Lamp angles; 0° is at the camera</source>
+        <translation>Lampenwinkel; 0° ist bei der Kamera</translation>
     </message>
     <message>
         <source>Exposures</source>
@@ -1808,36 +1796,36 @@
         <translation>{count}, {short:g} bis {long:g} ms</translation>
     </message>
     <message>
-        <source>Of every position, shortest first</source>
-        <translation>Jeder Stellung, die kürzeste zuerst</translation>
+        <source>Exposures of each position, shortest first</source>
+        <translation>Belichtungen jeder Stellung, die kürzeste zuerst</translation>
     </message>
     <message>
         <source>{bits} bits, response: {response}</source>
         <translation>{bits} Bit, Kennlinie: {response}</translation>
     </message>
     <message>
-        <source>What the numbers of a pixel mean</source>
-        <translation>Was die Zahlen eines Pixels bedeuten</translation>
+        <source>Encoding of the pixel values</source>
+        <translation>Kodierung der Pixelwerte</translation>
     </message>
     <message>
         <source>Date</source>
         <translation>Datum</translation>
     </message>
     <message>
-        <source>Errors: {count}. What they name must be put right, or is left out.</source>
-        <translation>Fehler: {count}. Was sie nennen, ist zu berichtigen oder bleibt außen vor.</translation>
+        <source>Errors: {count}. Fix them, or the affected photographs are skipped.</source>
+        <translation>Fehler: {count}. Beheben Sie sie, sonst werden die betroffenen Fotos übersprungen.</translation>
     </message>
     <message>
-        <source>No errors. To know: {count}.</source>
-        <translation>Keine Fehler. Zu wissen: {count}.</translation>
+        <source>No errors. Notes: {count}.</source>
+        <translation>Keine Fehler. Hinweise: {count}.</translation>
     </message>
     <message>
-        <source>{count} photographs looked at; nothing is wrong.</source>
-        <translation>{count} Fotos angesehen; nichts ist falsch.</translation>
+        <source>{count} photographs checked, no problems.</source>
+        <translation>{count} Fotos geprüft, keine Mängel.</translation>
     </message>
     <message>
-        <source>What a check found, the file it is about, and why</source>
-        <translation>Was eine Prüfung fand, welche Datei es betrifft und warum</translation>
+        <source>Problems found by the check: file, kind and reason</source>
+        <translation>Bei der Prüfung gefundene Mängel: Datei, Art und Grund</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -1860,31 +1848,31 @@
         <translation>Notizen</translation>
     </message>
     <message>
-        <source>What the paint is called</source>
-        <translation>Wie der Lack heißt</translation>
+        <source>Name of the paint</source>
+        <translation>Name des Lacks</translation>
     </message>
     <message>
-        <source>Where the readings come from</source>
-        <translation>Woher die Messwerte kommen</translation>
+        <source>Source of the readings</source>
+        <translation>Herkunft der Messwerte</translation>
     </message>
     <message>
         <source>Bits</source>
         <translation>Bit</translation>
     </message>
     <message>
-        <source>Of a code</source>
-        <translation>Eines Codes</translation>
+        <source>Bits per code</source>
+        <translation>Bit je Code</translation>
     </message>
     <message>
         <source>Black</source>
         <translation>Schwarz</translation>
     </message>
     <message>
-        <source>The code without light, per channel</source>
+        <source>Code without light, per channel</source>
         <translation>Der Code ohne Licht, je Kanal</translation>
     </message>
     <message>
-        <source>Trusted</source>
+        <source>Reliable</source>
         <translation>Verlässlich</translation>
     </message>
     <message>
@@ -1900,7 +1888,7 @@
         <translation>Ausleserauschen</translation>
     </message>
     <message>
-        <source>Standard deviation in the dark, of the full scale of a linear camera</source>
+        <source>Standard deviation in the dark, relative to the full scale of a linear camera</source>
         <translation>Standardabweichung im Dunkeln, bezogen auf den Vollausschlag einer linearen Kamera</translation>
     </message>
     <message>
@@ -1912,28 +1900,28 @@
         <translation>auf {worst:.2f} %</translation>
     </message>
     <message>
-        <source>Largest difference between a stated exposure time and what the photographs say</source>
-        <translation>Größter Unterschied zwischen einer angegebenen Belichtungszeit und dem, was die Fotos sagen</translation>
+        <source>Largest difference between a stated exposure time and its estimate from the photographs</source>
+        <translation>Größter Unterschied zwischen einer angegebenen Belichtungszeit und ihrer Schätzung aus den Fotos</translation>
     </message>
     <message>
-        <source>From linear</source>
-        <translation>Von linear</translation>
+        <source>Nonlinearity</source>
+        <translation>Nichtlinearität</translation>
     </message>
     <message>
         <source>RMS distance of the curve from a straight line, in the logarithm of the exposure</source>
         <translation>Mittlerer quadratischer Abstand der Kurve von einer Geraden, im Logarithmus der Belichtung</translation>
     </message>
     <message>
-        <source>That took part</source>
-        <translation>Die mitgewirkt haben</translation>
+        <source>Photographs that were used</source>
+        <translation>Verwendete Fotos</translation>
     </message>
     <message>
         <source>Iterations</source>
         <translation>Durchläufe</translation>
     </message>
     <message>
-        <source>Until nothing changed any more</source>
-        <translation>Bis sich nichts mehr änderte</translation>
+        <source>Iterations until convergence</source>
+        <translation>Durchläufe bis zur Konvergenz</translation>
     </message>
     <message>
         <source>Outline</source>
@@ -1944,8 +1932,8 @@
         <translation>{rms:.3f} px quadr. Mittel</translation>
     </message>
     <message>
-        <source>Root mean square distance of the edge that was seen from the outline that was fitted</source>
-        <translation>Mittlerer quadratischer Abstand des gesehenen Randes vom angepassten Umriss</translation>
+        <source>Root mean square distance of the detected edge from the fitted outline</source>
+        <translation>Mittlerer quadratischer Abstand des erkannten Randes vom angepassten Umriss</translation>
     </message>
     <message>
         <source>Highlights</source>
@@ -1956,16 +1944,16 @@
         <translation>{px:.3f} px, {deg:.4f}° quadr. Mittel</translation>
     </message>
     <message>
-        <source>What is left between found and expected highlights after the refinement</source>
-        <translation>Was zwischen gefundenen und erwarteten Glanzlichtern nach der Verfeinerung bleibt</translation>
+        <source>Distance of found from expected highlights after the refinement</source>
+        <translation>Abstand der gefundenen von den erwarteten Glanzlichtern nach der Verfeinerung</translation>
     </message>
     <message>
         <source>Before</source>
         <translation>Davor</translation>
     </message>
     <message>
-        <source>The same with the numbers of session.json</source>
-        <translation>Dasselbe mit den Zahlen der session.json</translation>
+        <source>Residuals before the refinement, with the values of session.json</source>
+        <translation>Residuen vor der Verfeinerung, mit den Werten der session.json</translation>
     </message>
     <message>
         <source>Used</source>
@@ -1976,12 +1964,12 @@
         <translation>{used} von {count} Glanzlichtern</translation>
     </message>
     <message>
-        <source>The others do not belong: a second reflection, or the arm</source>
-        <translation>Die anderen gehören nicht dazu: eine zweite Spiegelung oder der Arm</translation>
+        <source>The others are outliers, such as a second reflection or the arm</source>
+        <translation>Die anderen sind Ausreißer, etwa eine zweite Spiegelung oder der Arm</translation>
     </message>
     <message>
-        <source>Middle of its outline, column and row</source>
-        <translation>Mitte ihres Umrisses, Spalte und Zeile</translation>
+        <source>Centre of its outline: column and row</source>
+        <translation>Mitte ihres Umrisses: Spalte und Zeile</translation>
     </message>
     <message>
         <source>Distance</source>
@@ -2000,8 +1988,8 @@
         <translation>Objektiv</translation>
     </message>
     <message>
-        <source>Distance of the board&apos;s corners from where the calibrated camera expects them</source>
-        <translation>Abstand der Ecken der Kalibriertafel von dort, wo die kalibrierte Kamera sie erwartet</translation>
+        <source>Distance of the corners of the board from the positions that the calibrated camera predicts</source>
+        <translation>Abstand der Ecken der Kalibriertafel von den Positionen, die die kalibrierte Kamera vorhersagt</translation>
     </message>
     <message>
         <source>{value} ± {sigma}
@@ -2010,8 +1998,8 @@ stated {stated}</source>
 angegeben {stated}</translation>
     </message>
     <message>
-        <source>The highlights tell {share:.0f} % of it: {why}</source>
-        <translation>Die Glanzlichter sagen {share:.0f} % davon: {why}</translation>
+        <source>The highlights determine {share:.0f} % of it: {why}</source>
+        <translation>Die Glanzlichter bestimmen {share:.0f} % davon: {why}</translation>
     </message>
     <message>
         <source>drawing the coverage</source>
@@ -2022,20 +2010,20 @@ angegeben {stated}</translation>
         <translation>{share:.1f} %</translation>
     </message>
     <message>
-        <source>Of the bins with light and view up to 75° from the normal; the others are filled from neighbours</source>
-        <translation>Der Zellen mit Licht und Blick bis 75° von der Normalen; die übrigen sind aus Nachbarn gefüllt</translation>
+        <source>Share of the bins with light and view up to 75° from the normal; the others are filled from neighbours</source>
+        <translation>Anteil der Zellen mit Licht und Blick bis 75° von der Normalen; die übrigen sind aus Nachbarn gefüllt</translation>
     </message>
     <message>
         <source>Readings</source>
         <translation>Messwerte</translation>
     </message>
     <message>
-        <source>Pixels that went into the table</source>
-        <translation>Pixel, die in die Tabelle eingingen</translation>
+        <source>Pixels used for the table</source>
+        <translation>Für die Tabelle verwendete Pixel</translation>
     </message>
     <message>
-        <source>Of the lamp</source>
-        <translation>Der Lampe</translation>
+        <source>Lamp positions</source>
+        <translation>Stellungen der Lampe</translation>
     </message>
     <message>
         <source>Illuminant and observer of all L*a*b* values</source>
@@ -2046,16 +2034,16 @@ angegeben {stated}</translation>
         <translation>{illuminant}, {observer}°-Beobachter</translation>
     </message>
     <message>
-        <source>Small Pict&amp;ure</source>
-        <translation>Kleines &amp;Bild</translation>
+        <source>Previe&amp;w</source>
+        <translation>&amp;Vorschau</translation>
     </message>
     <message>
-        <source>Show or hide the paint on the speed form</source>
-        <translation>Lack auf der Speedform zeigen oder verbergen</translation>
+        <source>Show or hide the preview on the speed form</source>
+        <translation>Die Vorschau auf der Speedform zeigen oder verbergen</translation>
     </message>
     <message>
-        <source>The picture stays as it was.</source>
-        <translation>Das Bild bleibt, wie es war.</translation>
+        <source>The picture is unchanged.</source>
+        <translation>Das Bild ist unverändert.</translation>
     </message>
     <message>
         <source>The paint on the speed form</source>
@@ -2074,20 +2062,16 @@ angegeben {stated}</translation>
         <translation>Bedeckt</translation>
     </message>
     <message>
-        <source>The paint on the speed form, drawn by the same renderer as in Viewer. Drag to orbit, wheel to zoom, Alt drag (or right drag) to turn the light, F to frame.</source>
-        <translation>Der Lack auf der Speedform, gezeichnet wie in Viewer. Ziehen umkreist, Mausrad zoomt, Ziehen mit Alt (oder rechts) dreht das Licht, F rahmt ein.</translation>
+        <source>The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, wheel zooms, Alt drag or right drag rotates the light, F frames.</source>
+        <translation>Der Lack auf der Speedform, gezeichnet wie in Viewer. Ziehen umkreist, Mausrad zoomt, Ziehen mit Alt oder rechts dreht das Licht, F rahmt ein.</translation>
     </message>
     <message>
-        <source>Light of the small picture</source>
-        <translation>Licht des kleinen Bildes</translation>
+        <source>Light of the preview</source>
+        <translation>Licht der Vorschau</translation>
     </message>
     <message>
-        <source>The light in which the small picture shows the paint</source>
-        <translation>Das Licht, in dem das kleine Bild den Lack zeigt</translation>
-    </message>
-    <message>
-        <source>Speed form: of the last paint that can be</source>
-        <translation>Speedform: vom letzten möglichen Lack</translation>
+        <source>Speed form: last possible paint</source>
+        <translation>Speedform: letzter möglicher Lack</translation>
     </message>
     <message>
         <source>Speed form (earlier)</source>
@@ -2102,8 +2086,8 @@ angegeben {stated}</translation>
         <translation>Speedform</translation>
     </message>
     <message>
-        <source>No picture here: this screen has no OpenGL. The numbers, patches and curves are complete; Viewer on another computer can show the paint by its file.</source>
-        <translation>Hier kein Bild: Dieser Bildschirm hat kein OpenGL. Zahlen, Felder und Kurven sind vollständig; Viewer auf einem anderen Rechner kann den Lack aus seiner Datei zeigen.</translation>
+        <source>No preview: OpenGL is not available on this screen. Numbers, patches and curves are complete. Open the paint file in Viewer on another computer to see it.</source>
+        <translation>Keine Vorschau: OpenGL ist auf diesem Bildschirm nicht verfügbar. Zahlen, Felder und Kurven sind vollständig. Öffnen Sie die Lackdatei in Viewer auf einem anderen Rechner, um sie zu sehen.</translation>
     </message>
     <message>
         <source>Lightness</source>
@@ -2138,8 +2122,8 @@ angegeben {stated}</translation>
         <translation>h (°)</translation>
     </message>
     <message>
-        <source>Hue angle hab over the aspecular angle, unwrapped; a grey has none and no point.</source>
-        <translation>Bunttonwinkel hab über dem Aspekularwinkel, stetig fortgesetzt; ein Grau hat keinen und keinen Punkt.</translation>
+        <source>Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point.</source>
+        <translation>Bunttonwinkel hab über dem Aspekularwinkel, abgewickelt. Ein Grau hat keinen Buntton und keinen Punkt.</translation>
     </message>
     <message>
         <source>not measured</source>
@@ -2154,7 +2138,7 @@ angegeben {stated}</translation>
         <translation>{name} über dem Aspekularwinkel</translation>
     </message>
     <message>
-        <source>Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: finely).</source>
+        <source>Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: fine).</source>
         <translation>Einen Punkt ziehen, oder mit Links und Rechts wählen und mit Auf und Ab bewegen (Umschalt: fein).</translation>
     </message>
     <message>
@@ -2170,8 +2154,8 @@ angegeben {stated}</translation>
         <translation>Zustand von {time}</translation>
     </message>
     <message>
-        <source>Nothing was swapped.</source>
-        <translation>Nichts wurde getauscht.</translation>
+        <source>The paints were not swapped.</source>
+        <translation>Die Lacke wurden nicht getauscht.</translation>
     </message>
     <message>
         <source>Swapped with {name}</source>
@@ -2190,16 +2174,16 @@ angegeben {stated}</translation>
         <translation>{file} ist nicht mehr lesbar.</translation>
     </message>
     <message>
-        <source>The standard stays as it was; load the file again to take what it has now.</source>
-        <translation>Der Bezug bleibt, wie er war; die Datei neu laden, um zu nehmen, was sie jetzt enthält.</translation>
+        <source>The stored standard is used. Load the file again to use its current contents.</source>
+        <translation>Der gespeicherte Bezug wird verwendet. Die Datei neu laden, um ihren jetzigen Inhalt zu verwenden.</translation>
     </message>
     <message>
         <source>Standards ({patterns})</source>
         <translation>Bezüge ({patterns})</translation>
     </message>
     <message>
-        <source>Some paints cannot be judged: {reasons}</source>
-        <translation>Manche Lacke lassen sich nicht beurteilen: {reasons}</translation>
+        <source>Some paints cannot be compared: {reasons}</source>
+        <translation>Manche Lacke lassen sich nicht vergleichen: {reasons}</translation>
     </message>
     <message>
         <source>Use This State as &amp;Standard</source>
@@ -2230,7 +2214,7 @@ angegeben {stated}</translation>
         <translation>CMC (1:1), Wahrnehmbarkeit</translation>
     </message>
     <message>
-        <source>CMC (l:c), weights of your own</source>
+        <source>CMC (l:c), custom weights</source>
         <translation>CMC (l:c), eigene Gewichte</translation>
     </message>
     <message>
@@ -2242,40 +2226,40 @@ angegeben {stated}</translation>
         <translation>CIELAB ΔE*ab</translation>
     </message>
     <message>
-        <source>No standard. Take the present state as one, or load a paint, a palette, CxF3 or a measured BRDF; what you edit is then the batch that is judged against it.</source>
-        <translation>Kein Bezug. Den jetzigen Zustand nehmen, oder einen Lack, eine Palette, CxF3 oder eine gemessene BRDF laden; was bearbeitet wird, ist dann die Probe, die gegen ihn beurteilt wird.</translation>
+        <source>No standard. Use the current state, or load a paint, a palette, CxF3 or a measured BRDF. The edited paint is then the batch that is compared with it.</source>
+        <translation>Kein Bezug. Den jetzigen Zustand verwenden, oder einen Lack, eine Palette, CxF3 oder eine gemessene BRDF laden. Der bearbeitete Lack ist dann die Probe, die mit ihm verglichen wird.</translation>
     </message>
     <message>
         <source>This State</source>
         <translation>Dieser Zustand</translation>
     </message>
     <message>
-        <source>Take the present state as the standard</source>
-        <translation>Den jetzigen Zustand als Bezug nehmen</translation>
+        <source>Use the current state as the standard</source>
+        <translation>Den jetzigen Zustand als Bezug verwenden</translation>
     </message>
     <message>
         <source>Load</source>
         <translation>Laden</translation>
     </message>
     <message>
-        <source>An open tab, a shipped paint, or a file: paint, palette, CxF3, measured BRDF</source>
-        <translation>Ein offener Reiter, ein mitgelieferter Lack oder eine Datei: Lack, Palette, CxF3, gemessene BRDF</translation>
+        <source>Load an open tab, a sample paint, or a file: paint, palette, CxF3, measured BRDF</source>
+        <translation>Einen offenen Reiter, einen Beispiellack oder eine Datei laden: Lack, Palette, CxF3, gemessene BRDF</translation>
     </message>
     <message>
         <source>Swap</source>
         <translation>Tauschen</translation>
     </message>
     <message>
-        <source>Edit the standard, and judge it against what is edited now</source>
-        <translation>Den Bezug bearbeiten und gegen das jetzt Bearbeitete beurteilen</translation>
+        <source>Edit the standard and compare it with the current paint</source>
+        <translation>Den Bezug bearbeiten und mit dem jetzigen Lack vergleichen</translation>
     </message>
     <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Judge against nothing</source>
-        <translation>Gegen nichts beurteilen</translation>
+        <source>Remove the standard</source>
+        <translation>Den Bezug entfernen</translation>
     </message>
     <message>
         <source>From a &amp;File…</source>
@@ -2286,28 +2270,28 @@ angegeben {stated}</translation>
         <translation>Offene Reiter</translation>
     </message>
     <message>
-        <source>&amp;Shipped Paint</source>
-        <translation>&amp;Mitgelieferter Lack</translation>
+        <source>&amp;Sample Paint</source>
+        <translation>&amp;Beispiellack</translation>
     </message>
     <message>
-        <source>The paint against which the one in front is judged; the file has several</source>
-        <translation>Der Lack, gegen den der vordere beurteilt wird; die Datei hat mehrere</translation>
+        <source>Paint of this file that is the standard</source>
+        <translation>Lack dieser Datei, der der Bezug ist</translation>
     </message>
     <message>
         <source>Differences in words</source>
         <translation>Unterschiede in Worten</translation>
     </message>
     <message>
-        <source>Batch minus standard at each aspecular angle, and whether it is within the tolerance there</source>
-        <translation>Probe minus Bezug an jedem Aspekularwinkel, und ob sie dort in der Toleranz liegt</translation>
+        <source>Batch minus standard at each aspecular angle, and the verdict of the tolerance</source>
+        <translation>Probe minus Bezug an jedem Aspekularwinkel und das Urteil der Toleranz</translation>
     </message>
     <message>
         <source>Difference</source>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>The formula of ΔE, and of its tolerances</source>
-        <translation>Die Formel von ΔE und seinen Toleranzen</translation>
+        <source>Formula of ΔE and its tolerances</source>
+        <translation>Formel von ΔE und seinen Toleranzen</translation>
     </message>
     <message>
         <source>Weight l of the lightness</source>
@@ -2318,60 +2302,60 @@ angegeben {stated}</translation>
         <translation>Gewicht c der Buntheit</translation>
     </message>
     <message>
-        <source>CMC(l:c) divides the difference of lightness by l and that of chroma by c</source>
+        <source>CMC(l:c) divides the lightness difference by l and the chroma difference by c</source>
         <translation>CMC(l:c) teilt den Helligkeitsabstand durch l und den Buntheitsabstand durch c</translation>
     </message>
     <message>
-        <source>A larger weight lets a larger difference pass</source>
-        <translation>Ein größeres Gewicht lässt einen größeren Abstand durch</translation>
+        <source>A larger weight permits a larger difference</source>
+        <translation>Ein größeres Gewicht erlaubt einen größeren Abstand</translation>
     </message>
     <message>
         <source>Tolerances</source>
         <translation>Toleranzen</translation>
     </message>
     <message>
-        <source>What may differ at each aspecular angle, in units of the formula above</source>
-        <translation>Was an jedem Aspekularwinkel abweichen darf, in Einheiten der Formel darüber</translation>
+        <source>Permitted difference at each aspecular angle, in units of the formula above</source>
+        <translation>Zulässiger Abstand an jedem Aspekularwinkel, in Einheiten der Formel darüber</translation>
     </message>
     <message>
         <source>ΔL*, ΔC*, ΔH* as one ellipsoid</source>
         <translation>ΔL*, ΔC*, ΔH* als ein Ellipsoid</translation>
     </message>
     <message>
-        <source>Judge the three parts together, their tolerances being the half axes; else each alone</source>
-        <translation>Die drei Teile zusammen beurteilen, ihre Toleranzen als Halbachsen; sonst jeden einzeln</translation>
+        <source>Evaluate the three components together, with their tolerances as half axes; otherwise separately</source>
+        <translation>Die drei Anteile zusammen bewerten, mit ihren Toleranzen als Halbachsen; sonst einzeln</translation>
     </message>
     <message>
         <source>Batches</source>
         <translation>Proben</translation>
     </message>
     <message>
-        <source>Paints against this standard; Return or a double click opens one</source>
-        <translation>Lacke gegen diesen Bezug; Eingabe oder Doppelklick öffnet einen</translation>
+        <source>Paints compared with this standard; Return or a double click opens one</source>
+        <translation>Mit diesem Bezug verglichene Lacke; Eingabe oder Doppelklick öffnet einen</translation>
     </message>
     <message>
         <source>Add…</source>
         <translation>Hinzufügen …</translation>
     </message>
     <message>
-        <source>Judge further paints against this standard</source>
-        <translation>Weitere Lacke gegen diesen Bezug beurteilen</translation>
+        <source>Compare more paints with this standard</source>
+        <translation>Weitere Lacke mit diesem Bezug vergleichen</translation>
     </message>
     <message>
         <source>Clear</source>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Take away the paints that were added; the tabs stay</source>
-        <translation>Die hinzugefügten Lacke wegnehmen; die Reiter bleiben</translation>
+        <source>Remove the added paints; the tabs remain</source>
+        <translation>Die hinzugefügten Lacke entfernen; die Reiter bleiben</translation>
     </message>
     <message>
         <source>ellipsoid</source>
         <translation>Ellipsoid</translation>
     </message>
     <message>
-        <source>not judged</source>
-        <translation>nicht beurteilt</translation>
+        <source>not evaluated</source>
+        <translation>nicht bewertet</translation>
     </message>
     <message>
         <source>pass</source>
@@ -2382,8 +2366,8 @@ angegeben {stated}</translation>
         <translation>SCHLECHT</translation>
     </message>
     <message>
-        <source>Nothing to compare: no angle in common</source>
-        <translation>Nichts zu vergleichen: kein gemeinsamer Winkel</translation>
+        <source>No comparison: no common angle</source>
+        <translation>Kein Vergleich: kein gemeinsamer Winkel</translation>
     </message>
     <message>
         <source>{verdict}: {difference} up to {largest:.2f}, mean {mean:.2f}</source>
@@ -2406,7 +2390,7 @@ angegeben {stated}</translation>
         <translation>Der Bezug hat hier keinen Wert.</translation>
     </message>
     <message>
-        <source>Beyond the tolerance: {parts}</source>
+        <source>Outside the tolerance: {parts}</source>
         <translation>Außerhalb der Toleranz: {parts}</translation>
     </message>
     <message>
@@ -2434,16 +2418,16 @@ angegeben {stated}</translation>
         <translation>Toleranzen je Winkel</translation>
     </message>
     <message>
-        <source>Largest size of {part} that passes; empty: not judged</source>
-        <translation>Größter Betrag von {part}, der durchgeht; leer: nicht beurteilt</translation>
+        <source>Largest {part} that passes; empty: not evaluated</source>
+        <translation>Größter Betrag von {part}, der gut ist; leer: nicht bewertet</translation>
     </message>
     <message>
-        <source>“{text}” is no tolerance; write a number from 0, or nothing.</source>
-        <translation>„{text}“ ist keine Toleranz; eine Zahl ab 0 schreiben oder nichts.</translation>
+        <source>“{text}” is not a tolerance. Enter a number of 0 or more, or leave it empty.</source>
+        <translation>„{text}“ ist keine Toleranz. Eine Zahl ab 0 eingeben oder leer lassen.</translation>
     </message>
     <message>
-        <source>Batches against the standard</source>
-        <translation>Proben gegen den Bezug</translation>
+        <source>Batches compared with the standard</source>
+        <translation>Mit dem Bezug verglichene Proben</translation>
     </message>
     <message>
         <source>Batch</source>
@@ -2530,24 +2514,24 @@ angegeben {stated}</translation>
         <translation>kein sichtbarer Unterschied</translation>
     </message>
     <message>
-        <source>Flop: how much darker the paint is from the face to the flop, as the index
+        <source>Flop: darkening of the paint from face to flop, as the index
 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop.
-First what is asked, then what the fitted lobes reach.</source>
-        <translation>Flop: um wie viel dunkler der Lack von der Aufsicht zum Flop wird, als Index
+First the target, then the value achieved by the fitted lobes.</source>
+        <translation>Flop: Abdunklung des Lacks von der Aufsicht zum Flop, als Index
 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 für eine Unifarbe, etwa 15 bis 17 für sehr hohen Flop.
-Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
+Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translation>
     </message>
     <message>
-        <source>The largest colour difference CIEDE2000 between what is asked and what the fitted lobes give: at the measured angles, and between them; then the time from the paint to its weights, and whether they are exact or the best at the time limit.</source>
-        <translation>Der größte Farbabstand CIEDE2000 zwischen dem Verlangten und dem, was die angepassten Keulen ergeben: an den gemessenen Winkeln und zwischen ihnen; dann die Zeit vom Lack zu seinen Gewichten, und ob sie genau sind oder die besten am Zeitlimit.</translation>
+        <source>Largest colour difference CIEDE2000 between the target and the fitted lobes, at the measured angles and between them; then the time of the fit, and whether the fit is exact or was stopped by the time limit.</source>
+        <translation>Größter Farbabstand CIEDE2000 zwischen dem Ziel und den angepassten Keulen, an den gemessenen Winkeln und dazwischen; dann die Zeit der Anpassung, und ob sie genau ist oder am Zeitlimit endete.</translation>
     </message>
     <message>
         <source>Whether this screen, taken as sRGB, can show the measured colours.</source>
         <translation>Ob dieser Bildschirm, als sRGB angenommen, die gemessenen Farben zeigen kann.</translation>
     </message>
     <message>
-        <source>Programs that follow this paint while it is edited.</source>
-        <translation>Programme, die diesem Lack beim Bearbeiten folgen.</translation>
+        <source>Programs that follow the edits of this paint.</source>
+        <translation>Programme, die den Änderungen dieses Lacks folgen.</translation>
     </message>
     <message>
         <source>Outside sRGB: {angles}</source>
@@ -2574,8 +2558,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Keine Anpassung</translation>
     </message>
     <message>
-        <source>This is of the last paint that can be.</source>
-        <translation>Dies ist vom letzten möglichen Lack.</translation>
+        <source>These values are those of the last possible paint.</source>
+        <translation>Dies sind die Werte des letzten möglichen Lacks.</translation>
     </message>
     <message>
         <source>Linked: {programs}</source>
@@ -2594,23 +2578,23 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Der Flop-Index braucht Werte bei 15, 45 und 110°.</translation>
     </message>
     <message>
-        <source>Flop {asked}</source>
-        <translation>Flop {asked}</translation>
+        <source>Flop {target}</source>
+        <translation>Flop {target}</translation>
     </message>
     <message>
-        <source>{flop}, reached {reached}</source>
-        <translation>{flop}, erreicht {reached}</translation>
+        <source>{flop}, achieved {achieved}</source>
+        <translation>{flop}, erreicht {achieved}</translation>
     </message>
     <message>
-        <source>{angle}: asked {asked}, fit {given}, ΔE00 {difference}</source>
-        <translation>{angle}: verlangt {asked}, Anpassung {given}, ΔE00 {difference}</translation>
+        <source>{angle}: target {target}, fit {fit}, ΔE00 {difference}</source>
+        <translation>{angle}: Ziel {target}, Anpassung {fit}, ΔE00 {difference}</translation>
     </message>
     <message>
-        <source>The process that draws the small pictures ended twice.</source>
-        <translation>Der Prozess, der die kleinen Bilder zeichnet, endete zweimal.</translation>
+        <source>The thumbnail process ended twice.</source>
+        <translation>Der Prozess für die kleinen Bilder endete zweimal.</translation>
     </message>
     <message>
-        <source>The small pictures cannot be drawn: {reason}.</source>
+        <source>The thumbnails cannot be drawn: {reason}.</source>
         <translation>Die kleinen Bilder können nicht gezeichnet werden: {reason}.</translation>
     </message>
     <message>
@@ -2658,56 +2642,56 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Varianten</translation>
     </message>
     <message>
-        <source>{reason} The discs show the readings instead.</source>
-        <translation>{reason} Statt ihrer zeigen die Scheiben die Messwerte.</translation>
+        <source>{reason} Discs show the readings instead.</source>
+        <translation>{reason} Stattdessen zeigen Scheiben die Messwerte.</translation>
     </message>
     <message>
         <source>{word}: none</source>
         <translation>{word}: keine</translation>
     </message>
     <message>
-        <source>No paint of this kind quite gives these colours: ΔE00 {missed:.1f} at most. L*a*b*:</source>
-        <translation>Kein Lack dieser Art ergibt ganz diese Farben: höchstens ΔE00 {missed:.1f}. L*a*b*:</translation>
+        <source>No paint of this kind matches these colours exactly: ΔE00 up to {missed:.1f}. L*a*b*:</source>
+        <translation>Kein Lack dieser Art trifft diese Farben genau: ΔE00 bis {missed:.1f}. L*a*b*:</translation>
     </message>
     <message>
-        <source>Click to take it. L*a*b*:</source>
-        <translation>Klick übernimmt. L*a*b*:</translation>
+        <source>Click to use it. L*a*b*:</source>
+        <translation>Klick übernimmt ihn. L*a*b*:</translation>
     </message>
     <message>
         <source>Sphere</source>
         <translation>Kugel</translation>
     </message>
     <message>
-        <source>present</source>
-        <translation>jetzt</translation>
+        <source>current</source>
+        <translation>aktuell</translation>
     </message>
     <message>
-        <source>The paint as it is now, among its neighbours</source>
-        <translation>Der Lack, wie er jetzt ist, unter seinen Nachbarn</translation>
+        <source>Current paint among its neighbours</source>
+        <translation>Aktueller Lack unter seinen Nachbarn</translation>
     </message>
     <message>
         <source>Step</source>
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Distance of the neighbours in ΔL*, ΔC* or ΔH*, about as in ΔE*ab</source>
-        <translation>Abstand der Nachbarn in ΔL*, ΔC* oder ΔH*, ungefähr wie in ΔE*ab</translation>
+        <source>Distance of the neighbours in ΔL*, ΔC* or ΔH*, approximately ΔE*ab</source>
+        <translation>Abstand der Nachbarn in ΔL*, ΔC* oder ΔH*, ungefähr ΔE*ab</translation>
     </message>
     <message>
         <source>Light</source>
         <translation>Licht</translation>
     </message>
     <message>
-        <source>The light of the small pictures</source>
-        <translation>Das Licht der kleinen Bilder</translation>
+        <source>Light of the thumbnails</source>
+        <translation>Licht der kleinen Bilder</translation>
     </message>
     <message>
         <source>Form</source>
         <translation>Form</translation>
     </message>
     <message>
-        <source>What the small pictures show the paint on</source>
-        <translation>Worauf die kleinen Bilder den Lack zeigen</translation>
+        <source>Shape that the thumbnails show</source>
+        <translation>Form, die die kleinen Bilder zeigen</translation>
     </message>
     <message>
         <source>Colour at {angle}</source>
@@ -2742,8 +2726,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Von Fotos einer lackierten Kugel zum Lack, Schritt für Schritt</translation>
     </message>
     <message>
-        <source>The table over the half vector: θh from the normal, θd between light and half vector. Hatched: filled from neighbours.</source>
-        <translation>Die Tabelle über dem Halbvektor: θh von der Normalen, θd zwischen Licht und Halbvektor. Schraffiert: aus Nachbarn gefüllt.</translation>
+        <source>Coverage over the half-vector angles: θh from the normal, θd between light and half vector. Hatched cells are filled from neighbours.</source>
+        <translation>Abdeckung über den Halbvektorwinkeln: θh von der Normalen, θd zwischen Licht und Halbvektor. Schraffierte Zellen sind aus Nachbarn gefüllt.</translation>
     </message>
     <message>
         <source>Coverage of the table</source>
@@ -2754,20 +2738,20 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Anteil der gemessenen φd-Zellen</translation>
     </message>
     <message>
-        <source>Pixels in them</source>
-        <translation>Pixel darin</translation>
+        <source>Pixels per cell</source>
+        <translation>Pixel je Zelle</translation>
     </message>
     <message>
         <source>Relative standard error</source>
         <translation>Relativer Standardfehler</translation>
     </message>
     <message>
-        <source>What the map shows</source>
-        <translation>Was die Karte zeigt</translation>
+        <source>Quantity on the map</source>
+        <translation>Größe auf der Karte</translation>
     </message>
     <message>
-        <source>What the grey of a cell means</source>
-        <translation>Was das Grau einer Zelle bedeutet</translation>
+        <source>Quantity that the grey of a cell represents</source>
+        <translation>Größe, die das Grau einer Zelle darstellt</translation>
     </message>
     <message>
         <source>The cell under the cursor</source>
@@ -2790,16 +2774,16 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Tabelle speichern …</translation>
     </message>
     <message>
-        <source>As .brdftable with its coverage, or as .binary in the MERL layout</source>
-        <translation>Als .brdftable mit ihrer Abdeckung oder als .binary in der MERL-Anordnung</translation>
+        <source>Save as .brdftable with the coverage, or as .binary in the MERL layout</source>
+        <translation>Als .brdftable mit der Abdeckung oder als .binary in der MERL-Anordnung speichern</translation>
     </message>
     <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>There is no table yet: the step before makes it.</source>
-        <translation>Es gibt noch keine Tabelle: Der Schritt davor macht sie.</translation>
+        <source>No table yet. Run the previous step first.</source>
+        <translation>Noch keine Tabelle. Zuerst den vorigen Schritt ausführen.</translation>
     </message>
     <message>
         <source>Cell</source>
@@ -2818,16 +2802,16 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>nein</translation>
     </message>
     <message>
-        <source>Share of its φd bins</source>
-        <translation>Anteil ihrer φd-Zellen</translation>
+        <source>Share of measured φd bins</source>
+        <translation>Anteil der gemessenen φd-Zellen</translation>
     </message>
     <message>
         <source>Pixels</source>
         <translation>Pixel</translation>
     </message>
     <message>
-        <source>That fell into it</source>
-        <translation>Die hineinfielen</translation>
+        <source>Pixels in this cell</source>
+        <translation>Pixel in dieser Zelle</translation>
     </message>
     <message>
         <source>Relative standard error of the mean</source>
@@ -2854,12 +2838,12 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>θd (Grad)</translation>
     </message>
     <message>
-        <source>Each position was photographed with several exposures: the highlight needs a short, the flank a long one.</source>
+        <source>Each position was photographed with several exposures: a short one for the highlight, a long one for the flank.</source>
         <translation>Jede Stellung wurde mehrfach belichtet: Das Glanzlicht braucht eine kurze, die Flanke eine lange Zeit.</translation>
     </message>
     <message>
-        <source>The photograph</source>
-        <translation>Das Foto</translation>
+        <source>Selected photograph</source>
+        <translation>Gewähltes Foto</translation>
     </message>
     <message>
         <source>Open a session first.</source>
@@ -2890,8 +2874,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Stellung der Lampe</translation>
     </message>
     <message>
-        <source>Which position&apos;s photographs are shown</source>
-        <translation>Die Fotos welcher Stellung gezeigt werden</translation>
+        <source>Position of the displayed photographs</source>
+        <translation>Stellung der angezeigten Fotos</translation>
     </message>
     <message>
         <source>Brightness</source>
@@ -2902,8 +2886,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Stellung</translation>
     </message>
     <message>
-        <source>Of the picture on the screen alone, in stops</source>
-        <translation>Nur des Bildes auf dem Schirm, in Blenden</translation>
+        <source>Brightness of the displayed picture only, in stops</source>
+        <translation>Helligkeit nur des angezeigten Bildes, in Blenden</translation>
     </message>
     <message>
         <source>The pixel under the cursor</source>
@@ -2942,8 +2926,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Unter dem Zeiger</translation>
     </message>
     <message>
-        <source>No photograph of this position can be read; the session&apos;s page tells why.</source>
-        <translation>Kein Foto dieser Stellung ist lesbar; die Seite der Sitzung sagt, warum.</translation>
+        <source>No photograph of this position can be read. The page Session lists the reasons.</source>
+        <translation>Kein Foto dieser Stellung ist lesbar. Die Seite „Sitzung“ nennt die Gründe.</translation>
     </message>
     <message>
         <source>{time:.4g} ms
@@ -2952,16 +2936,16 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
 {clipped}</translation>
     </message>
     <message>
-        <source>The files hold no times of their own; the stated ones are taken.</source>
-        <translation>Die Dateien nennen keine eigenen Zeiten; die angegebenen gelten.</translation>
+        <source>The files contain no exposure times. The times in session.json are used.</source>
+        <translation>Die Dateien enthalten keine Belichtungszeiten. Es gelten die Zeiten in session.json.</translation>
     </message>
     <message>
-        <source>{count} files tell another time than session.json.</source>
-        <translation>{count} Dateien nennen eine andere Zeit als session.json.</translation>
+        <source>The times of {count} files differ from session.json.</source>
+        <translation>Die Zeiten von {count} Dateien weichen von session.json ab.</translation>
     </message>
     <message>
-        <source>The times in the files are the stated ones.</source>
-        <translation>Die Zeiten in den Dateien sind die angegebenen.</translation>
+        <source>The times in the files match session.json.</source>
+        <translation>Die Zeiten in den Dateien stimmen mit session.json überein.</translation>
     </message>
     <message>
         <source>Lamp at {angle:g}°, position {number} of {count}</source>
@@ -3000,8 +2984,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Codes</translation>
     </message>
     <message>
-        <source>Red, green and blue as the file has them</source>
-        <translation>Rot, Grün und Blau, wie sie in der Datei stehen</translation>
+        <source>Red, green and blue codes in the file</source>
+        <translation>Codes für Rot, Grün und Blau in der Datei</translation>
     </message>
     <message>
         <source>Paint (*.brdfpaint)</source>
@@ -3012,20 +2996,20 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Gespeichert als {file}.</translation>
     </message>
     <message>
-        <source>“{name}” is open in Designer, in a tab of its own; it is not saved yet.</source>
-        <translation>„{name}“ ist in Designer geöffnet, in einem eigenen Reiter; gespeichert ist er noch nicht.</translation>
+        <source>“{name}” is open in a new tab in Designer. It is not saved yet.</source>
+        <translation>„{name}“ ist in Designer in einem neuen Reiter geöffnet und noch nicht gespeichert.</translation>
     </message>
     <message>
-        <source>ΔE00 to the fitted lobes at angles that were not used: {mean:.1f} in the mean.</source>
-        <translation>ΔE00 zu den angepassten Lappen an nicht verwendeten Winkeln: im Mittel {mean:.1f}.</translation>
+        <source>Mean ΔE00 to the fitted lobes at angles that were not used: {mean:.1f}.</source>
+        <translation>Mittleres ΔE00 zu den angepassten Lappen an nicht verwendeten Winkeln: {mean:.1f}.</translation>
     </message>
     <message>
         <source>RMS ln {error:.3f}</source>
         <translation>quadr. Mittel ln {error:.3f}</translation>
     </message>
     <message>
-        <source>The sphere&apos;s outline gives its centre; where the highlights lie tells how far the lamp was off.</source>
-        <translation>Der Umriss der Kugel gibt ihren Mittelpunkt; wo die Glanzlichter liegen, sagt, wie weit die Lampe daneben war.</translation>
+        <source>The outline gives the centre of the sphere; the positions of the highlights give the error of the lamp position.</source>
+        <translation>Der Umriss gibt den Mittelpunkt der Kugel, die Lage der Glanzlichter den Fehler der Lampenstellung.</translation>
     </message>
     <message>
         <source>Sphere and highlights</source>
@@ -3036,60 +3020,56 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Noch nicht gefunden.</translation>
     </message>
     <message>
-        <source>What is left between found and expected highlights</source>
-        <translation>Was zwischen gefundenen und erwarteten Glanzlichtern bleibt</translation>
+        <source>Residuals: found and expected highlights</source>
+        <translation>Residuen: gefundene und erwartete Glanzlichter</translation>
     </message>
     <message>
         <source>Lamp angle (degrees)</source>
         <translation>Lampenwinkel (Grad)</translation>
     </message>
     <message>
-        <source>Off (pixels)</source>
-        <translation>Abstand (Pixel)</translation>
+        <source>Residual (pixels)</source>
+        <translation>Residuum (Pixel)</translation>
     </message>
     <message>
         <source>Find Sphere and Lamp</source>
         <translation>Kugel und Lampe finden</translation>
     </message>
     <message>
-        <source>Find the outline, the highlights of many positions, and what fits them</source>
-        <translation>Den Umriss finden, die Glanzlichter vieler Stellungen und was zu ihnen passt</translation>
+        <source>Find the outline and the highlights of many positions, and fit the geometry to them</source>
+        <translation>Den Umriss und die Glanzlichter vieler Stellungen finden und die Geometrie daran anpassen</translation>
     </message>
     <message>
-        <source>Refine by the highlights</source>
+        <source>Refine from highlights</source>
         <translation>Mit den Glanzlichtern verfeinern</translation>
     </message>
     <message>
-        <source>Correct the lamp&apos;s angle and height and the sphere&apos;s centre by where the highlights are</source>
-        <translation>Winkel und Höhe der Lampe und den Kugelmittelpunkt danach berichtigen, wo die Glanzlichter sind</translation>
+        <source>Correct the angle and height of the lamp and the centre of the sphere from the highlights</source>
+        <translation>Winkel und Höhe der Lampe und den Kugelmittelpunkt anhand der Glanzlichter berichtigen</translation>
     </message>
     <message>
         <source>Geometry</source>
         <translation>Geometrie</translation>
     </message>
     <message>
-        <source>What is left over</source>
-        <translation>Was übrig bleibt</translation>
+        <source>Residuals</source>
+        <translation>Residuen</translation>
     </message>
     <message>
-        <source>Left Over</source>
-        <translation>Was übrig bleibt</translation>
-    </message>
-    <message>
-        <source>What was refined</source>
-        <translation>Was verfeinert wurde</translation>
+        <source>Refined parameters</source>
+        <translation>Verfeinerte Parameter</translation>
     </message>
     <message>
         <source>Refinement</source>
         <translation>Verfeinerung</translation>
     </message>
     <message>
-        <source>Magnified</source>
-        <translation>Vergrößert</translation>
+        <source>Magnification</source>
+        <translation>Vergrößerung</translation>
     </message>
     <message>
-        <source>How many times as long the differences are drawn</source>
-        <translation>Wievielmal so lang die Unterschiede gezeichnet sind</translation>
+        <source>Factor by which the drawn differences are magnified</source>
+        <translation>Faktor, um den die gezeichneten Unterschiede vergrößert sind</translation>
     </message>
     <message>
         <source>Picture</source>
@@ -3100,11 +3080,11 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Glanzlichter</translation>
     </message>
     <message>
-        <source>left out</source>
-        <translation>ausgelassen</translation>
+        <source>excluded</source>
+        <translation>ausgeschlossen</translation>
     </message>
     <message>
-        <source>outline that was fitted</source>
+        <source>fitted outline</source>
         <translation>angepasster Umriss</translation>
     </message>
     <message>
@@ -3120,71 +3100,71 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Unterschied × {gain:g}</translation>
     </message>
     <message>
-        <source>edge that was left out</source>
-        <translation>ausgelassener Rand</translation>
+        <source>excluded edge</source>
+        <translation>ausgeschlossener Rand</translation>
     </message>
     <message>
-        <source>{share:.0f} % of the cells hold something</source>
-        <translation>{share:.0f} % der Zellen enthalten etwas</translation>
+        <source>{share:.0f} % of the cells contain data</source>
+        <translation>{share:.0f} % der Zellen enthalten Daten</translation>
     </message>
     <message>
-        <source>The mask is kept here; the next stroke tries again.</source>
-        <translation>Die Maske bleibt hier erhalten; der nächste Strich versucht es erneut.</translation>
+        <source>The mask is kept in this window. The next stroke saves it again.</source>
+        <translation>Die Maske bleibt in diesem Fenster erhalten. Der nächste Strich sichert sie erneut.</translation>
     </message>
     <message>
-        <source>Nothing is left out. What is painted is kept in the folder as {file}.</source>
-        <translation>Nichts ist ausgelassen. Was gemalt wird, kommt als {file} in den Ordner.</translation>
+        <source>No pixels are excluded. The mask is saved in the folder as {file}.</source>
+        <translation>Keine Pixel sind ausgeschlossen. Die Maske wird im Ordner als {file} gesichert.</translation>
     </message>
     <message>
-        <source>Kept in the folder as {file}.</source>
-        <translation>Im Ordner als {file}.</translation>
+        <source>Saved in the folder as {file}.</source>
+        <translation>Im Ordner als {file} gesichert.</translation>
     </message>
     <message>
-        <source>everything is used</source>
-        <translation>alles wird verwendet</translation>
+        <source>no pixels excluded</source>
+        <translation>keine Pixel ausgeschlossen</translation>
     </message>
     <message>
         <source>outline of the sphere</source>
         <translation>Umriss der Kugel</translation>
     </message>
     <message>
-        <source>Paint over what is not the sphere&apos;s own light: the arm, its reflection, dust. The lower half is left out anyway.</source>
-        <translation>Übermalen Sie, was nicht das Licht der Kugel ist: den Arm, seine Spiegelung, Staub. Die untere Hälfte bleibt ohnehin außen vor.</translation>
+        <source>Paint over the arm, its reflection and dust to exclude them. The lower half is always excluded.</source>
+        <translation>Arm, Spiegelung des Arms und Staub übermalen, um sie auszuschließen. Die untere Hälfte ist immer ausgeschlossen.</translation>
     </message>
     <message>
-        <source>The mask over a photograph</source>
-        <translation>Die Maske über einem Foto</translation>
+        <source>Mask over a photograph</source>
+        <translation>Maske über einem Foto</translation>
     </message>
     <message>
-        <source>Leave Out</source>
-        <translation>Auslassen</translation>
+        <source>Exclude</source>
+        <translation>Ausschließen</translation>
     </message>
     <message>
-        <source>Take In</source>
-        <translation>Aufnehmen</translation>
+        <source>Include</source>
+        <translation>Einschließen</translation>
     </message>
     <message>
-        <source>The brush leaves pixels out of the measurement (X changes)</source>
-        <translation>Der Pinsel lässt Pixel aus der Messung aus (X wechselt)</translation>
+        <source>The brush excludes pixels from the measurement (X switches)</source>
+        <translation>Der Pinsel schließt Pixel von der Messung aus (X wechselt)</translation>
     </message>
     <message>
-        <source>The brush takes pixels back into the measurement (X changes)</source>
-        <translation>Der Pinsel nimmt Pixel wieder in die Messung auf (X wechselt)</translation>
+        <source>The brush includes pixels in the measurement again (X switches)</source>
+        <translation>Der Pinsel schließt Pixel wieder in die Messung ein (X wechselt)</translation>
     </message>
     <message>
         <source>Radius</source>
         <translation>Radius</translation>
     </message>
     <message>
-        <source>Of the brush; [ and ] change it over the picture</source>
-        <translation>Des Pinsels; [ und ] ändern ihn über dem Bild</translation>
+        <source>Radius of the brush; [ and ] change it while the picture has the focus</source>
+        <translation>Radius des Pinsels; [ und ] ändern ihn, wenn das Bild den Fokus hat</translation>
     </message>
     <message>
         <source>Undo</source>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Take the newest stroke back (Ctrl+Z)</source>
+        <source>Undo the last stroke (Ctrl+Z)</source>
         <translation>Den letzten Strich zurücknehmen (Strg+Z)</translation>
     </message>
     <message>
@@ -3192,20 +3172,20 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Wieder</translation>
     </message>
     <message>
-        <source>Paint again what was taken back (Ctrl+Shift+Z)</source>
-        <translation>Das Zurückgenommene wieder malen (Strg+Umschalt+Z)</translation>
+        <source>Redo the last undone stroke (Ctrl+Shift+Z)</source>
+        <translation>Den letzten zurückgenommenen Strich wiederholen (Strg+Umschalt+Z)</translation>
     </message>
     <message>
         <source>Brush</source>
         <translation>Pinsel</translation>
     </message>
     <message>
-        <source>Take In Everything</source>
-        <translation>Alles aufnehmen</translation>
+        <source>Include All</source>
+        <translation>Alles einschließen</translation>
     </message>
     <message>
-        <source>Begin again with a mask that leaves nothing out</source>
-        <translation>Neu beginnen mit einer Maske, die nichts auslässt</translation>
+        <source>Replace the mask by one that excludes no pixels</source>
+        <translation>Die Maske durch eine ersetzen, die keine Pixel ausschließt</translation>
     </message>
     <message>
         <source>The mask</source>
@@ -3216,84 +3196,84 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Maske</translation>
     </message>
     <message>
-        <source>Which position&apos;s photograph lies below the mask</source>
-        <translation>Das Foto welcher Stellung unter der Maske liegt</translation>
+        <source>Position of the photograph below the mask</source>
+        <translation>Stellung des Fotos unter der Maske</translation>
     </message>
     <message>
-        <source>Left out</source>
-        <translation>Ausgelassen</translation>
+        <source>Excluded</source>
+        <translation>Ausgeschlossen</translation>
     </message>
     <message>
-        <source>Share of all pixels of the picture that the mask leaves out</source>
-        <translation>Anteil aller Pixel des Bildes, den die Maske auslässt</translation>
+        <source>Share of all pixels of the picture that the mask excludes</source>
+        <translation>Anteil aller Pixel des Bildes, den die Maske ausschließt</translation>
     </message>
     <message>
         <source>Lamp at {angle:g}°</source>
         <translation>Lampe bei {angle:g}°</translation>
     </message>
     <message>
-        <source>Drag to paint, with Ctrl the other way round; by keys: arrows move the brush, Space paints, [ and ] change its size, X what it does. Wheel zooms, Shift drag moves, F frames.</source>
-        <translation>Ziehen malt, mit Strg umgekehrt; mit Tasten: Pfeile bewegen den Pinsel, Leertaste malt, [ und ] ändern seine Größe, X was er tut. Rad zoomt, Ziehen mit Umschalt verschiebt, F rahmt ein.</translation>
+        <source>Drag to paint (Ctrl: erase). Keys: arrows move the brush, Space paints, [ and ] change its size, X switches its mode. Wheel zooms, Shift drag pans, F frames.</source>
+        <translation>Ziehen malt (Strg: radiert). Tasten: Pfeile bewegen den Pinsel, Leertaste malt, [ und ] ändern seine Größe, X wechselt seinen Modus. Mausrad zoomt, Ziehen mit Umschalt verschiebt, F rahmt ein.</translation>
     </message>
     <message>
-        <source>Wheel, + and − zoom; middle or Shift drag and the arrow keys move; F frames</source>
+        <source>Wheel, + and − zoom; middle drag, Shift drag and the arrow keys pan; F frames</source>
         <translation>Rad, + und − zoomen; Ziehen mit der Mitte oder Umschalt und die Pfeiltasten verschieben; F rahmt ein</translation>
     </message>
     <message>
-        <source>Every photograph becomes measurements of the paint. What is done is kept: it can be stopped and resumed.</source>
-        <translation>Aus jedem Foto werden Messwerte des Lacks. Was getan ist, bleibt erhalten: Anhalten und Weitermachen geht jederzeit.</translation>
+        <source>Combines all photographs into one table of the reflectance. It can be stopped and resumed; finished positions are kept.</source>
+        <translation>Fasst alle Fotos zu einer Tabelle der Reflexion zusammen. Anhalten und Fortsetzen ist jederzeit möglich; fertige Stellungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>Progress of the reconstruction</source>
         <translation>Fortschritt der Rekonstruktion</translation>
     </message>
     <message>
-        <source>Covered so far</source>
-        <translation>Bisher abgedeckt</translation>
+        <source>Coverage so far</source>
+        <translation>Bisherige Abdeckung</translation>
     </message>
     <message>
-        <source>Positions that could not be used</source>
-        <translation>Stellungen, die nicht zu verwenden waren</translation>
+        <source>Skipped positions</source>
+        <translation>Übersprungene Stellungen</translation>
     </message>
     <message>
         <source>Start</source>
         <translation>Beginnen</translation>
     </message>
     <message>
-        <source>Turn all photographs into a table of the reflectance</source>
-        <translation>Aus allen Fotos eine Tabelle der Reflexion machen</translation>
+        <source>Combine all photographs into a table of the reflectance</source>
+        <translation>Alle Fotos zu einer Tabelle der Reflexion zusammenfassen</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stop; what is done is kept, and is gone on with later</source>
-        <translation>Anhalten; was getan ist, bleibt erhalten, und es geht später damit weiter</translation>
+        <source>Stop. Finished positions are kept; you can resume later.</source>
+        <translation>Anhalten. Fertige Stellungen bleiben erhalten; Fortsetzen ist später möglich.</translation>
     </message>
     <message>
-        <source>Begin Again</source>
+        <source>Start Over</source>
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Forget what is done, and start with the first position once more</source>
-        <translation>Vergessen, was getan ist, und wieder mit der ersten Stellung anfangen</translation>
+        <source>Discard the finished positions and start with the first one</source>
+        <translation>Die fertigen Stellungen verwerfen und mit der ersten beginnen</translation>
     </message>
     <message>
         <source>Grazing cut-off</source>
         <translation>Streifgrenze</translation>
     </message>
     <message>
-        <source>Light or view farther from the normal than this is not measured</source>
-        <translation>Licht oder Blick weiter von der Normalen als dies wird nicht gemessen</translation>
+        <source>Largest angle of light or view from the normal; pixels beyond it are skipped</source>
+        <translation>Größter Winkel von Licht oder Blick zur Normalen; Pixel jenseits davon werden übersprungen</translation>
     </message>
     <message>
         <source>Reconstruction</source>
         <translation>Rekonstruktion</translation>
     </message>
     <message>
-        <source>What is done</source>
-        <translation>Was getan ist</translation>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
     </message>
     <message>
         <source>Done</source>
@@ -3316,23 +3296,23 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>{done} von {total}</translation>
     </message>
     <message>
-        <source>Positions of the lamp that are in the table</source>
-        <translation>Stellungen der Lampe, die in der Tabelle sind</translation>
+        <source>Lamp positions included in the table</source>
+        <translation>In der Tabelle enthaltene Stellungen der Lampe</translation>
     </message>
     <message>
-        <source>Positions that could not be used; the list tells why</source>
-        <translation>Stellungen, die nicht zu verwenden waren; die Liste sagt, warum</translation>
+        <source>Lamp positions that could not be used; the list gives the reasons</source>
+        <translation>Lampenstellungen, die nicht verwendbar waren; die Liste nennt die Gründe</translation>
     </message>
     <message>
-        <source>The map grows while positions are done.</source>
-        <translation>Die Karte wächst mit jeder Stellung.</translation>
+        <source>The map is updated after each position.</source>
+        <translation>Die Karte wird nach jeder Stellung aktualisiert.</translation>
     </message>
     <message>
-        <source>The same light with different exposures tells what each code means; the curve is found from all of them.</source>
-        <translation>Dasselbe Licht mit verschiedenen Belichtungen sagt, was jeder Code bedeutet; die Kurve wird aus allen gefunden.</translation>
+        <source>The response curve is estimated from photographs of the same light with different exposures.</source>
+        <translation>Die Kennlinie wird aus Fotos desselben Lichts mit verschiedenen Belichtungen geschätzt.</translation>
     </message>
     <message>
-        <source>Response of the camera</source>
+        <source>Camera response</source>
         <translation>Kennlinie der Kamera</translation>
     </message>
     <message>
@@ -3340,8 +3320,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Belichtung (½ beim mittleren Code)</translation>
     </message>
     <message>
-        <source>Stated exposure times against what the photographs say</source>
-        <translation>Angegebene Belichtungszeiten gegen das, was die Fotos sagen</translation>
+        <source>Stated exposure times compared with estimates from the photographs</source>
+        <translation>Angegebene Belichtungszeiten im Vergleich mit Schätzungen aus den Fotos</translation>
     </message>
     <message>
         <source>Stated time (ms)</source>
@@ -3352,64 +3332,64 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Unterschied (%)</translation>
     </message>
     <message>
-        <source>As session.json says</source>
-        <translation>Wie session.json sagt</translation>
+        <source>From session.json</source>
+        <translation>Aus session.json</translation>
     </message>
     <message>
         <source>Linear camera</source>
         <translation>Lineare Kamera</translation>
     </message>
     <message>
-        <source>Kind of response</source>
+        <source>Response type</source>
         <translation>Art der Kennlinie</translation>
     </message>
     <message>
-        <source>Recovered from the photographs where session.json names no curve; or taken as linear</source>
-        <translation>Aus den Fotos ermittelt, wo session.json keine Kurve nennt; oder als linear genommen</translation>
+        <source>From session.json: estimated from the photographs if session.json names no curve. Linear camera: no curve</source>
+        <translation>Aus session.json: aus den Fotos geschätzt, wenn session.json keine Kurve nennt. Lineare Kamera: keine Kurve</translation>
     </message>
     <message>
-        <source>Find the Response</source>
+        <source>Find Response</source>
         <translation>Kennlinie finden</translation>
     </message>
     <message>
-        <source>Find the curve from photographs of several positions</source>
-        <translation>Die Kurve aus Fotos mehrerer Stellungen finden</translation>
+        <source>Estimate the response curve from photographs of several positions</source>
+        <translation>Die Kennlinie aus Fotos mehrerer Stellungen schätzen</translation>
     </message>
     <message>
         <source>Response</source>
         <translation>Kennlinie</translation>
     </message>
     <message>
-        <source>How well the curve is known</source>
-        <translation>Wie gut die Kurve bekannt ist</translation>
+        <source>Quality of the response curve</source>
+        <translation>Güte der Kennlinie</translation>
     </message>
     <message>
-        <source>How Well It Is Known</source>
-        <translation>Wie gut sie bekannt ist</translation>
+        <source>Quality</source>
+        <translation>Güte</translation>
     </message>
     <message>
         <source>The camera is linear.</source>
         <translation>Die Kamera ist linear.</translation>
     </message>
     <message>
-        <source>Codes outside the thick lines are not trusted.</source>
-        <translation>Codes außerhalb der dicken Linien gelten nicht als verlässlich.</translation>
+        <source>Codes outside the thick lines are not reliable.</source>
+        <translation>Codes außerhalb der dicken Linien sind nicht verlässlich.</translation>
     </message>
     <message>
-        <source>found less stated</source>
-        <translation>gefunden weniger angegeben</translation>
+        <source>estimated − stated</source>
+        <translation>geschätzt − angegeben</translation>
     </message>
     <message>
-        <source>The other steps are as they were.</source>
-        <translation>Die anderen Schritte sind, wie sie waren.</translation>
+        <source>The other steps are unchanged.</source>
+        <translation>Die anderen Schritte sind unverändert.</translation>
     </message>
     <message>
-        <source>What is done is kept; Resume goes on with it.</source>
-        <translation>Was getan ist, bleibt erhalten; Weiter macht damit weiter.</translation>
+        <source>Finished positions are kept. Click Resume to continue.</source>
+        <translation>Fertige Stellungen bleiben erhalten. „Weiter“ setzt die Rekonstruktion fort.</translation>
     </message>
     <message>
-        <source>The mask, the rig or a choice has changed since. Beginning again forgets what it had.</source>
-        <translation>Maske, Aufbau oder eine Wahl sind seither anders. Neu beginnen vergisst, was sie hatte.</translation>
+        <source>The mask, the rig or an option has changed since. Starting over discards the earlier results.</source>
+        <translation>Maske, Aufbau oder eine Option sind seither anders. „Neu beginnen“ verwirft die früheren Ergebnisse.</translation>
     </message>
     <message>
         <source>Table with coverage (*.brdftable)</source>
@@ -3420,28 +3400,28 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>MERL-Anordnung (*.binary)</translation>
     </message>
     <message>
-        <source>An earlier reconstruction in this folder cannot be gone on with.</source>
-        <translation>Mit einer früheren Rekonstruktion in diesem Ordner geht es nicht weiter.</translation>
+        <source>The earlier reconstruction in this folder cannot be resumed.</source>
+        <translation>Die frühere Rekonstruktion in diesem Ordner lässt sich nicht fortsetzen.</translation>
     </message>
     <message>
-        <source>Begin Again, at the reconstruction, makes a new one.</source>
-        <translation>Neu beginnen, bei der Rekonstruktion, macht eine neue.</translation>
+        <source>Click Start Over on the page Reconstruction.</source>
+        <translation>„Neu beginnen“ auf der Seite „Rekonstruktion“ startet eine neue.</translation>
     </message>
     <message>
-        <source>{done} positions are done from an earlier run.</source>
-        <translation>{done} Stellungen sind aus einem früheren Lauf getan.</translation>
+        <source>{done} positions were finished in an earlier run.</source>
+        <translation>{done} Stellungen wurden in einem früheren Lauf fertig.</translation>
     </message>
     <message>
         <source>{done} of {total} done</source>
         <translation>{done} von {total} getan</translation>
     </message>
     <message>
-        <source>The photographs are linear files; no curve is needed.</source>
-        <translation>Die Fotos sind lineare Dateien; eine Kurve ist unnötig.</translation>
+        <source>The photographs are linear files. No response curve is needed.</source>
+        <translation>Die Fotos sind lineare Dateien. Eine Kennlinie ist nicht nötig.</translation>
     </message>
     <message>
-        <source>Taken from the earlier run; find it again to see it.</source>
-        <translation>Aus dem früheren Lauf übernommen; erneut finden zeigt sie.</translation>
+        <source>Result of an earlier run. Run this step again to display it.</source>
+        <translation>Ergebnis eines früheren Laufs. Diesen Schritt erneut ausführen, um es zu sehen.</translation>
     </message>
     <message>
         <source>Done.</source>
@@ -3456,8 +3436,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>{share} gemessen</translation>
     </message>
     <message>
-        <source>Not saved yet; what it was made of is kept in {file}.</source>
-        <translation>Noch nicht gespeichert; woraus sie wurde, steht in {file}.</translation>
+        <source>Not saved yet. The intermediate results are kept in {file}.</source>
+        <translation>Noch nicht gespeichert. Die Zwischenergebnisse liegen in {file}.</translation>
     </message>
     <message>
         <source>{angle:g}°</source>
@@ -3468,8 +3448,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Wartet …</translation>
     </message>
     <message>
-        <source>Stopped; what is done is kept.</source>
-        <translation>Angehalten; was getan ist, bleibt erhalten.</translation>
+        <source>Stopped. Finished positions are kept.</source>
+        <translation>Angehalten. Fertige Stellungen bleiben erhalten.</translation>
     </message>
     <message>
         <source>linear</source>
@@ -3492,8 +3472,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>{count} Zeiten weichen ab</translation>
     </message>
     <message>
-        <source>to do</source>
-        <translation>zu tun</translation>
+        <source>pending</source>
+        <translation>offen</translation>
     </message>
     <message>
         <source>running</source>
@@ -3501,11 +3481,11 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
     </message>
     <message>
         <source>done</source>
-        <translation>getan</translation>
+        <translation>fertig</translation>
     </message>
     <message>
-        <source>look at it</source>
-        <translation>ansehen</translation>
+        <source>check result</source>
+        <translation>prüfen</translation>
     </message>
     <message>
         <source>Session</source>
@@ -3520,8 +3500,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Schritte</translation>
     </message>
     <message>
-        <source>The steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown go between them</source>
-        <translation>Die Schritte; Alt+1 bis Alt+8, Strg+Bild auf und Strg+Bild ab wechseln zwischen ihnen</translation>
+        <source>Steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown move between them</source>
+        <translation>Schritte; Alt+1 bis Alt+8, Strg+Bild auf und Strg+Bild ab wechseln zwischen ihnen</translation>
     </message>
     <message>
         <source>Alt+{number}</source>
@@ -3536,20 +3516,20 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>The step before (Ctrl+PgUp)</source>
-        <translation>Der Schritt davor (Strg+Bild auf)</translation>
+        <source>Previous step (Ctrl+PgUp)</source>
+        <translation>Voriger Schritt (Strg+Bild auf)</translation>
     </message>
     <message>
-        <source>The step after (Ctrl+PgDown)</source>
-        <translation>Der Schritt danach (Strg+Bild ab)</translation>
+        <source>Next step (Ctrl+PgDown)</source>
+        <translation>Nächster Schritt (Strg+Bild ab)</translation>
     </message>
     <message>
         <source>Do All Steps</source>
         <translation>Alle Schritte tun</translation>
     </message>
     <message>
-        <source>Response, geometry, reconstruction and fit, one after the other</source>
-        <translation>Kennlinie, Geometrie, Rekonstruktion und Anpassung, eins nach dem anderen</translation>
+        <source>Run response, geometry, reconstruction and fit in order</source>
+        <translation>Kennlinie, Geometrie, Rekonstruktion und Anpassung nacheinander ausführen</translation>
     </message>
     <message>
         <source>Step {number}, {title}: {state}</source>
@@ -3568,8 +3548,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Mittel |ln|</translation>
     </message>
     <message>
-        <source>Mean of |ln(fit/measured)| over every measured bin: the paper&apos;s energy over its number of terms</source>
-        <translation>Mittel von |ln(Anpassung/Messung)| über jede gemessene Zelle: die Energie des Aufsatzes durch die Zahl ihrer Glieder</translation>
+        <source>Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 divided by its number of terms</source>
+        <translation>Mittel von |ln(Anpassung/Messung)| über alle gemessenen Zellen: die Energie aus Gleichung 2 geteilt durch die Zahl ihrer Glieder</translation>
     </message>
     <message>
         <source>RMS ln</source>
@@ -3600,8 +3580,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Stichprobe</translation>
     </message>
     <message>
-        <source>That the solver looked at; the errors are over every measured bin</source>
-        <translation>Die der Löser ansah; die Fehler gehen über jede gemessene Zelle</translation>
+        <source>Samples used by the solver; errors are computed over all measured bins</source>
+        <translation>Vom Löser verwendete Stichprobe; die Fehler gelten für alle gemessenen Zellen</translation>
     </message>
     <message>
         <source>Time</source>
@@ -3612,8 +3592,8 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>{seconds:.1f} s</translation>
     </message>
     <message>
-        <source>That the fit took</source>
-        <translation>Die die Anpassung brauchte</translation>
+        <source>Duration of the fit</source>
+        <translation>Dauer der Anpassung</translation>
     </message>
     <message>
         <source>No session is open.</source>
@@ -3631,19 +3611,19 @@ Zuerst das Verlangte, dann was die angepassten Keulen erreichen.</translation>
         <translation>Radius der lackierten Kugel</translation>
     </message>
     <message>
-        <source>From the centre of projection to the axis of the turntable, level</source>
-        <translation>Vom Projektionszentrum zur Achse des Drehtellers, waagerecht</translation>
+        <source>Horizontal distance from the centre of projection to the axis of the turntable</source>
+        <translation>Waagerechter Abstand vom Projektionszentrum zur Achse des Drehtellers</translation>
     </message>
     <message>
-        <source>From the lamp to the axis of the turntable, level</source>
-        <translation>Von der Lampe zur Achse des Drehtellers, waagerecht</translation>
+        <source>Horizontal distance from the lamp to the axis of the turntable</source>
+        <translation>Waagerechter Abstand von der Lampe zur Achse des Drehtellers</translation>
     </message>
 </context>
 <context>
     <name>_000._000</name>
     <message>
-        <source>Above the centre of the sphere</source>
-        <translation>Über dem Mittelpunkt der Kugel</translation>
+        <source>Height above the centre of the sphere</source>
+        <translation>Höhe über dem Mittelpunkt der Kugel</translation>
     </message>
 </context>
 </TS>

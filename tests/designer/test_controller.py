@@ -10,7 +10,7 @@ from brdf_designer.assembly import paint_format
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller, View
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import DeskStatus
 from brdf_qt.link.messages import BadMessageError, encode
@@ -34,7 +34,9 @@ class Parts:
         self.view = create_autospec(View, instance=True)
         self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
-        self.desk = Desk(self.documents, fitter, lambda *message: self.published.append(message), self.view)
+        self.desk = PaintSession(
+            self.documents, fitter, lambda *message: self.published.append(message), self.view
+        )
         self.controller = Controller(self.view, self.desk)
 
     @property

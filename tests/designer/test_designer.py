@@ -166,18 +166,18 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
     type_in(gloss, "199")
     assert designer.store.value.gloss.gu_20 == 199.0
     assert "199 GU" in window.messages.shown()["fit"].what
-    assert "last paint" in window.strip.caption.text()
+    assert "last possible paint" in window.strip.caption.text()
     assert window.strip.band.grab().toImage() == strip
     assert window.status.cell("Fit").text().startswith("(")
     for width in (720, 1400):  # captions are chosen anew when the window changes
         window.resize(width, 800)
-        assert any(word in window.plot.caption.text() for word in ("last paint", "Earlier"))
-        assert "last paint" in window.plot.caption.accessibleName()
+        assert any(word in window.plot.caption.text() for word in ("last possible paint", "Earlier"))
+        assert "last possible paint" in window.plot.caption.accessibleName()
     type_in(gloss, "88")
     qtbot.waitUntil(lambda: designer.controller.is_complete)
-    assert "last paint" not in window.plot.caption.accessibleName()
+    assert "last possible paint" not in window.plot.caption.accessibleName()
     assert window.messages.shown() == {}
-    assert "last paint" not in window.strip.caption.text()
+    assert "last possible paint" not in window.strip.caption.text()
 
 
 def test_the_60_degree_reading_is_optional(designer):
@@ -308,7 +308,7 @@ def test_the_flakes_section_says_what_they_do(designer, qtbot):
     qtbot.waitUntil(lambda: "spots/mm²" in label.text())
     before = label.text()
     assert "instrument" in label.toolTip()
-    assert "Viewer draws" in flakes.has_flakes.toolTip()
+    assert "Viewer renders" in flakes.has_flakes.toolTip()
     type_in(flakes.panel.fields["flakes.density_per_mm2"], "300")
     qtbot.waitUntil(lambda: label.text() != before)
     flakes.has_flakes.click()
@@ -330,7 +330,7 @@ def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path
 
 
 def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
-    action(designer, "File ▸ Open Shipped Paint ▸ Fine silver").trigger()
+    action(designer, "File ▸ Open Sample Paint ▸ Fine silver").trigger()
     assert designer.store.value == load_shipped_paint("fine_silver")
     assert designer.store.path is None
     assert "outside" in designer.window.status.cell("Gamut").text().lower()
@@ -339,7 +339,7 @@ def test_a_shipped_paint_opens_as_a_document_without_a_file(designer):
 def test_make_solid(designer):
     action(designer, "Paint ▸ Make Solid From ▸ 45°").trigger()
     assert {m.lab for m in designer.store.value.measurements} == {(25.0, 4.0, -38.0)}
-    assert designer.window.status.cell("Flop index").text() == "Flop 0.0, reached 0.0"
+    assert designer.window.status.cell("Flop index").text() == "Flop 0.0, achieved 0.0"
 
 
 def test_every_edit_reaches_the_other_programs(designer, qtbot):

@@ -111,9 +111,9 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
 
     # A paint that cannot be leaves the picture, and says so.
     designer.controller.edit(("gloss", "gu_20"), 199.0)
-    assert "last paint" in preview.panel.caption.accessibleName()
+    assert "last possible paint" in preview.panel.caption.accessibleName()
     designer.controller.undo()
-    assert "last paint" not in preview.panel.caption.accessibleName()
+    assert "last possible paint" not in preview.panel.caption.accessibleName()
 
     # Hidden, it draws nothing.
     preview.show(False)

@@ -7,11 +7,11 @@ from PySide6.QtCore import QObject
 from brdf_designer.acquire.exposures.control import SeriesControl
 from brdf_designer.acquire.fit.control import FitControl
 from brdf_designer.acquire.mask.control import MaskControl
-from brdf_designer.acquire.reconstruction_control import RoadControl
+from brdf_designer.acquire.reconstruction_control import ReconstructionController
+from brdf_designer.acquire.reconstruction_session import ReconstructionSession, no_session
 from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.window import AcquireWindow
-from brdf_designer.acquire.workbench import Workbench, no_session
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 
 CHAIN = ("response", "geometry", "table", "fit")
@@ -20,20 +20,20 @@ CHAIN = ("response", "geometry", "table", "fit")
 class Assistant(QObject):
     """The window, its state and its controls."""
 
-    def __init__(self, desk: Desk, host: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, host: DesignerWindow) -> None:
         super().__init__(host)
         dialogs = desk.documents.dialogs
         self.window = AcquireWindow(host)
-        self.bench = Workbench(self.window, host.progress, self)
+        self.bench = ReconstructionSession(self.window, host.progress, self)
         self.sessions = SessionControl(self.bench, self.window.session, dialogs)
         self.series = SeriesControl(self.bench, self.window.exposures, self.sessions)
-        self.mask = MaskControl(self.bench, self.window.mask)
-        self.road = RoadControl(self.bench, dialogs)
+        self.mask = MaskControl(self.bench, self.window.mask_page)
+        self.reconstruction = ReconstructionController(self.bench, dialogs)
         self.fit = FitControl(self.bench, self.window.fit, desk, dialogs)
         self._chain: list[str] = []
-        self.window.all_asked.connect(self.do_all)
-        self.window.undo_asked.connect(lambda: self._step(back=True))
-        self.window.redo_asked.connect(lambda: self._step(back=False))
+        self.window.all_requested.connect(self.do_all)
+        self.window.undo_requested.connect(lambda: self._step(back=True))
+        self.window.redo_requested.connect(lambda: self._step(back=False))
         self.window.hidden.connect(self.write_pending)
         self.bench.ended.connect(self._ended)
 
@@ -42,7 +42,7 @@ class Assistant(QObject):
         if self.bench.session is None:
             self.bench.say(no_session())
             return
-        self._chain = [key for key in CHAIN if key not in self.bench.have]
+        self._chain = [key for key in CHAIN if key not in self.bench.results]
         self._next()
 
     def write_pending(self) -> None:
@@ -64,9 +64,9 @@ class Assistant(QObject):
         pages = {"table": "reconstruction"}
         self.window.show_page(pages.get(key, key))
         {
-            "response": self.road.find_response,
-            "geometry": self.road.find_geometry,
-            "table": self.road.find_table,
+            "response": self.reconstruction.find_response,
+            "geometry": self.reconstruction.find_geometry,
+            "table": self.reconstruction.find_table,
             "fit": self.fit.find,
         }[key]()
 
@@ -80,6 +80,7 @@ class Assistant(QObject):
 
     def _step(self, *, back: bool) -> None:
         """Undo or redo what belongs to the page that is shown."""
-        owner = {"mask": self.mask, "session": self.sessions}.get(self.window.step)
+        owners: dict[str, MaskControl | SessionControl] = {"mask": self.mask, "session": self.sessions}
+        owner = owners.get(self.window.step)
         if owner is not None:
             (owner.undo if back else owner.redo)()

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class AcquireControl(QObject):
     """Opens the assistant; ``close`` ends what runs. What is done of a reconstruction is kept in its folder."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self.assistant: Assistant | None = None
@@ -42,7 +42,7 @@ class AcquireControl(QObject):
 
     @property
     def is_complete(self) -> bool:
-        """Whether nothing runs that somebody waits for."""
+        """Whether no work is pending."""
         return self.assistant is None or self.assistant.bench.is_quiet
 
     def close(self) -> None:

@@ -13,7 +13,7 @@ SIDE_WIDTH = 300
 
 
 class AcquirePage(QWidget):
-    """A step: ``centre`` takes the room, ``side`` has sections. ``key`` names it, ``says`` tells what it is for."""
+    """A step: ``centre`` takes the room, ``side`` has sections. ``key`` names it, ``says`` describes it."""
 
     def __init__(self, key: str, says: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -11,6 +11,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.geometry.work import GeometryAnswer, find_geometry
+from brdf_designer.acquire.reconstruction_session import WORK_FILE, ReconstructionSession, no_session
 from brdf_designer.acquire.response.work import ResponseFound, find_response
 from brdf_designer.acquire.states import CoverageState, Problem
 from brdf_designer.acquire.table.work import (
@@ -22,31 +23,30 @@ from brdf_designer.acquire.table.work import (
     find_table,
     save_table,
 )
-from brdf_designer.acquire.workbench import WORK_FILE, Workbench, no_session
 from brdf_suite.errors import FileError
 
 
-class RoadControl(QObject):
+class ReconstructionController(QObject):
     """Starts the steps, shows what they found, and keeps it."""
 
     _partial = Signal(int, int, object)
 
-    def __init__(self, bench: Workbench, dialogs: Dialogs) -> None:
+    def __init__(self, bench: ReconstructionSession, dialogs: Dialogs) -> None:
         super().__init__(bench)
         self._bench, self._dialogs = bench, dialogs
         self._done = self._total = 0
         self._fraction, self._what = 0.0, ""
         self._saved = ""
         window = bench.window
-        window.response.recover_asked.connect(self.find_response)
+        window.response.recover_requested.connect(self.find_response)
         window.response.kind_chosen.connect(self._choose_response)
-        window.geometry_page.find_asked.connect(self.find_geometry)
+        window.geometry_page.find_requested.connect(self.find_geometry)
         window.geometry_page.refine_chosen.connect(self._choose_refinement)
-        window.reconstruction.start_asked.connect(self.find_table)
-        window.reconstruction.cancel_asked.connect(lambda: bench.cancel("table"))
-        window.reconstruction.again_asked.connect(lambda: self.find_table(restart=True))
+        window.reconstruction.start_requested.connect(self.find_table)
+        window.reconstruction.cancel_requested.connect(lambda: bench.cancel("table"))
+        window.reconstruction.again_requested.connect(lambda: self.find_table(restart=True))
         window.reconstruction.grazing_edited.connect(self._choose_grazing)
-        window.coverage.save_asked.connect(self.save)
+        window.coverage.save_requested.connect(self.save)
         self._partial.connect(self._show_partial)
         bench.opened.connect(self._opened)
         bench.found.connect(self._show)
@@ -58,7 +58,7 @@ class RoadControl(QObject):
         """Find the response of the camera."""
         if not self._ready():
             return
-        todo = tr("The other steps are as they were.")
+        todo = tr("The other steps are unchanged.")
         self._bench.run("response", find_response, self._bench.request(), self._take_response, todo=todo)
 
     def find_geometry(self) -> None:
@@ -73,24 +73,29 @@ class RoadControl(QObject):
             return
         request = TableRequest(self._bench.request(), restart, self._partial.emit)
         self._bench.window.reconstruction.show_partial(None)
-        self._bench.run("table", find_table, request, self._take_table, told=self._moved, failed=self._failed)
+        self._bench.run(
+            "table", find_table, request, self._take_table, moved=self._moved, failed=self._failed
+        )
 
     def _failed(self, error: Exception) -> None:
-        told = message_of(error, "table", todo=tr("What is done is kept; Resume goes on with it."))
+        message = message_of(
+            error, "table", todo=tr("Finished positions are kept. Click Resume to continue.")
+        )
         folder = self._bench.folder
         if isinstance(error, FileError) and folder is not None and error.path == str(folder / WORK_FILE):
-            told = replace(
-                told,
+            message = replace(
+                message,
                 todo=tr(
-                    "The mask, the rig or a choice has changed since. Beginning again forgets what it had."
+                    "The mask, the rig or an option has changed since. Starting over discards the "
+                    "earlier results."
                 ),
-                actions=((tr("Begin Again"), lambda: self.find_table(restart=True)),),
+                actions=((tr("Start Over"), lambda: self.find_table(restart=True)),),
             )
-        self._bench.say(told)
+        self._bench.say(message)
 
     def save(self) -> None:
         """Ask where the table is to be, and write it."""
-        table = self._bench.have.get("table")
+        table = self._bench.results.get("table")
         if table is None or self._bench.folder is None or self._bench.session is None:
             return
         named = f"{self._bench.session.name.replace('/', '_')}.brdftable"
@@ -108,16 +113,16 @@ class RoadControl(QObject):
     # Choices.
 
     def _choose_response(self, kind: str) -> None:
-        self._bench.choose(response=kind)
-        self._bench.forget("response")
+        self._bench.set_options(response=kind)
+        self._bench.invalidate("response")
 
     def _choose_refinement(self, on: bool) -> None:
-        self._bench.choose(refine=on)
-        self._bench.forget("geometry")
+        self._bench.set_options(refine=on)
+        self._bench.invalidate("geometry")
 
     def _choose_grazing(self, degrees: float) -> None:
-        self._bench.choose(grazing_deg=degrees)
-        self._bench.forget("table")
+        self._bench.set_options(grazing_deg=degrees)
+        self._bench.invalidate("table")
 
     def _ready(self) -> bool:
         if self._bench.session is None:
@@ -140,9 +145,9 @@ class RoadControl(QObject):
             self._bench.say(
                 Message(
                     "kept",
-                    tr("An earlier reconstruction in this folder cannot be gone on with."),
+                    tr("The earlier reconstruction in this folder cannot be resumed."),
                     where=kept.reason,
-                    todo=tr("Begin Again, at the reconstruction, makes a new one."),
+                    todo=tr("Click Start Over on the page Reconstruction."),
                     severity="warning",
                 )
             )
@@ -153,7 +158,7 @@ class RoadControl(QObject):
             self._show_done(())
             self._bench.window.reconstruction.show_progress(
                 kept.done / max(1, self._total),
-                tr("{done} positions are done from an earlier run.").format(done=kept.done),
+                tr("{done} positions were finished in an earlier run.").format(done=kept.done),
                 running=False,
             )
             words = tr("{done} of {total} done").format(done=kept.done, total=self._total)
@@ -178,24 +183,26 @@ class RoadControl(QObject):
         bench.keep("table", found)
 
     def _show(self, key: str) -> None:
-        window, value = self._bench.window, self._bench.have.get(key)
+        window, value = self._bench.window, self._bench.results.get(key)
         if key == "response":
             window.response.show_response(None if value is None else value.state)
             if value is not None and value.state is None:
-                window.response.note.setText(tr("The photographs are linear files; no curve is needed."))
+                window.response.note.setText(
+                    tr("The photographs are linear files. No response curve is needed.")
+                )
             words = "" if value is None else _response_words(value)
             window.show_step("response", "todo" if value is None else "done", words)
         elif key == "geometry":
             window.geometry_page.show_geometry(None if value is None else value.state)
             if value is not None and value.state is None:
-                told = tr("Taken from the earlier run; find it again to see it.")
-                window.geometry_page.note.setText(told)
-                window.geometry_page.picture.show_empty(told)
-            self._tell_geometry(value)
+                text = tr("Result of an earlier run. Run this step again to display it.")
+                window.geometry_page.note.setText(text)
+                window.geometry_page.picture.show_empty(text)
+            self._report_geometry(value)
         elif key == "table":
             self._show_table(value)
 
-    def _tell_geometry(self, value: Any) -> None:
+    def _report_geometry(self, value: Any) -> None:
         if value is None:
             self._bench.window.show_step("geometry", "todo", "")
             return
@@ -223,7 +230,8 @@ class RoadControl(QObject):
         measured = next((text for name, text, _ in value.state.facts if name == tr("Measured")), "")
         window.show_step("coverage", "done", tr("{share} measured").format(share=measured))
         window.coverage.show_kept(
-            self._saved or tr("Not saved yet; what it was made of is kept in {file}.").format(file=WORK_FILE)
+            self._saved
+            or tr("Not saved yet. The intermediate results are kept in {file}.").format(file=WORK_FILE)
         )
 
     def _name(self, position: int) -> str:
@@ -255,7 +263,7 @@ class RoadControl(QObject):
             return
         if busy:
             window.show_step(step, "running", "")
-        elif key not in self._bench.have:
+        elif key not in self._bench.results:
             window.show_step(step, "todo", "")
         else:
             self._show(key)
@@ -265,8 +273,8 @@ class RoadControl(QObject):
             window.geometry_page.start.setEnabled(not busy)
         elif busy:
             window.reconstruction.show_progress(0.0, tr("Waiting…"), running=True)
-        elif key not in self._bench.have:
-            stopped = tr("Stopped; what is done is kept.") if self._done else ""
+        elif key not in self._bench.results:
+            stopped = tr("Stopped. Finished positions are kept.") if self._done else ""
             window.reconstruction.show_progress(self._fraction if self._done else 0.0, stopped, running=False)
             self._show_done(())
 

@@ -15,10 +15,10 @@ SIGNS: dict[StepState, str] = {
     "warning": "warning",
 }
 STATE_WORDS: dict[StepState, str] = {
-    "todo": mark("to do"),
+    "todo": mark("pending"),
     "running": mark("running"),
     "done": mark("done"),
-    "warning": mark("look at it"),
+    "warning": mark("check result"),
 }
 
 

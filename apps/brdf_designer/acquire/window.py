@@ -44,15 +44,15 @@ _RAIL = 172
 class AcquireWindow(QWidget):
     """All pages, and the way between them.
 
-    Intents: ``step_shown(key)``, ``undo_asked()``, ``redo_asked()``, ``folder_dropped(str)``, ``all_asked()``,
-    ``hidden()``, ``brought()``.
+    Intents: ``step_shown(key)``, ``undo_requested()``, ``redo_requested()``, ``folder_dropped(str)``,
+    ``all_requested()``, ``hidden()``, ``brought()``.
     """
 
     step_shown = Signal(str)
-    undo_asked = Signal()
-    redo_asked = Signal()
+    undo_requested = Signal()
+    redo_requested = Signal()
     folder_dropped = Signal(str)
-    all_asked = Signal()
+    all_requested = Signal()
     hidden = Signal()
     brought = Signal()
 
@@ -62,7 +62,11 @@ class AcquireWindow(QWidget):
         self.setAcceptDrops(True)
         self.setMinimumSize(_LEAST)
         self.session, self.exposures, self.response = SessionPage(), ExposuresPage(), ResponsePage()
-        self.geometry_page, self.mask, self.reconstruction = GeometryPage(), MaskPage(), ReconstructionPage()
+        self.geometry_page, self.mask_page, self.reconstruction = (
+            GeometryPage(),
+            MaskPage(),
+            ReconstructionPage(),
+        )
         self.coverage, self.fit = CoveragePage(), FitPage()
         self.pages: dict[str, AcquirePage] = {
             page.key: page
@@ -71,7 +75,7 @@ class AcquireWindow(QWidget):
                 self.exposures,
                 self.response,
                 self.geometry_page,
-                self.mask,
+                self.mask_page,
                 self.reconstruction,
                 self.coverage,
                 self.fit,
@@ -80,7 +84,7 @@ class AcquireWindow(QWidget):
         self.messages, self.progress = MessageBar(), ProgressStrip()
         self.rail = QListWidget()
         self.rail.setAccessibleName(tr("Steps"))
-        self.rail.setToolTip(tr("The steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown go between them"))
+        self.rail.setToolTip(tr("Steps; Alt+1 to Alt+8, Ctrl+PgUp and Ctrl+PgDown move between them"))
         self.rail.setFixedWidth(_RAIL)
         self.rail.setFrameShape(QFrame.Shape.NoFrame)
         self.rail.setIconSize(QSize(18, 18))
@@ -107,18 +111,18 @@ class AcquireWindow(QWidget):
         self.back, self.next = QPushButton(tr("Back")), QPushButton(tr("Next"))
         self.back.setIcon(icon("arrow-left"))
         self.next.setIcon(icon("arrow-right"))
-        self.back.setToolTip(tr("The step before (Ctrl+PgUp)"))
-        self.next.setToolTip(tr("The step after (Ctrl+PgDown)"))
+        self.back.setToolTip(tr("Previous step (Ctrl+PgUp)"))
+        self.next.setToolTip(tr("Next step (Ctrl+PgDown)"))
         self.back.clicked.connect(lambda _=False: self.go(-1))
         self.next.clicked.connect(lambda _=False: self.go(1))
         self.all = QPushButton(tr("Do All Steps"))
-        self.all.setToolTip(tr("Response, geometry, reconstruction and fit, one after the other"))
-        self.all.clicked.connect(lambda _=False: self.all_asked.emit())
-        self.telling = ElidedLabel()
+        self.all.setToolTip(tr("Run response, geometry, reconstruction and fit in order"))
+        self.all.clicked.connect(lambda _=False: self.all_requested.emit())
+        self.status_text = ElidedLabel()
         foot = QHBoxLayout()
         foot.setContentsMargins(8, 8, 8, 8)
         foot.setSpacing(8)
-        foot.addWidget(self.telling, 1)
+        foot.addWidget(self.status_text, 1)
         foot.addWidget(self.all)
         foot.addWidget(self.back)
         foot.addWidget(self.next)
@@ -142,9 +146,9 @@ class AcquireWindow(QWidget):
 
     def _shortcuts(self) -> None:
         for keys, slot in (
-            ("Ctrl+Z", self.undo_asked.emit),
-            ("Ctrl+Shift+Z", self.redo_asked.emit),
-            ("Ctrl+Y", self.redo_asked.emit),
+            ("Ctrl+Z", self.undo_requested.emit),
+            ("Ctrl+Shift+Z", self.redo_requested.emit),
+            ("Ctrl+Y", self.redo_requested.emit),
             ("Ctrl+PgUp", lambda: self.go(-1)),
             ("Ctrl+PgDown", lambda: self.go(1)),
             ("Ctrl+W", self.close),
@@ -185,9 +189,9 @@ class AcquireWindow(QWidget):
         """Show whose photographs these are."""
         self.setWindowTitle(tr("Acquire: {name}").format(name=name) if name else tr("Acquire"))
 
-    def show_telling(self, text: str) -> None:
+    def show_status_text(self, text: str) -> None:
         """Say what is so at the moment, at the foot."""
-        self.telling.setText(text)
+        self.status_text.setText(text)
 
     def _changed(self, row: int) -> None:
         if row < 0:

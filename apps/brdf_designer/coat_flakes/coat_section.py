@@ -23,36 +23,38 @@ from brdf_suite.appearance.gloss import (
 from brdf_suite.documents.paint import OrangePeel, Paint
 
 _IOR_TIP = mark(
-    "Refractive index n of the clearcoat: the higher, the more it mirrors; resins have 1.45 to 1.55. Setting it sets "
-    "both gloss readings."
+    "Refractive index n of the clearcoat: a higher index reflects more. Resins "
+    "have 1.45 to 1.55. Changing it changes both gloss readings."
 )
 _ROUGHNESS_TIP = mark(
-    "Roughness α of the clearcoat: spread of its facets' slopes (Beckmann). 0.003 is a fresh car, 0.05 satin. Setting "
-    "it sets both gloss readings."
+    "Roughness α of the clearcoat: spread of the facet slopes (Beckmann). A new "
+    "car has 0.003, satin 0.05. Changing it changes both gloss readings."
 )
 _HAZE_TIP = mark(
-    "Haze index: gloss at 60° minus gloss at 20° (as practice reads ASTM D4039), GU. It grows where light is scattered "
-    "just beside the mirror direction, so that a glossy coat looks milky; a smooth clear coat has about 5 to 12."
+    "Haze index: gloss at 60° minus gloss at 20° (common practice for ASTM D4039), "
+    "GU. Light scattered close to the mirror direction raises it and makes a "
+    "glossy coat look milky. A smooth clearcoat has about 5 to 12."
 )
-_SLOPE_TIP = mark("Root mean square slope of the waves; a tenth of a degree is seen at arm's length.")
+_SLOPE_TIP = mark("Root mean square slope of the waves. A tenth of a degree is visible at arm's length.")
 
 
 class CoatSection(PaintSection):
     """Gloss readings, the clearcoat that gives them, and its waviness.
 
     Emits ``("coat", "ior" | "roughness")`` with both numbers: the other stays as it was at the start of the gesture.
-    ``gloss_wanted()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
+    ``gloss_requested()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
     """
 
-    gloss_wanted = Signal()
+    gloss_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
-        self.has_60 = QCheckBox(tr("A 60° reading is known"))
+        self.has_60 = QCheckBox(tr("Specify 60° gloss"))
         self.has_60.setToolTip(
             tr(
-                "With both readings the refractive index is solved too; otherwise it is 1.5, or what 20° needs."
+                "Both readings determine the refractive index. With 20° alone it is 1.5, or "
+                "the value that the reading requires."
             )
         )
         self.has_60.clicked.connect(self._switch_60)
@@ -78,11 +80,7 @@ class CoatSection(PaintSection):
         self.note.hide()
         self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))
-        self.has_peel.setToolTip(
-            tr(
-                "Waviness of the coat, as sprayed coats have it. Viewer draws it, and a view may set its own instead."
-            )
-        )
+        self.has_peel.setToolTip(tr("Waviness of a sprayed coat. Viewer renders it; a view can override it."))
         self.has_peel.clicked.connect(self._switch_peel)
         self.box.addWidget(self.has_peel)
         self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
@@ -138,7 +136,7 @@ class CoatSection(PaintSection):
         self._asked, self._taken = None, True
         for field in (self.ior, self.roughness):
             field.setEnabled(False)
-        self.haze.setText(tr("–, no such coat"))
+        self.haze.setText(tr("–, impossible coat"))
 
     def show_refusal(self, text: str) -> None:
         """Say why no coat gives the readings, with what could be reached."""
@@ -149,14 +147,15 @@ class CoatSection(PaintSection):
         self.haze.setText(tr("{haze:.1f} GU, {source}").format(haze=haze, source=source).replace("-", "−"))
 
     def _show_note(self) -> None:
-        """Tell where the readings are also those of another coat, which was solved."""
+        """Show a note where another coat has the same readings."""
         text = ""
         if self._asked is not None:
             ior, roughness = self._asked
             if abs(ior - self._solved[0]) > 0.005 or abs(math.log(roughness / self._solved[1])) > 0.1:
                 text = tr(
-                    "A coat of n {ior:.3f} and α {roughness:.4f} reads the same at 20 and 60°; the readings are what "
-                    "the paint keeps, and the coat nearest to n 1.5 is taken."
+                    "A coat with n {ior:.3f} and α {roughness:.4f} has the same gloss at 20 and "
+                    "60°. The paint stores the readings, and the coat with n closest to 1.5 is "
+                    "used."
                 ).format(ior=ior, roughness=roughness)
         self.show_refusal(text)
 
@@ -181,7 +180,7 @@ class CoatSection(PaintSection):
 
     def _switch_60(self, on: bool) -> None:
         if on:
-            self.gloss_wanted.emit()
+            self.gloss_requested.emit()
         value = self.panel.fields["gloss.gu_60"].value() if on else None
         self.edited.emit(("gloss", "gu_60"), value)
 

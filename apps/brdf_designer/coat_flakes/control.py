@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.inspection.sparkle import sparkle
@@ -16,14 +16,14 @@ from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
 class CoatControl(QObject):
     """Joins the sections of coat and flakes to the desk."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._coat: CoatSection = window.coat
         self._flakes: FlakesSection = window.flakes
         desk.fit_changed.connect(lambda _fit: desk.at_idle("coat", self._show))
         desk.refused.connect(self._refuse)
-        self._coat.gloss_wanted.connect(self._show_gloss)
+        self._coat.gloss_requested.connect(self._show_gloss)
 
     def _show(self) -> None:
         fit = self._desk.fit

@@ -12,13 +12,15 @@ from brdf_suite.documents.paint import Flakes, Paint
 from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, Sparkle
 
 _DRAWN = mark(
-    "Viewer draws these flakes one by one in the brightest lights; the mean colour stays that of the readings."
+    "Viewer renders these flakes individually in the brightest lights. The mean "
+    "colour still matches the readings."
 )
 _FIGURE = mark(
-    "Our own sparkle figure, from the model of the flakes: spots per mm² that are brighter than the surface around "
-    "them by {contrast:.0%} or more, and the mean of how much brighter they are (contrast); in the sun 45° off the "
-    "normal, seen from {distance:g} mm by an eye that takes in {resolved:.3f} mm. It is no instrument's reading and "
-    "must not be compared with one."
+    "Sparkle (BRDF Suite metric), computed from the flake model: spots per mm² "
+    "that are at least {contrast:.0%} brighter than their surroundings, and their "
+    "mean contrast. In the sun at 45° from the normal, seen from {distance:g} mm "
+    "by an eye that resolves {resolved:.3f} mm. Not comparable with the readings "
+    "of an instrument."
 )
 
 
@@ -29,7 +31,7 @@ class FlakesSection(PaintSection):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.has_flakes = QCheckBox(tr("Flakes that can be seen"))
+        self.has_flakes = QCheckBox(tr("Visible flakes"))
         self.has_flakes.setToolTip(tr(_DRAWN))
         self.has_flakes.clicked.connect(self._switch)
         self.box.addWidget(self.has_flakes)

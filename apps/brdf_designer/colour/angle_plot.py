@@ -18,11 +18,11 @@ from brdf_designer.colour.quantity_plot import FIT_WIDTH, MODEL_WIDTH, QUANTITIE
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
 
-_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over the angle"), mark("Curves"))
+_FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Curves"))
 _STALE = (
-    mark("L*, C* and h: lines of the last paint that can be"),
-    mark("Lines of the last paint that can be"),
-    mark("Earlier lines"),
+    mark("L*, C* and h: last possible paint"),
+    mark("Curves of the last possible paint"),
+    mark("Earlier curves"),
 )
 _PAUSE_MS = 15
 _SHOWN_KEY = "designer/plots"
@@ -50,7 +50,7 @@ class AnglePlot(QWidget):
         self._box.setSpacing(4)
         self.caption = Caption(*map(tr, _FRESH))
         self.caption.setToolTip(
-            tr("Points are what is asked at the measured angles; drag one up or down to change it.")
+            tr("Points are the targets at the measured angles; drag one up or down to change it.")
         )
         self._head = head = QHBoxLayout()
         head.setSpacing(8)
@@ -124,7 +124,7 @@ class AnglePlot(QWidget):
         quantity = QUANTITIES[number]
         button = ChoiceButton(tr(quantity.axis).split(" ", 1)[0])
         button.setChecked(number in self._wanted)
-        button.setAccessibleName(tr("Show the plot of {name}").format(name=tr(quantity.name)))
+        button.setAccessibleName(tr("Show plot of {name}").format(name=tr(quantity.name)))
         button.setToolTip(tr(quantity.tip))
         button.clicked.connect(lambda: self._toggled(number))
         return button

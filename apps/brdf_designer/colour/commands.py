@@ -5,14 +5,14 @@ from __future__ import annotations
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import QObject
 
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.focus import focus_first_number
 from brdf_designer.window.window import DesignerWindow
 
 _MODES = (
     ("one", mark("Edit &One Angle"), "Alt+1"),
-    ("all", mark("Edit &All Angles Together"), "Alt+2"),
-    ("flop", mark("Edit the &Flop"), "Alt+3"),
+    ("all", mark("Edit &All Angles"), "Alt+2"),
+    ("flop", mark("Edit &Flop"), "Alt+3"),
 )
 _SPACES = (
     ("lab", mark("Colours in &L*a*b*"), "Alt+4"),
@@ -29,15 +29,15 @@ _SETS = (
 class ColourCommands(QObject):
     """Adds the commands; each does what the button or the list over the colours does."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         head = window.editors.head
         self._window = window
         window.paint_menu.addSeparator()
-        window.add_command("paint", mark("Type the &Numbers"), "Alt+0", self.type_numbers, "type_numbers")
+        window.add_command("paint", mark("&Go to First Value"), "Alt+0", self.type_numbers, "type_numbers")
         # Who makes a new paint wants to say what it is.
-        window.new_asked.connect(self.type_numbers)
+        window.new_requested.connect(self.type_numbers)
         for mode, text, keys in _MODES:
             window.add_command("paint", text, keys, head.modes.buttons[mode].click, f"edit_{mode}")
         window.paint_menu.addSeparator()

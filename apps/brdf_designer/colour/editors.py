@@ -25,7 +25,7 @@ class ColourEditors(QWidget):
     edited = Signal(object, object)
     gesture_started = Signal(object)
     gesture_finished = Signal()
-    pick_asked = Signal(int)
+    pick_requested = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -46,8 +46,8 @@ class ColourEditors(QWidget):
         )
         self.head.space_chosen.connect(self.angles.set_space)
         self.head.mode_chosen.connect(self._show_mode)
-        self.angles.remove_asked.connect(lambda index: self.edited.emit(("angles", "remove"), index))
-        self.angles.pick_asked.connect(self.pick_asked)
+        self.angles.remove_requested.connect(lambda index: self.edited.emit(("angles", "remove"), index))
+        self.angles.pick_requested.connect(self.pick_requested)
         self.angles.gesture_started.connect(
             lambda index, c: self._begin(self._key(self.angles.space, index, c))
         )

@@ -24,16 +24,18 @@ _PER_PIXEL = {"index": 0.05, "lightness": 0.2, "chroma": 0.2, "hue": 0.5}
 _PLACES = {-1: mark("near end"), 0: mark("face"), 1: mark("far end")}
 _TIPS = {
     -1: mark(
-        "Drag it up or down, or press Up and Down (Shift: finely): this end follows, the far end goes the other way, "
-        "and the face stays. A double click goes back to the document as it was opened."
+        "Drag up or down, or press Up and Down (Shift: fine): this end follows, the "
+        "far end moves the opposite way, the face stays. A double click restores the "
+        "value of the opened document."
     ),
     0: mark(
-        "Drag it up for more flop and down for less, or press Up and Down (Shift: finely); the face stays. A double "
-        "click goes back to the document as it was opened."
+        "Drag up for more flop and down for less, or press Up and Down (Shift: fine); "
+        "the face stays. A double click restores the value of the opened document."
     ),
     1: mark(
-        "Drag it up or down, or press Up and Down (Shift: finely): this end follows, the near end goes the other way, "
-        "and the face stays. A double click goes back to the document as it was opened."
+        "Drag up or down, or press Up and Down (Shift: fine): this end follows, the "
+        "near end moves the opposite way, the face stays. A double click restores the "
+        "value of the opened document."
     ),
 }
 
@@ -96,7 +98,7 @@ class FlopOfPaint:
             grip.key
         ]
 
-    def told(self, grip: Grip) -> tuple[str, str]:
+    def describe(self, grip: Grip) -> tuple[str, str]:
         """Return what a grip stands at, in words and in short."""
         value = self.amount(grip)
         unit = grip.handle.unit

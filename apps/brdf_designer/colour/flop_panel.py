@@ -90,8 +90,8 @@ HANDLES = (
         1.0,
         1,
         mark(
-            "Travel of hue: by how many degrees it turns from the nearest to the farthest angle; positive from red "
-            "towards yellow. A grey has no hue to travel."
+            "Travel of hue: rotation in degrees from the nearest to the farthest angle, "
+            "positive from red towards yellow. A grey has no hue."
         ),
     ),
 )

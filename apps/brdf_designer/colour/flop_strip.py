@@ -29,15 +29,15 @@ from brdf_designer.window.caption import Caption
 from brdf_suite.documents.paint import Paint
 
 _FRESH = (
-    mark("Flop over the aspecular angle: what is asked above, what the fitted lobes give below"),
-    mark("Flop: asked above, fitted lobes below"),
+    mark("Flop (target above, fit below)"),
+    mark("Flop (target above, fit below)"),
     mark("Flop over the aspecular angle"),
     mark("Flop"),
 )
 _GRIPS_TIP = mark(
-    "The grips move the flop about a face that stays: L, C and h at either end the travel of lightness, chroma and "
-    "hue, F the flop index. Drag one up or down, or choose one with Left and Right and move it with Up and Down "
-    "(Shift: finely)."
+    "The grips change the flop about the face: L, C and h at either end the travel "
+    "of lightness, chroma and hue, F the flop index. Drag one up or down, or "
+    "choose one with Left and Right and move it with Up and Down (Shift: fine)."
 )
 _FINE = 0.1
 
@@ -58,7 +58,7 @@ class FlopStrip(QWidget):
         self.caption = Caption(*map(tr, _FRESH))
         self.band = Band()
         self._head: tuple[str, ...] = tuple(map(tr, _FRESH))
-        self.band.told.connect(self._tell)
+        self.band.described.connect(self._show_grip)
         for name in ("edited", "gesture_started", "gesture_finished"):
             getattr(self.band, name).connect(getattr(self, name))
         box = QVBoxLayout(self)
@@ -79,25 +79,25 @@ class FlopStrip(QWidget):
         """Show the strip, fresh."""
         self._head = tuple(map(tr, _FRESH))
         self.band.show_curves(curves)
-        self.band.tell()
+        self.band.describe()
 
     def mark_stale(self) -> None:
         """Say that the strip is of the last paint that could be."""
-        self._head = (tr("Flop: of the last paint that can be"),)
-        self.band.tell()
+        self._head = (tr("Flop: last possible paint"),)
+        self.band.describe()
 
-    def _tell(self, forms: tuple[str, ...]) -> None:
-        """Tell of the grip in hand, or what the strip is."""
+    def _show_grip(self, forms: tuple[str, ...]) -> None:
+        """Describe the active grip, or the strip."""
         self.caption.set_forms(*(forms or self._head))
 
 
 class Band(QWidget):
-    """The strip itself. ``told(forms)`` says what a grip under the mouse, or of the keys, stands at; () for none."""
+    """The strip itself. ``described(forms)``: what a grip under the mouse, or of the keys, stands at; () for none."""
 
     edited = Signal(str, float)
     gesture_started = Signal(str)
     gesture_finished = Signal()
-    told = Signal(tuple)
+    described = Signal(tuple)
 
     def __init__(self) -> None:
         super().__init__()
@@ -127,7 +127,7 @@ class Band(QWidget):
         """Let the grips move this paint."""
         self._paint = paint
         if self._under is not None or self.hasFocus():
-            self.tell()
+            self.describe()
             self.update()
 
     def keep_opened(self) -> None:
@@ -145,17 +145,17 @@ class Band(QWidget):
             self.setToolTip(plain_tip("\n".join(parts)))
         self.update()
 
-    def tell(self) -> None:
-        """Say what the grip in hand, under the mouse or of the keys stands at."""
+    def describe(self) -> None:
+        """Say what the active grip, under the mouse or of the keys stands at."""
         place = self._in_hand()
         flop = self._flop()
         if place is None or flop is None:
-            self.told.emit(())
+            self.described.emit(())
             return
-        forms = flop.told(GRIPS[place])
+        forms = flop.describe(GRIPS[place])
         if self.accessibleDescription() != forms[0]:
             self.setAccessibleDescription(forms[0])
-        self.told.emit(forms)
+        self.described.emit(forms)
 
     def grip_at(self, point: QPointF) -> int | None:
         """Return the place in :data:`GRIPS` of the grip at a point of the strip."""
@@ -249,7 +249,7 @@ class Band(QWidget):
             self.unsetCursor()
         else:
             self.setCursor(Qt.CursorShape.SizeVerCursor)
-        self.tell()
+        self.describe()
         self.update()
 
     # The keyboard.
@@ -280,24 +280,24 @@ class Band(QWidget):
 
     def _choose(self, place: int) -> None:
         self._chosen = place
-        self.tell()
+        self.describe()
         self.update()
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        self.tell()
+        self.describe()
         self.update()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         self._burst.end()
         super().focusOutEvent(event)
-        self.tell()
+        self.describe()
         self.update()
 
     # Drawing.
 
     def event(self, event: QEvent) -> bool:
-        """Tell in a tip what the grip under the mouse is."""
+        """Show a tip for the grip under the mouse."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             place = self.grip_at(QPointF(event.pos()))
             if place is not None:

@@ -26,26 +26,26 @@ _SETS = {
     "six": mark("6 angles: −15, 15, 25, 45, 75, 110°"),
     "e2539": mark("8 geometries, two lights (E2539)"),
 }
-_OWN = mark("Own angles")
+_OWN = mark("Custom angles")
 _SETS_TIP = mark(
-    "The aspecular angles at which the colour is given. Another set takes the colours that the paint has at the new "
-    "angles, so that it keeps its look."
+    "Aspecular angles at which the colour is specified. Another set is filled with "
+    "the colours of this paint at the new angles, so the appearance is kept."
 )
 _SPACES = {
     "lab": (mark("L*a*b*"), mark("Lightness, green to red, blue to yellow (CIE 1976, D65, 10°).")),
     "lch": (mark("LCh°"), mark("Lightness, chroma and hue angle (CIE 1976, D65, 10°).")),
 }
 _MODES = {
-    "one": (mark("One angle"), mark("An edit changes the colour at its own angle alone.")),
+    "one": (mark("Angle"), mark("An edit changes the colour at one angle only.")),
     "all": (
-        mark("All together"),
-        mark("Face and flop move in step: what an edit adds at one angle is added at every angle."),
+        mark("All"),
+        mark("An edit adds the same difference at all angles."),
     ),
     "flop": (
         mark("Flop"),
         mark(
-            "Flop: how the colour changes from the view near the mirror direction to the shallow one. The face (45°) "
-            "stays, and the angles on either side of it move."
+            "Flop: change of colour from the view near the mirror direction to the grazing "
+            "view. An edit keeps the face (45°) and moves the angles on either side."
         ),
     ),
 }
@@ -74,8 +74,8 @@ class ColourHead(QWidget):
         self.angle = NumberField(tr("New angle"), "°", known.low, 134.0, 5.0, 1, 60.0)
         self.angle.setObjectName("new_angle")
         self._light_deg: float | None = None
-        self.add = QPushButton(tr("Add angle"))
-        self.add.setToolTip(tr("Add a reading at this angle, with the colour that the paint has there."))
+        self.add = QPushButton(tr("Add"))
+        self.add.setToolTip(tr("Add a reading at this angle with the current colour of the paint."))
         self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
         further = QHBoxLayout()
         further.setContentsMargins(0, 0, 0, 0)
@@ -86,10 +86,10 @@ class ColourHead(QWidget):
         row.setLayout(further)
         form = Form()
         form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
-        form.add_row(tr("Further"), row)
-        self.spaces = _Choice(_SPACES, "designer/space", tr("Colours in"))
-        self.modes = _Choice(_MODES, None, tr("An edit moves"))
-        form.add_row(tr("In"), self.spaces)
+        form.add_row(tr("Add angle"), row)
+        self.spaces = _Choice(_SPACES, "designer/space", tr("Colour space"))
+        self.modes = _Choice(_MODES, None, tr("Angles that an edit changes"))
+        form.add_row(tr("Colour space"), self.spaces)
         form.add_row(tr("Edit"), self.modes)
         self.spaces.chosen.connect(self.space_chosen)
         self.modes.chosen.connect(self.mode_chosen)
@@ -108,7 +108,7 @@ class ColourHead(QWidget):
             self.angle.setRange(max(known.low, light_deg - 89.0), min(known.high, light_deg + 89.0))
             self.angle.setToolTip(
                 plain_tip(
-                    tr("Aspecular angle of a further reading, with the light at {light:g}°.").format(
+                    tr("Aspecular angle of the new reading, with the light at {light:g}°.").format(
                         light=light_deg
                     )
                 )

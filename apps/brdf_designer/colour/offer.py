@@ -9,8 +9,8 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.colour.patches import lab_text
-from brdf_designer.session.desk import Desk
 from brdf_designer.session.fields import angle_text, by_angle, step_name
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -35,7 +35,7 @@ def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
 class NearestOffer(QObject):
     """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._runner = TaskRunner(self, threads=1)
@@ -85,22 +85,22 @@ class NearestOffer(QObject):
 
     def _found(self, found: Feasible | None) -> None:
         if self._desk.fit is None:
-            what = tr("No such paint can be.")
+            what = tr("This paint is impossible.")
         else:
-            what = tr("No sum of the lobes gives the colour asked at {angles}.").format(
+            what = tr("No combination of lobes produces the target colour at {angles}.").format(
                 angles=", ".join(self._large_angles())
             )
         if found is None:
-            todo = tr("No paint near to it was found that can be; change a colour or the gloss.")
+            todo = tr("No possible paint was found close to it. Change a colour or the gloss.")
             self._desk.show_message(Message(KEY, what, todo=todo, severity="warning"))
             return
         self.offered = found
-        todo = tr("The nearest that can be: {paint}.").format(paint=told(found))
-        actions = ((tr("Take the Nearest"), self.take),)
+        todo = tr("Closest possible paint: {paint}.").format(paint=describe(found))
+        actions = ((tr("Use Closest"), self.take),)
         self._desk.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
 
     def _failed(self, error: Exception) -> None:
-        text = tr("The nearest paint that can be was not found: {error}").format(error=error)
+        text = tr("The search for the closest possible paint failed: {error}").format(error=error)
         self._desk.show_message(Message(KEY, text, severity="warning"))
 
     def _large_angles(self) -> list[str]:
@@ -115,7 +115,7 @@ def missed(fit: LobeFit) -> list[int]:
     """Return the readings whose colour the lobes miss by so much that another paint is worth an offer.
 
     Lobes are the same on both sides of the mirror direction, and a coat lets a little less out beyond it: what a
-    reading there misses by that alone, about 1.2, is told at its patch and no reason for another paint.
+    reading there misses by that alone, about 1.2, is shown at its patch and no reason for another paint.
     """
     return [
         index
@@ -125,7 +125,7 @@ def missed(fit: LobeFit) -> list[int]:
     ]
 
 
-def told(found: Feasible) -> str:
+def describe(found: Feasible) -> str:
     """Return what is another in the offered paint, in words."""
     parts = []
     if found.gloss_changed:

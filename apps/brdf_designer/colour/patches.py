@@ -16,26 +16,24 @@ from brdf_designer.standard.state import StandardPatch
 from brdf_designer.window.caption import Caption
 
 OUTSIDE_TIP = mark(
-    "Outside sRGB: this screen shows the nearest colour by clipping. The paint itself is not clipped."
+    "Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped."
 )
 CORNER = 14.0
 GIVEN_SHARE, GIVEN_MOST = 0.3, 64.0
 """How much of a field shows what the fit gives, and at most how many pixels of its height."""
-_FIT_TIP = mark("Colour difference CIEDE2000 between what is asked and what the fitted lobes give.")
+_FIT_TIP = mark("Colour difference CIEDE2000 between the target and the fitted lobes.")
 
 
 def paint_corner(painter: QPainter, rect: QRectF, size: float = CORNER) -> None:
     """Draw the mark of a colour that the screen cannot show, seen on any colour: a black corner, white edge."""
-    corner = QPolygonF(
-        [rect.topRight(), rect.topRight() - QPointF(size, 0), rect.topRight() + QPointF(0, size)]
-    )
+    top, left, below = rect.topRight(), rect.topRight() - QPointF(size, 0), rect.topRight() + QPointF(0, size)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(0, 0, 0))
-    painter.drawPolygon(corner)
+    painter.drawPolygon(QPolygonF([top, left, below]))
     painter.setPen(QPen(QColor(255, 255, 255), 1.5))
-    painter.drawLine(corner[1], corner[2])
+    painter.drawLine(left, below)
     painter.restore()
 
 
@@ -110,7 +108,7 @@ class ColourField(QWidget):
             painter.fillRect(lower, self._given)
             _write(painter, lower, tr("fit"), self._given, rows=1)
             if self._standard is None:
-                _write(painter, self._upper(batch), tr("asked"), self._rgb)
+                _write(painter, self._upper(batch), tr("target"), self._rgb)
         if not self._in_gamut:
             paint_corner(painter, batch, 2 * CORNER)
         # A hairline, so that a colour like the surround is still seen as a field.
@@ -163,7 +161,7 @@ class PatchRow(QWidget):
         self._grid.setVerticalSpacing(2)
         self._grid.setRowStretch(0, 1)
         self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
-        self._told: dict[int, tuple[object, ...]] = {}
+        self._texts: dict[int, tuple[object, ...]] = {}
         self._standard_cells: list[tuple[Caption, Caption]] = []
 
     def show_colours(self, colours: Colours) -> None:
@@ -172,7 +170,7 @@ class PatchRow(QWidget):
             self._cells.append(self._new_cell(len(self._cells)))
         while len(self._cells) > len(colours.angles):
             self._grid.setColumnStretch(len(self._cells) - 1, 0)
-            self._told.pop(len(self._cells) - 1, None)
+            self._texts.pop(len(self._cells) - 1, None)
             for widget in (*self._cells.pop(), *self._standard_cells.pop()):
                 self._grid.removeWidget(widget)
                 widget.hide()
@@ -195,10 +193,10 @@ class PatchRow(QWidget):
         for number, cell in enumerate(self._cells):
             error = 0.0 if delta_e is None else delta_e[number]
             colour = None if given is None else given[number]
-            told = _told_of_fit(None if delta_e is None else error, colour, time_limited, exact_follows)
-            if told == self._told.get(number):
+            text = _fit_text(None if delta_e is None else error, colour, time_limited, exact_follows)
+            if text == self._texts.get(number):
                 continue
-            self._told[number] = told
+            self._texts[number] = text
             cell[0].show_given(colour)
             _set_bold(cell[3], is_large(error))
             tip = large if is_large(error) else tr(_FIT_TIP)
@@ -249,7 +247,7 @@ class PatchRow(QWidget):
         return field, angle, numbers, fit
 
 
-def _told_of_fit(
+def _fit_text(
     error: float | None, given: GivenColour | None, time_limited: bool, exact_follows: bool
 ) -> tuple[object, ...]:
     """What is seen of a fit under a field: where that is as it was, nothing is written anew."""

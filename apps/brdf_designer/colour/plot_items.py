@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Protocol
 
 import pyqtgraph as pg
 from PySide6.QtCore import QPointF, Qt, Signal
@@ -12,6 +13,17 @@ from PySide6.QtWidgets import QGraphicsItem
 _EDGE, _HOVER_EDGE = 2.0, 3.5
 _DECADE_ROOM, _NAMED_ROOM = 24.0, 90.0
 """Pixels that a decade wants to be named, and to have ticks named within it."""
+
+
+class _DragEvent(Protocol):
+    """The methods of pyqtgraph's ``MouseDragEvent`` that are used here."""
+
+    def button(self) -> Qt.MouseButton: ...
+    def accept(self) -> None: ...
+    def isStart(self) -> bool: ...
+    def isFinish(self) -> bool: ...
+    def buttonDownPos(self) -> QPointF: ...
+    def pos(self) -> QPointF: ...
 
 
 class ReadingPoint(pg.TargetItem):
@@ -58,7 +70,7 @@ class ReadingPoint(pg.TargetItem):
         self.setBrush(QBrush(self._colour))
         self.setHoverBrush(QBrush(self._colour))
 
-    def mouseDragEvent(self, event: object) -> None:
+    def mouseDragEvent(self, event: _DragEvent) -> None:
         """Turn a drag into a value within the range."""
         if event.button() != Qt.MouseButton.LeftButton:
             return

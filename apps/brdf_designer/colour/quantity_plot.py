@@ -51,7 +51,7 @@ QUANTITIES = (
         -3600.0,
         3600.0,
         1.0,
-        mark("Hue angle hab over the aspecular angle, unwrapped; a grey has none and no point."),
+        mark("Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point."),
     ),
 )
 
@@ -98,7 +98,7 @@ class QuantityPlot(QWidget):
             tr(quantity.tip)
             + "\n"
             + tr(
-                "Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: finely)."
+                "Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: fine)."
             )
         )
         box = QVBoxLayout(self)
@@ -249,8 +249,8 @@ class QuantityPlot(QWidget):
             point.set_chosen(accent if self.hasFocus() and number == self._chosen else None)
         if self._angles:
             angle, value = self._angles[self._chosen], float(self._values[self._chosen])
-            told = f"{value % 360.0 if self._quantity.component == 2 else value:.1f}"
-            text = f"{angle.text}: {tr(self._quantity.axis)} {told if math.isfinite(value) else '–'}"
+            reading = f"{value % 360.0 if self._quantity.component == 2 else value:.1f}"
+            text = f"{angle.text}: {tr(self._quantity.axis)} {reading if math.isfinite(value) else '–'}"
             if text != self.accessibleDescription():
                 self.setAccessibleDescription(text)
 

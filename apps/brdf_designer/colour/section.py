@@ -62,8 +62,8 @@ _LIGHTNESS = Row(
     2,
     False,
     mark(
-        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a metallic may pass it near the mirror "
-        "direction."
+        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a "
+        "metallic can exceed it near the mirror direction."
     ),
 )
 ROWS: dict[str, tuple[Row, Row, Row]] = {
@@ -117,8 +117,8 @@ ROWS: dict[str, tuple[Row, Row, Row]] = {
             1,
             True,
             mark(
-                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue; the circle closes. A grey has no hue: then "
-                "this is the hue that it gets as soon as it has chroma."
+                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; "
+                "this value is used as soon as it has chroma."
             ),
         ),
     ),
@@ -168,8 +168,8 @@ class AngleEditor(QWidget):
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
-    pick_asked = Signal(int)
-    remove_asked = Signal(int)
+    pick_requested = Signal(int)
+    remove_requested = Signal(int)
 
     def __init__(self, space: str = "lab", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -183,11 +183,11 @@ class AngleEditor(QWidget):
         font.setBold(True)
         self._title.setFont(font)
         self.swatch = Swatch()
-        self.swatch.clicked.connect(lambda: self.pick_asked.emit(self.index))
+        self.swatch.clicked.connect(lambda: self.pick_requested.emit(self.index))
         self.remove = QToolButton()
         self.remove.setIcon(icon("x"))
         self.remove.setAutoRaise(True)
-        self.remove.clicked.connect(lambda: self.remove_asked.emit(self.index))
+        self.remove.clicked.connect(lambda: self.remove_requested.emit(self.index))
         head = QHBoxLayout()
         head.setContentsMargins(0, 0, 0, 0)
         head.addWidget(self._title, 1)
@@ -285,9 +285,7 @@ class AngleEditor(QWidget):
         self.setObjectName(f"angle_{colour.index}")
         self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
         self._title.setToolTip(
-            tr(
-                "The angle from the mirror direction of the light to the view, past the normal: the aspecular angle."
-            )
+            tr("Angle from the mirror direction of the light to the view: the aspecular angle.")
         )
         self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))
         self.remove.setToolTip(plain_tip(tr("Remove the reading at {angle}").format(angle=colour.text)))
@@ -311,8 +309,8 @@ class AngleEditors(QWidget):
     edited = Signal(int, int, float)
     gesture_started = Signal(int, int)
     gesture_finished = Signal()
-    pick_asked = Signal(int)
-    remove_asked = Signal(int)
+    pick_requested = Signal(int)
+    remove_requested = Signal(int)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -344,18 +342,18 @@ class AngleEditors(QWidget):
         """Show every measurement; only what is another is worked out and drawn."""
         self._colours = colours
         self._make(len(colours.angles))
-        told: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
+        rows: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
         for editor, colour in zip(self.editors, colours.angles, strict=True):
             editor.show_place(colour)
             editor.remove.setEnabled(len(colours.angles) > 3)
             if editor.needs(colour):
-                told.append((editor, colour, editor.values(colour.lab)))
-        if not told:
+                rows.append((editor, colour, editor.values(colour.lab)))
+        if not rows:
             return
         positions = [slider.positions() for slider in self.editors[0].sliders]
-        values = np.array([row for _, _, row in told])
+        values = np.array([row for _, _, row in rows])
         tracks = component_tracks(values, positions, in_lch=self.space == "lch")
-        for (editor, colour, row), of_editor in zip(told, tracks, strict=True):
+        for (editor, colour, row), of_editor in zip(rows, tracks, strict=True):
             editor.show_colour(colour, row, of_editor)
 
     def _make(self, count: int) -> None:
@@ -366,7 +364,13 @@ class AngleEditors(QWidget):
             editor.deleteLater()
         while len(self.editors) < count:
             editor = AngleEditor(self.space)
-            for name in ("edited", "gesture_started", "gesture_finished", "pick_asked", "remove_asked"):
+            for name in (
+                "edited",
+                "gesture_started",
+                "gesture_finished",
+                "pick_requested",
+                "remove_requested",
+            ):
                 getattr(editor, name).connect(getattr(self, name))
             self._box.addWidget(editor)
             self.editors.append(editor)

@@ -9,7 +9,7 @@ from brdf_qt.link.messages import OFFER, OFFER_LASTS_S
 from PySide6.QtCore import QTimer
 
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_from_json
 
@@ -20,7 +20,7 @@ class PaintOffer:
     With a ``desk``, a paint that comes in the midst of a drag waits for its end: the hand keeps what it holds.
     """
 
-    def __init__(self, documents: Documents, desk: Desk | None = None) -> None:
+    def __init__(self, documents: Documents, desk: PaintSession | None = None) -> None:
         self._documents, self._desk = documents, desk
         self._waiting: list[Paint] = []
         if desk is not None:

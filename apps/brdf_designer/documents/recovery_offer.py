@@ -7,7 +7,7 @@ from brdf_qt.program.translation import moment, tr
 from brdf_qt.window.message_bar import Message
 
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.desk import Messages
+from brdf_designer.session.paint_session import Messages
 from brdf_suite.documents.paint import Paint
 
 _MOST_NAMED = 4
@@ -32,14 +32,14 @@ class RecoveryOffer:
         if len(names) > _MOST_NAMED:
             names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
         newest = max(item.when for item in items)
-        what = tr("Unsaved work on {count} paints was found, the newest from {when}: {names}.").format(
-            count=len(items), when=moment(newest), names=", ".join(names)
-        )
+        what = tr(
+            "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
+        ).format(count=len(items), when=moment(newest), names=", ".join(names))
         actions = (
             (tr("Recover All"), lambda: self._take_all(items)),
             (tr("One by One"), lambda: self._offer(items)),
         )
-        todo = tr("An earlier run ended before they were saved. Each opens in a tab; no file is changed.")
+        todo = tr("Each paint opens in a tab. No file is changed.")
         self._messages.show_message(Message("recovery", what, todo=todo, actions=actions))
 
     def _take_all(self, items: list[Recovered[Paint]]) -> None:
@@ -60,14 +60,12 @@ class RecoveryOffer:
             self._documents.front.recovery.drop(item)
             self._offer(rest)
 
-        what = tr("Unsaved work on “{name}” was found, from {when}.").format(
+        what = tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?").format(
             name=_name(item), when=moment(item.when)
         )
         if rest:
-            what = tr("{what} After it: {count} more.").format(what=what, count=len(rest))
-        todo = tr(
-            "An earlier run ended before it was saved. Recover opens it; the file on disk is unchanged."
-        )
+            what = tr("{what} {count} more will follow.").format(what=what, count=len(rest))
+        todo = tr("The file on disk is not changed.")
         actions = ((tr("Recover"), take), (tr("Discard"), drop))
         self._messages.show_message(Message("recovery", what, todo=todo, actions=actions))
 

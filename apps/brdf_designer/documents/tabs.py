@@ -22,14 +22,14 @@ from PySide6.QtCore import QObject, Signal
 from brdf_suite.documents.paint import Paint
 
 MOST_CLOSED = 20
-"""Closed tabs that can be had back, each with its undo history."""
+"""Closed tabs that can be reopened, each with its undo history."""
 
 
 @dataclass(eq=False)
 class OpenDocument:
-    """One open paint. ``key`` is its own for the run of the program, also after it was closed and had back.
+    """One open paint. ``key`` is its own for the run of the program, also after it was reopened.
 
-    ``original`` is the paint as it was opened; ``pristine``: the program began with it, and nobody has asked for it;
+    ``original`` is the paint as opened; ``pristine``: the program began with it, and the user did not ask for it;
     ``beside`` what was kept beside it, where it was recovered.
     """
 
@@ -110,7 +110,7 @@ class Documents(QObject):
 
     @property
     def can_reopen(self) -> bool:
-        """Whether a closed tab can be had back."""
+        """Whether a closed tab can be reopened."""
         return bool(self._closed)
 
     # Opening.
@@ -237,7 +237,7 @@ class Documents(QObject):
         return True
 
     def keep_unsaved(self) -> None:
-        """Write the unsaved work of every document for the next start; for a program that is told to end."""
+        """Write the unsaved work of every document for the next start; for a program that has to end."""
         for document in self._row:
             document.recovery.close(keep=True)
 

@@ -20,14 +20,14 @@ MARK = "•"
 class DocumentTabs(QTabBar):
     """Tabs that are clicked, dragged into another order, and closed by their cross or the middle button.
 
-    Signals: ``chosen(place)``, ``close_asked(place)``, ``dragged(before, after)``, ``new_asked()`` on a double
+    Signals: ``chosen(place)``, ``close_requested(place)``, ``dragged(before, after)``, ``new_requested()`` on a double
     click beside them.
     """
 
     chosen = Signal(int)
-    close_asked = Signal(int)
+    close_requested = Signal(int)
     dragged = Signal(int, int)
-    new_asked = Signal()
+    new_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,8 +43,8 @@ class DocumentTabs(QTabBar):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._shown: tuple[tuple[TabState, ...], int] = ((), -1)
         self._filling = False
-        self.currentChanged.connect(self._tell_chosen)
-        self.tabMoved.connect(self._tell_moved)
+        self.currentChanged.connect(self._report_chosen)
+        self.tabMoved.connect(self._report_moved)
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
         """Show the tabs; nothing is emitted."""
@@ -70,13 +70,13 @@ class DocumentTabs(QTabBar):
         close.setIconSize(QSize(12, 12))
         close.setAutoRaise(True)
         close.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        close.clicked.connect(lambda: self.close_asked.emit(self._place_of(close)))
+        close.clicked.connect(lambda: self.close_requested.emit(self._place_of(close)))
         self.setTabButton(place, QTabBar.ButtonPosition.RightSide, close)
 
     def _fill(self, place: int, tab: TabState) -> None:
         title = tab.title.replace("&", "&&")
         self.setTabText(place, title if tab.clean else f"{MARK} {title}")
-        where = str(tab.path) if tab.path else tr("Not yet in a file")
+        where = str(tab.path) if tab.path else tr("No file yet")
         state = "" if tab.clean else tr("Not saved")
         self.setTabToolTip(place, plain_tip("\n".join(part for part in (where, state) if part)))
         spoken = tab.title if tab.clean else tr("{title}, not saved").format(title=tab.title)
@@ -91,11 +91,11 @@ class DocumentTabs(QTabBar):
         side = QTabBar.ButtonPosition.RightSide
         return next(place for place in range(self.count()) if self.tabButton(place, side) is button)
 
-    def _tell_chosen(self, place: int) -> None:
+    def _report_chosen(self, place: int) -> None:
         if not self._filling and place >= 0:
             self.chosen.emit(place)
 
-    def _tell_moved(self, before: int, after: int) -> None:
+    def _report_moved(self, before: int, after: int) -> None:
         if not self._filling:
             tabs, front = list(self._shown[0]), self.currentIndex()
             tabs.insert(after, tabs.pop(before))
@@ -105,12 +105,12 @@ class DocumentTabs(QTabBar):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         place = self.tabAt(event.position().toPoint())
         if event.button() == Qt.MouseButton.MiddleButton and place >= 0:
-            self.close_asked.emit(place)
+            self.close_requested.emit(place)
             return
         super().mouseReleaseEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.tabAt(event.position().toPoint()) < 0:
-            self.new_asked.emit()
+            self.new_requested.emit()
             return
         super().mouseDoubleClickEvent(event)

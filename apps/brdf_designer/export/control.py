@@ -1,4 +1,4 @@
-"""Hands the paint in front over: losses told while the section is open, the file written in the background."""
+"""Exports the current paint: losses are listed while the section is open, the file written in the background."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.export.process import Request, run_export
 from brdf_designer.export.section import REPORTS, HandoverSection
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
@@ -35,7 +35,7 @@ NAMES = (
 
 
 @dataclass(frozen=True)
-class _Told:
+class _Losses:
     """What a format holds and loses of a paint; ``refusal`` where it cannot be written at all."""
 
     holds: str
@@ -46,23 +46,23 @@ class _Told:
 class HandoverControl(QObject):
     """Joins the section to the desk."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=2)
         self.section = HandoverSection(NAMES)
-        self.host = window.add_section(KEY, tr("Hand-over"), self.section, after="variations", is_open=False)
+        self.host = window.add_section(KEY, tr("Export"), self.section, after="variations", is_open=False)
         self.action = window.add_command(
             "file",
-            tr("&Hand Over…"),
+            tr("&Export…"),
             "Ctrl+E",
             self.open,
             KEY,
-            tip=tr("Export the paint for other programs, or make a report of it"),
+            tip=tr("Export the paint for other programs, or as a report"),
         )
-        self.section.choose(settings().value(_FORMAT, NAMES[0][0], type=str))
+        self.section.choose(str(settings().value(_FORMAT, NAMES[0][0], type=str)))
         self.section.format_chosen.connect(self._chosen)
-        self.section.export_asked.connect(self.ask)
+        self.section.export_requested.connect(self.ask)
         self.host.toggled.connect(lambda _on: self._later())
         desk.paint_changed.connect(lambda _paint: self._later())
 
@@ -78,7 +78,7 @@ class HandoverControl(QObject):
         """Ask for a file and write it."""
         name = self.section.chosen
         ending = dict(NAMES)[name]
-        kept = Path(settings().value(_FOLDER, "", type=str) or Path.home())
+        kept = Path(str(settings().value(_FOLDER, "", type=str)) or Path.home())
         folder = kept if kept.is_dir() else Path.home()
         suggested = folder / (file_name(self._desk.paint.name) + ending)
         filters = f"{self.section.formats.currentText()} (*{ending})"
@@ -92,7 +92,7 @@ class HandoverControl(QObject):
         try:
             request = self._request(path)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was written.")))
+            self._desk.show_message(message_of(error, KEY, todo=tr("No file was written.")))
             return
         progress = self._window.progress
         text = tr("Exporting {name}").format(name=path.name)
@@ -131,14 +131,14 @@ class HandoverControl(QObject):
     def _written(self, path: Path, notes: tuple[str, ...]) -> None:
         self._window.progress.end_job(KEY)
         self._desk.show_message(
-            Message(
-                KEY, tr("{name} was written.").format(name=path.name), where=str(path), todo=" ".join(notes)
-            )
+            Message(KEY, tr("{name} exported.").format(name=path.name), where=str(path), todo=" ".join(notes))
         )
 
     def _failed(self, error: Exception) -> None:
         self._window.progress.end_job(KEY)
-        self._desk.show_message(message_of(error, KEY, todo=tr("An older file of that name is unchanged.")))
+        self._desk.show_message(
+            message_of(error, KEY, todo=tr("An existing file with this name is unchanged."))
+        )
 
     # What is lost.
 
@@ -147,11 +147,11 @@ class HandoverControl(QObject):
         self._later()
 
     def _later(self) -> None:
-        """Tell once the edits pause, and only what is seen."""
+        """Update once the edits pause, and only what is visible."""
         if self.host.is_open:
-            self._desk.at_idle(_LOSSES, self._tell)
+            self._desk.at_idle(_LOSSES, self._report)
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         name = self.section.chosen
         standards = self._window.findChild(StandardControl)
         has_standard = standards is not None and standards.standard is not None
@@ -159,22 +159,22 @@ class HandoverControl(QObject):
         self.section.show_format(self.section.holds.text(), None)
         self._tasks.submit(_LOSSES, _find_out, (self._desk.paint, name), self._show, self._not_found)
 
-    def _show(self, told: _Told) -> None:
-        self.section.show_format(told.holds, told.losses, told.refusal)
+    def _show(self, losses: _Losses) -> None:
+        self.section.show_format(losses.holds, losses.losses, losses.refusal)
 
     def _not_found(self, error: Exception) -> None:
         self._desk.show_message(message_of(error, KEY))
 
 
-def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Told:
+def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Losses:
     from brdf_suite.reports.handover import format_named, item_of_paint
 
     paint, name = request
     known = format_named(name)
     try:
-        return _Told(known.holds, known.losses(item_of_paint(paint)))
+        return _Losses(known.holds, known.losses(item_of_paint(paint)))
     except UnreachableError as error:
-        return _Told(known.holds, (), str(error))
+        return _Losses(known.holds, (), str(error))
 
 
 def file_name(name: str) -> str:

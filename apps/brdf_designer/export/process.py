@@ -1,7 +1,7 @@
 """An export in a process of its own, from a thread of the window: drawing and fitting hold the interpreter.
 
-It is the suite's command; it tells its steps as lines of JSON and stops when its input is closed, so it also ends with
-Designer, however that ends. An unfinished file is removed by whoever writes it.
+It is the suite's command; it reports its steps as lines of JSON and stops when its input is closed, so it also
+ends with Designer, however that ends. An unfinished file is removed by the process that writes it.
 """
 
 from __future__ import annotations
@@ -65,13 +65,13 @@ def _run(words: list[str], said: int, heard: Path, progress: Progress) -> tuple[
     process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=said)
     assert process.stdin is not None
     assert process.stdout is not None
-    told: list[str] = []
+    lines: list[str] = []
     try:
         for line in process.stdout:
             text = line.decode("utf-8", errors="replace")
             step = _step(text)
             if step is None:
-                told.append(text)
+                lines.append(text)
             else:
                 progress(*step)
         status = process.wait()
@@ -91,12 +91,12 @@ def _run(words: list[str], said: int, heard: Path, progress: Progress) -> tuple[
         last = heard.read_text(encoding="utf-8", errors="replace").strip().splitlines()[-1:]
         why = last[0].removeprefix("brdf-suite: ") if last else f"it ended with status {status}."
         raise SuiteError(f"The paint could not be exported: {why}")
-    done = json.loads("".join(told))
+    done = json.loads("".join(lines))
     return tuple(str(note) for note in done["notes"])
 
 
 def _step(line: str) -> tuple[float, str] | None:
-    """The fraction and what is being done, where a line tells a step."""
+    """The fraction and what is being done, where a line reports a step."""
     try:
         value = json.loads(line)
         return float(value["fraction"]), str(value["what"])
@@ -110,7 +110,9 @@ def tolerance_words(tolerances: Tolerances | None, paint: Paint) -> list[str]:
         return []
     words = ["--difference", tolerances.difference]
     read = {m.aspecular_deg for m in paint.measurements}
-    limits = [(f"{angle:g}=", found) for angle, found in tolerances.by_angle.items() if angle in read]
+    limits: list[tuple[str, float | Limits | None]] = [
+        (f"{angle:g}=", found) for angle, found in tolerances.by_angle.items() if angle in read
+    ]
     limits.append(("", tolerances.otherwise))
     ellipsoid = False
     for at, found in limits:

@@ -28,11 +28,11 @@ REPORTS = ("html", "pdf")
 class HandoverSection(QWidget):
     """The body of the section.
 
-    Intents: ``format_chosen(name)``, ``export_asked()``.
+    Intents: ``format_chosen(name)``, ``export_requested()``.
     """
 
     format_chosen = Signal(str)
-    export_asked = Signal()
+    export_requested = Signal()
 
     def __init__(self, names: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
         """``names``: each format's name and ending, in the order of the list."""
@@ -48,29 +48,31 @@ class HandoverSection(QWidget):
             self.formats.setItemData(self.formats.count() - 1, plain_tip(ending), Qt.ItemDataRole.ToolTipRole)
         self.formats.activated.connect(lambda _index: self.format_chosen.emit(self.chosen))
         form.add_row(
-            tr("Format"), self.formats, tr("The kind of file; what it cannot hold of this paint stands below")
+            tr("Format"),
+            self.formats,
+            tr("File format; properties of this paint that it cannot store are listed below"),
         )
         box.addWidget(form)
         self.holds, self.losses = _wrapped(), _wrapped()
-        self.holds.setAccessibleName(tr("What the format holds"))
-        self.losses.setAccessibleName(tr("What the format loses"))
+        self.holds.setAccessibleName(tr("Contents of the format"))
+        self.losses.setAccessibleName(tr("Losses of the format"))
         self.losses.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextSelectableByMouse | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
         self.pictures = QCheckBox(tr("With pictures"))
         self.pictures.setToolTip(
-            tr("The speed form in the booth and a sphere in the sun, by the real renderer")
+            tr("Rendered pictures of the speed form in the booth and a sphere in the sun")
         )
         self.pictures.setChecked(True)
-        self.compared = QCheckBox(tr("Against the standard"))
+        self.compared = QCheckBox(tr("Compare with standard"))
         self.compared.setToolTip(
-            tr("Differences, words and tolerances of the section Standard go into the report")
+            tr("Include the differences, words and tolerances of the section Standard in the report")
         )
         self.compared.setChecked(True)
         self.export = QPushButton(tr("Export…"))
-        self.export.setToolTip(tr("Write the paint as it is now into a file of this format"))
+        self.export.setToolTip(tr("Export the current paint to a file of this format"))
         self.export.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.export.clicked.connect(lambda _=False: self.export_asked.emit())
+        self.export.clicked.connect(lambda _=False: self.export_requested.emit())
         for widget in (self.holds, self.losses, self.pictures, self.compared, self.export):
             box.addWidget(widget)
         self.show_options(self.chosen, has_standard=False)
@@ -95,11 +97,11 @@ class HandoverSection(QWidget):
         if refusal:
             text = refusal
         elif losses is None:
-            text = tr("Finding out what is lost…")
+            text = tr("Determining losses…")
         elif not losses:
-            text = tr("Nothing is lost.")
+            text = tr("No losses.")
         else:
-            text = "\n".join([tr("Lost:"), *(f"– {loss}" for loss in losses)])
+            text = "\n".join([tr("Losses:"), *(f"– {loss}" for loss in losses)])
         self.losses.setText(text)
         self.export.setEnabled(losses is not None and not refusal)
 

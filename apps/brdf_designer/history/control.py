@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu
 
 from brdf_designer.history.strip import HistoryState, HistoryStrip
 from brdf_designer.preview.thumbnails import thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 
 _OWNER = "history"
@@ -22,7 +22,7 @@ LOW_WINDOW = 760
 class HistoryControl(QObject):
     """Joins the strip to the desk. Drawn pictures are asked for between gestures, the present state's first."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._pictures = thumbnails_of(window)
@@ -30,16 +30,16 @@ class HistoryControl(QObject):
         window.add_history(self.strip)
         self.action = window.add_command(
             "view",
-            tr("&History Strip"),
+            tr("&History"),
             "F6",
             lambda: self._show(self.action.isChecked()),
             "history_strip",
-            tip=tr("Show or hide the states of this paint"),
+            tip=tr("Show or hide the history of this paint"),
         )
         self.action.setCheckable(True)
         self._show(bool(settings().value(_SHOWN, True, type=bool)))
         self.strip.chosen.connect(desk.go_to)
-        self.strip.menu_asked.connect(self._open_menu)
+        self.strip.menu_requested.connect(self._open_menu)
         desk.paint_changed.connect(self._later)
         desk.history_changed.connect(self._later)
         desk.gesture_ended.connect(self._later)
@@ -92,6 +92,8 @@ class HistoryControl(QObject):
         paint = self.strip.states.states[place].paint
         menu = QMenu(self.strip)
         menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
-        menu.addAction(tr("&Take It as a New Step"), lambda: self._desk.edit(paint, tr("Take Earlier State")))
-        menu.addAction(tr("&Open It in a New Tab"), lambda: self._desk.open_paint(paint))
+        menu.addAction(
+            tr("&Restore as New Step"), lambda: self._desk.edit(paint, tr("Restore Earlier State"))
+        )
+        menu.addAction(tr("&Open in New Tab"), lambda: self._desk.open_paint(paint))
         return menu

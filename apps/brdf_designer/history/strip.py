@@ -91,24 +91,24 @@ class HistoryModel(QAbstractListModel):
         if role == Qt.ItemDataRole.DisplayRole:
             return state.step or tr("Opened")
         if role == Qt.ItemDataRole.ToolTipRole:
-            return plain_tip(self._told(index.row(), state))
+            return plain_tip(self._description(index.row(), state))
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return self._told(index.row(), state)
+            return self._description(index.row(), state)
         if role == Qt.ItemDataRole.DecorationRole:
             return self.picture(state.paint)
         return None
 
-    def _told(self, row: int, state: HistoryState) -> str:
+    def _description(self, row: int, state: HistoryState) -> str:
         text = tr("State {number}: {step}").format(number=row, step=state.step or tr("Opened"))
         if row == self.present:
-            return tr("{state}, the paint as it is now").format(state=text)
+            return tr("{state}, current").format(state=text)
         if row > self.present:
             return tr("{state}, undone").format(state=text)
         return text
 
 
 def name_lines(name: str, metrics: QFontMetrics, width: int) -> list[str]:
-    """Return a step's name in as many lines as there is room for; what is left out is told by an ellipsis."""
+    """Return a step's name in as many lines as there is room for; omissions are marked by an ellipsis."""
     lines: list[str] = []
     for word in name.split():
         longer = f"{lines[-1]} {word}" if lines else word
@@ -178,17 +178,17 @@ class _Painter(QStyledItemDelegate):
 class HistoryStrip(QListView):
     """The states side by side, the newest at the right.
 
-    Signals: ``chosen(place)`` on a click or Enter, ``menu_asked(place, QPoint)`` with where, on the screen.
+    Signals: ``chosen(place)`` on a click or Enter, ``menu_requested(place, QPoint)`` with where, on the screen.
     """
 
     chosen = Signal(int)
-    menu_asked = Signal(int, QPoint)
+    menu_requested = Signal(int, QPoint)
 
     def __init__(self, picture: Callable[[Paint], QImage], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("history_strip")
         self.setAccessibleName(tr("History of this paint"))
-        self.setToolTip(tr("Every state of this paint, the oldest at the left; click one to go back to it."))
+        self.setToolTip(tr("States of this paint, oldest at the left; click one to restore it."))
         self.states = HistoryModel(picture, self)
         self.setModel(self.states)
         self._painter = _Painter(self)
@@ -241,4 +241,4 @@ class HistoryStrip(QListView):
     def _ask_menu(self, place: QPoint) -> None:
         index = self.indexAt(place)
         if index.isValid():
-            self.menu_asked.emit(index.row(), self.viewport().mapToGlobal(place))
+            self.menu_requested.emit(index.row(), self.viewport().mapToGlobal(place))

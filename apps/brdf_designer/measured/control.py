@@ -13,7 +13,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import ANGLE_SETS, MeasuredSection, patterns
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 KEY = "measured"
 _SET = "measured/angles"
 MOST_TABS = 12
-"""A file of many paints is a palette: more tabs than these nobody would find his way in."""
+"""A file of many paints is a palette: more tabs than these are unusable."""
 _HEAD = 1 << 16
 
 
@@ -46,7 +46,7 @@ class _Request:
 class MeasuredControl(QObject):
     """Opens what is measured, or a paint that was not designed by angles, as the start of a design."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=1)
@@ -54,15 +54,17 @@ class MeasuredControl(QObject):
         self.section = MeasuredSection()
         self.host = window.add_section(KEY, tr("Measurement"), self.section, after="model")
         self.host.hide()
-        self.section.again_asked.connect(self.read_again)
-        self.section.standard_asked.connect(self._take_standard)
+        self.section.again_requested.connect(self.read_again)
+        self.section.standard_requested.connect(self._take_standard)
         self.action = window.add_command(
             "file",
             tr("New from &Measurement…"),
             "Ctrl+Shift+N",
             self.ask,
             "new_from_measurement",
-            tip=tr("Measure a reflectance by the virtual spectrophotometer and design from there"),
+            tip=tr(
+                "Start a design from the readings of a virtual spectrophotometer on a measured reflectance"
+            ),
         )
         desk.document_switched.connect(self._show)
         desk.documents.foreign = self.open_foreign
@@ -86,9 +88,7 @@ class MeasuredControl(QObject):
         try:
             handed = _handed_over(path)
         except SuiteError as error:
-            self._desk.show_message(
-                message_of(error, "open", todo=tr("The paints that are open are unchanged."))
-            )
+            self._desk.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
             return True
         if handed is not None:
             self._open_all(path, handed)
@@ -105,17 +105,17 @@ class MeasuredControl(QObject):
         for paint in paints[:MOST_TABS]:
             self._desk.open_paint(paint)
         self._desk.documents.front.files.remember(path.absolute())
-        told = list(handed.notes)
+        notes = list(handed.notes)
         if len(paints) > MOST_TABS:
-            told.insert(
+            notes.insert(
                 0,
-                tr("{name} holds {count} paints; the first {opened} are open.").format(
+                tr("{name} contains {count} paints. The first {opened} were opened.").format(
                     name=path.name, count=len(paints), opened=MOST_TABS
                 ),
             )
         self._desk.dismiss_message("open")
-        if told:
-            self._desk.show_message(Message("open", " ".join(told), where=str(path)))
+        if notes:
+            self._desk.show_message(Message("open", " ".join(notes), where=str(path)))
 
     def read_again(self, geometry: str) -> None:
         """Read the original of the document in front at another set of angles; one step."""
@@ -136,7 +136,7 @@ class MeasuredControl(QObject):
     def _submit(self, request: _Request) -> None:
         progress = self._window.progress
 
-        def told(fraction: float, what: str) -> None:
+        def moved(fraction: float, what: str) -> None:
             progress.set_job(KEY, fraction, what, lambda: self._tasks.cancel(KEY))
 
         def done(start: MeasuredStart) -> None:
@@ -145,17 +145,17 @@ class MeasuredControl(QObject):
 
         def failed(error: Exception) -> None:
             progress.end_job(KEY)
-            todo = tr("The paints that are open are unchanged.")
+            todo = tr("The open paints are unchanged.")
             self._desk.show_message(message_of(error, "open", todo=todo))
 
-        self._tasks.submit(KEY, _read, request, done, failed, told)
+        self._tasks.submit(KEY, _read, request, done, failed, moved)
 
     def _opened(self, request: _Request, start: MeasuredStart) -> None:
         self._desk.dismiss_message("open")
         if request.document is None:
             self._desk.open_paint(start.paint)
         elif request.document != self._desk.document_key:
-            return  # its tab is no longer in front; nobody waits for it
+            return  # its tab is no longer in front; its result is not needed
         else:
             present = self._desk.paint
             read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)

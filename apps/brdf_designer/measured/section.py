@@ -26,11 +26,11 @@ ANGLE_SETS = (
 class MeasuredSection(QWidget):
     """The body of the section.
 
-    Intents: ``again_asked(name)`` with a geometry set's name, ``standard_asked`` to judge against the original.
+    Intents: ``again_requested(name)`` with a geometry set's name, ``standard_requested`` to judge against the original.
     """
 
-    again_asked = Signal(str)
-    standard_asked = Signal()
+    again_requested = Signal(str)
+    standard_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,19 +43,19 @@ class MeasuredSection(QWidget):
         for name, title in ANGLE_SETS:
             self.angles.addItem(tr(title), name)
         self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.angles.activated.connect(lambda _index: self.again_asked.emit(str(self.angles.currentData())))
+        self.angles.activated.connect(
+            lambda _index: self.again_requested.emit(str(self.angles.currentData()))
+        )
         form.add_row(
-            tr("Read at"), self.angles, tr("The angles of the design; another set reads the original again")
+            tr("Read at"), self.angles, tr("Angles of the design; another set measures the original again")
         )
         headings = (tr("Angle"), *(tr("light {angle:g}°").format(angle=one) for one in HELD_OUT_LIGHTS_DEG))
         self.table = WholeTable(tr("ΔE00 between the design and the original"), headings)
-        self.table.setToolTip(
-            tr("ΔE00 between the design and the original at angles that it was not made from")
-        )
+        self.table.setToolTip(tr("ΔE00 between the design and the original at angles that were not used"))
         self.standard = QPushButton(tr("Original as Standard"))
-        self.standard.setToolTip(tr("Judge the design against what was measured, at every angle"))
+        self.standard.setToolTip(tr("Compare the design with the measured original at every angle"))
         self.standard.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.standard.clicked.connect(lambda _=False: self.standard_asked.emit())
+        self.standard.clicked.connect(lambda _=False: self.standard_requested.emit())
         row = QHBoxLayout()
         row.addWidget(self.standard)
         for widget in (self.origin, form, self.gloss, self.summary, self.table):
@@ -98,7 +98,7 @@ def _gloss(start: MeasuredStart) -> str:
 def _summary(start: MeasuredStart) -> str:
     worst, mean = start.worst, start.mean_delta_e
     if worst is None or mean is None:
-        return tr("The design cannot be compared with the original yet: no such paint can be built.")
+        return tr("The design cannot be compared with the original: the paint is impossible.")
     return tr(
         "ΔE00 to the original at {count} angles that were not used: mean {mean:.1f}, at most {worst:.1f} "
         "({angle:g}°, light {light:g}°)"

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 _LIGHT_NAMES = {"booth": mark("Light booth"), "sunny": mark("Sunny"), "overcast": mark("Overcast")}
 _TIP = mark(
-    "The paint on the speed form, drawn by the same renderer as in Viewer. Drag to orbit, wheel to zoom, Alt drag "
-    "(or right drag) to turn the light, F to frame."
+    "The paint on the speed form, drawn by the renderer of Viewer. Drag orbits, "
+    "wheel zooms, Alt drag or right drag rotates the light, F frames."
 )
 _NO_GL_PLATFORMS = ("offscreen", "minimal", "linuxfb", "vnc")
 
@@ -47,8 +47,8 @@ class PreviewPanel(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.caption = Caption("")
         self.light = QuietComboBox()
-        self.light.setAccessibleName(tr("Light of the small picture"))
-        self.light.setToolTip(tr("The light in which the small picture shows the paint"))
+        self.light.setAccessibleName(tr("Light of the preview"))
+        self.light.setToolTip(tr("Light of the preview"))
         for name in LIGHTS:
             self.light.addItem(tr(_LIGHT_NAMES[name]), name)
         # No taller than the caption of the plot beside it, so that plot and picture begin at one height.
@@ -80,9 +80,7 @@ class PreviewPanel(QWidget):
     def show_state(self, *, stale: bool) -> None:
         """Say whether the picture is of the paint as it is now."""
         if stale:
-            self.caption.set_forms(
-                tr("Speed form: of the last paint that can be"), tr("Speed form (earlier)")
-            )
+            self.caption.set_forms(tr("Speed form: last possible paint"), tr("Speed form (earlier)"))
         else:
             self.caption.set_forms(tr("On the speed form"), tr("Speed form"))
 
@@ -93,8 +91,9 @@ class PreviewPanel(QWidget):
 
     def _say_why_not(self) -> None:
         text = tr(
-            "No picture here: this screen has no OpenGL. The numbers, patches and curves are complete; Viewer on "
-            "another computer can show the paint by its file."
+            "No preview: OpenGL is not available on this screen. Numbers, patches and "
+            "curves are complete. Open the paint file in Viewer on another computer to see "
+            "it."
         )
         self.notice = PlainLabel(text)
         self.notice.setWordWrap(True)

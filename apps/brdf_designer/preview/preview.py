@@ -17,7 +17,7 @@ from brdf_designer.preview.drawer import PreviewContents, PreviewDrawer
 from brdf_designer.preview.pace import PreviewPace
 from brdf_designer.preview.panel import PreviewPanel
 from brdf_designer.preview.scene import LIGHTS, PreviewScene, load_scene
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.view import Camera, View
 
@@ -37,7 +37,7 @@ _LIGHT, _SHOWN = "preview/light", "preview/shown"
 class PreviewControl(QObject):
     """Loads the scene on a thread, hands each fit over, and moves camera and light."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._tasks = TaskRunner(self, threads=1)
@@ -107,11 +107,11 @@ class PreviewControl(QObject):
     def _add_command(self) -> None:
         self.action = self._window.add_command(
             "view",
-            tr("Small Pict&ure"),
+            tr("Previe&w"),
             "F7",
             lambda: self.show(self.action.isChecked()),
             "preview",
-            tip=tr("Show or hide the paint on the speed form"),
+            tip=tr("Show or hide the preview on the speed form"),
         )
         self.action.setCheckable(True)
         on = bool(settings().value(_SHOWN, True, type=bool))
@@ -124,7 +124,7 @@ class PreviewControl(QObject):
         if self.panel.surface is None or not self.action.isChecked() or self._asked == self.light:
             return
         self._asked = self.light
-        self._tasks.submit("scene", _load_scene, self.light, self._show_scene, self._tell_failure)
+        self._tasks.submit("scene", _load_scene, self.light, self._show_scene, self._report_failure)
 
     def _show_scene(self, scene: PreviewScene) -> None:
         old = self._contents.scene
@@ -141,9 +141,9 @@ class PreviewControl(QObject):
             )
         )
 
-    def _tell_failure(self, error: Exception) -> None:
+    def _report_failure(self, error: Exception) -> None:
         self._asked = ""
-        self._window.show_message(message_of(error, "preview", todo=tr("The picture stays as it was.")))
+        self._window.show_message(message_of(error, "preview", todo=tr("The picture is unchanged.")))
 
     # The paint.
 

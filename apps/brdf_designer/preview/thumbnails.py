@@ -1,7 +1,7 @@
 """Small pictures of paints by the real renderer, drawn in a process of their own and kept.
 
-Whoever wants pictures says which, under a name of its own (``owner``); a newer list takes the place of what of the
-older one is not drawn yet, so nothing is drawn that nobody wants any more. Until a picture is there, a disc of the
+A client requests pictures under a name of its own (``owner``); a newer list takes the place of what of the
+older one is not drawn yet, so nothing is drawn that is no longer requested. Until a picture is there, a disc of the
 paint's readings stands in for it.
 """
 
@@ -47,7 +47,7 @@ class Thumbnails(QObject):
     failed(str, str)
         There is no such paint: its key, and why.
     unavailable(str)
-        Nothing can be drawn on this machine; what to tell the user. Placeholders stay.
+        Nothing can be drawn on this machine; with the message for the user. Placeholders stay.
     busy_changed(bool)
         Whether pictures are still to come.
     """
@@ -72,11 +72,13 @@ class Thumbnails(QObject):
         self._refused: dict[str, str] = {}
         self._asked: str | None = None
         self._deaths = 0
-        self._told = ""
+        self._reason = ""
         self._busy = False
         self._closed = False
-        self._idle = QTimer(self, singleShot=True, interval=IDLE_MS, timeout=self._rest)
-        self._pump = QTimer(self, singleShot=True, interval=0, timeout=self._ask_next)
+        self._idle = QTimer(self, singleShot=True, interval=IDLE_MS)
+        self._idle.timeout.connect(self._rest)
+        self._pump = QTimer(self, singleShot=True, interval=0)
+        self._pump.timeout.connect(self._ask_next)
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.close)
@@ -99,7 +101,7 @@ class Thumbnails(QObject):
         return self._stand_ins[key]
 
     def is_drawn(self, paint: Paint, scene: ThumbnailScene = USUAL_SCENE) -> bool:
-        """Return whether the picture is at hand."""
+        """Return whether the picture is ready."""
         return paint_key(paint, scene) in self._drawn
 
     def refusal(self, paint: Paint, scene: ThumbnailScene = USUAL_SCENE) -> str:
@@ -108,8 +110,8 @@ class Thumbnails(QObject):
 
     @property
     def problem(self) -> str:
-        """What :attr:`unavailable` told; empty while pictures can be drawn."""
-        return self._told
+        """The reason of :attr:`unavailable`; empty while pictures can be drawn."""
+        return self._reason
 
     def close(self) -> None:
         """End the process; nothing is drawn any more."""
@@ -134,13 +136,13 @@ class Thumbnails(QObject):
         return None
 
     def _note_busy(self) -> None:
-        busy = not self._closed and not self._told and (self._asked is not None or self._next() is not None)
+        busy = not self._closed and not self._reason and (self._asked is not None or self._next() is not None)
         if busy != self._busy:
             self._busy = busy
             self.busy_changed.emit(busy)
 
     def _ask_next(self) -> None:
-        if self._closed or self._told or self._ending or self._asked is not None:
+        if self._closed or self._reason or self._ending or self._asked is not None:
             return
         wish = self._next()
         if wish is None:
@@ -158,13 +160,13 @@ class Thumbnails(QObject):
         }
         if self._process.state() == QProcess.ProcessState.NotRunning:
             self._process.start(self._program[0], self._program[1:])
-        if self._asked is not None:  # it may have been told at once that there is no such program
+        if self._asked is not None:  # starting may have failed at once because there is no such program
             # Kept for it also while it is still starting.
             self._process.write(json.dumps(request).encode("utf-8") + b"\n")
 
     def _read(self) -> None:
         while self._process.canReadLine():
-            self._take(json.loads(self._process.readLine().data()))
+            self._take(json.loads(bytes(self._process.readLine().data())))
 
     def _take(self, answer: dict[str, Any]) -> None:
         if "unavailable" in answer:
@@ -189,24 +191,24 @@ class Thumbnails(QObject):
     def _ended(self, *_: object) -> None:
         self._read()
         meant, self._ending = self._ending, False
-        if self._closed or self._told:
+        if self._closed or self._reason:
             return
         if not meant and self._asked is not None:
             self._asked = None
             self._deaths += 1
             if self._deaths >= _MOST_DEATHS:
-                self._give_up(tr("The process that draws the small pictures ended twice."))
+                self._give_up(tr("The thumbnail process ended twice."))
                 return
         self._pump.start()
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
             why = self._process.errorString()
-            self._give_up(tr("The small pictures cannot be drawn: {reason}.").format(reason=why))
+            self._give_up(tr("The thumbnails cannot be drawn: {reason}.").format(reason=why))
 
     def _give_up(self, why: str) -> None:
         self._asked = None
-        self._told = why
+        self._reason = why
         self._note_busy()
         self.unavailable.emit(why)
 

@@ -1,10 +1,10 @@
 """Draws small pictures of paints, asked for line by line: a process of its own beside Designer.
 
-Drawing on a software renderer takes half a second and holds the interpreter; here it holds nobody up. Each line in is a
-request ``{"key", "paint", "environment", "surface"}``, each line out its answer: ``{"key", "picture"}`` with the
-pixels as base64 (RGB, 8 bits, :data:`~brdf_designer.preview.thumbnail_scene.SIZE` squared), ``{"key", "refused"}``
-where there is no such paint, or ``{"unavailable"}`` where nothing can be drawn at all. It ends when its input is
-closed.
+Drawing on a software renderer takes half a second and holds the interpreter; here it does not block the window. Each
+line in is a request ``{"key", "paint", "environment", "surface"}``, each line out its answer: ``{"key", "picture"}``
+with the pixels as base64 (RGB, 8 bits, :data:`~brdf_designer.preview.thumbnail_scene.SIZE` squared), ``{"key",
+"refused"}`` where there is no such paint, or ``{"unavailable"}`` where nothing can be drawn at all. It ends when its
+input is closed.
 """
 
 from __future__ import annotations

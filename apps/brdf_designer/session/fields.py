@@ -49,7 +49,7 @@ _GLOSS_DIGITS = 3
 _HALVINGS = 14
 
 
-def edited(paint: Paint, key: Key, value: Any) -> Paint:
+def apply_edit(paint: Paint, key: Key, value: Any) -> Paint:
     """Return ``paint`` with the field ``key`` set to ``value``.
 
     Raises
@@ -112,7 +112,11 @@ def _colour(paint: Paint, key: Key, value: tuple[float, float, float]) -> Paint:
 
 
 def _gloss(paint: Paint, key: Key, value: float | None) -> Paint:
-    return replace(paint, gloss=replace(paint.gloss, **{str(key[1]): value}))
+    if key[1] == "gu_60":
+        return replace(paint, gloss=replace(paint.gloss, gu_60=value))
+    if value is None:
+        raise TypeError("a paint always has a gloss reading at 20°")
+    return replace(paint, gloss=replace(paint.gloss, gu_20=value))
 
 
 def _flakes(paint: Paint, key: Key, value: Any) -> Paint:
@@ -224,8 +228,9 @@ def _too_rough(paint: Paint, ior: float, error: DarkerThanCoatError) -> TooRough
             low = middle
     most = math.floor(1e4 * low) / 1e4
     text = tr(
-        "A coat that rough mirrors {share:.4f} of the light at {angle:g}° by itself, and the colour there is darker. "
-        "With index {ior:.3f} its roughness can be up to {most:.4f}."
+        "With this roughness the coat alone reflects {share:.4f} of the light at "
+        "{angle:g}°, more than the colour there. With index {ior:.3f} the roughness "
+        "can be up to {most:.4f}."
     ).format(share=error.share, angle=angle, ior=ior, most=most)
     refusal = TooRoughError(text)
     refusal.nearest = (ior, most)
@@ -279,12 +284,12 @@ _NAMES: dict[str, str] = {
     "angles.set": mark("Change Angles"),
     "angles.add": mark("Add Angle"),
     "angles.remove": mark("Remove Angle"),
-    "coat.ior": mark("Change Index of the Coat"),
-    "coat.roughness": mark("Change Roughness of the Coat"),
-    "orange_peel": mark("Switch Orange Peel"),
-    "flakes": mark("Switch Flakes"),
+    "coat.ior": mark("Change Coat Index"),
+    "coat.roughness": mark("Change Coat Roughness"),
+    "orange_peel": mark("Orange Peel On"),
+    "flakes": mark("Flakes On"),
     "solid": mark("Make Solid"),
-    "nearest": mark("Take Nearest Paint"),
+    "nearest": mark("Use Closest Paint"),
     "interpolation": mark("Change Interpolation"),
     "near_specular": mark("Change Near-Specular Factor"),
     "name": mark("Rename Paint"),

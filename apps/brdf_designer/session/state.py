@@ -78,7 +78,7 @@ class Curves:
 
 @dataclass(frozen=True, eq=False)
 class FitState:
-    """The reflectance and its fit as the desk tells them; ``delta_e`` ΔE00 by index of the measurement.
+    """The reflectance and its fit as the session publishes them; ``delta_e`` ΔE00 by index of the measurement.
 
     ``given`` is what the lobes give at each measurement, by its index: L*a*b*, sRGB code, whether sRGB holds it.
 
@@ -124,6 +124,7 @@ def colours_of(paint: Paint) -> Colours:
 
 def fit_state_of(fit: LobeFit) -> FitState:
     """Return what the reflectance and its lobes give."""
+    assert fit.worst_delta_e is not None, "a designed paint has readings"
     return FitState(
         given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.readings),

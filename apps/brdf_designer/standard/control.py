@@ -14,7 +14,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.keeping import StandardKeeping
 from brdf_designer.standard.kept import Kept, Request, Swap, load_request
 from brdf_designer.standard.memory import Record
@@ -38,7 +38,7 @@ _TAB, _SHIPPED = "tab ", "shipped "
 class StandardControl(QObject):
     """The standards of all documents; the one in front is shown, in its section and in the patches."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk, self._window = desk, window
         self._kept: dict[int, Kept] = {}
@@ -49,18 +49,18 @@ class StandardControl(QObject):
         self.host = window.add_section(KEY, tr("Standard"), self.section, after="model")
         self._add_commands()
         section = self.section
-        section.take_asked.connect(self.take_present)
-        section.load_asked.connect(self.ask_standard)
-        section.known_wanted.connect(self._show_known)
-        section.known_asked.connect(self.load_known)
-        section.swap_asked.connect(self.swap)
-        section.remove_asked.connect(self.remove)
+        section.take_requested.connect(self.take_present)
+        section.load_requested.connect(self.ask_standard)
+        section.known_list_requested.connect(self._show_known)
+        section.known_requested.connect(self.load_known)
+        section.swap_requested.connect(self.swap)
+        section.remove_requested.connect(self.remove)
         section.chosen.connect(self.choose)
         section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
         section.limit_edited.connect(self._set_limit)
         section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
-        section.add_batches_asked.connect(self._ask_batch)
-        section.clear_batches_asked.connect(self._clear_batches)
+        section.add_batches_requested.connect(self._ask_batch)
+        section.clear_batches_requested.connect(self._clear_batches)
         section.batch_opened.connect(self._open_batch)
         section.refused.connect(lambda text: desk.show_message(Message(KEY, text, severity="warning")))
         section.batch_section.toggled.connect(lambda _on: self._batches_later())
@@ -148,7 +148,7 @@ class StandardControl(QObject):
         try:
             after = paint_like(standard, paint)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("Nothing was swapped.")))
+            self._desk.show_message(message_of(error, KEY, todo=tr("The paints were not swapped.")))
             return
         turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
         kept.swaps.append(Swap(paint, standard, after, turned))
@@ -242,7 +242,7 @@ class StandardControl(QObject):
                 kept.standards, kept.chosen = found, record.chosen
             else:
                 kept.source = ""
-                self._tell_kept(tr("{file} has changed.").format(file=record.source))
+                self._report_kept(tr("{file} has changed.").format(file=record.source))
             if key == self._desk.document_key:
                 self._show_choices()
                 self.refresh()
@@ -250,12 +250,12 @@ class StandardControl(QObject):
         def failed(_error: Exception) -> None:
             if kept.awaited is record:
                 kept.awaited = None
-                self._tell_kept(tr("{file} can no longer be read.").format(file=record.source))
+                self._report_kept(tr("{file} can no longer be read.").format(file=record.source))
 
         self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
 
-    def _tell_kept(self, what: str) -> None:
-        todo = tr("The standard stays as it was; load the file again to take what it has now.")
+    def _report_kept(self, what: str) -> None:
+        todo = tr("The stored standard is used. Load the file again to use its current contents.")
         self._desk.show_message(Message(KEY, what, todo=todo))
 
     def _note(self) -> None:
@@ -278,9 +278,8 @@ class StandardControl(QObject):
         rows = []
         for paint in self.batches():
             report = self.report(paint, standard)
-            numbers = [_number(report.largest), _number(report.mean)]
             word = verdict_word(report.passes)
-            cells = (paint.name, *numbers, word)
+            cells = (paint.name, _number(report.largest), _number(report.mean), word)
             rows.append((cells, report.passes is False, report.sentence(say)))
         self.section.batches.show_batches(rows)
         self.section.clear_batches.setEnabled(bool(self._of_front.batches))
@@ -329,7 +328,7 @@ class StandardControl(QObject):
                 refused.append(str(error))
         kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
         if refused:
-            what = tr("Some paints cannot be judged: {reasons}").format(reasons=" ".join(refused[:3]))
+            what = tr("Some paints cannot be compared: {reasons}").format(reasons=" ".join(refused[:3]))
             self._desk.show_message(Message(_BATCHES, what, severity="warning"))
         self.section.batch_section.set_open(True)
         self._show_batches()

@@ -9,7 +9,7 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject
 
 from brdf_designer.documents.tabs import OpenDocument
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.memory import Record, keep, kept, record_from_json
 from brdf_suite.errors import FileError
 
@@ -29,7 +29,7 @@ class Holder(Protocol):
 class StandardKeeping(QObject):
     """Gives documents that are opened the standard that they had, and keeps what becomes of it."""
 
-    def __init__(self, desk: Desk, holder: Holder, parent: QObject) -> None:
+    def __init__(self, desk: PaintSession, holder: Holder, parent: QObject) -> None:
         super().__init__(parent)
         self._desk, self._holder = desk, holder
         self._known: set[int] = set()
@@ -52,9 +52,9 @@ class StandardKeeping(QObject):
             self._desk.dismiss_message(_KEY)
 
     def _take(self, document: OpenDocument) -> None:
-        document.recovery.beside = self._told(document.key)
+        document.recovery.beside = self._extra_writer(document.key)
         if document.key in self._known:
-            # It was closed and had back, with an autosave that is new.
+            # It was closed and reopened, with an autosave that is new.
             document.recovery.note()
             return
         self._known.add(document.key)
@@ -66,9 +66,9 @@ class StandardKeeping(QObject):
             self._holder.restore(document.key, record)
             document.recovery.note()
 
-    def _told(self, key: int) -> Callable[[], object]:
-        def told() -> object:
+    def _extra_writer(self, key: int) -> Callable[[], object]:
+        def extra() -> object:
             record = self._holder.record(key)
             return None if record is None else record.to_json()
 
-        return told
+        return extra

@@ -44,7 +44,7 @@ class Record:
         return (one.name, one.paint, one.readings) == (same.name, same.paint, same.readings)
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain values; what was read of a measured reflectance is told as readings."""
+        """Return it as plain values; what was read of a measured reflectance is stored as readings."""
         one = self.standard
         plain: dict[str, Any] = {"source": self.source, "chosen": self.chosen, "name": one.name}
         plain |= {"origin": one.origin, "notices": list(one.notices)}
@@ -57,7 +57,7 @@ class Record:
 
 
 def record_from_json(plain: Any) -> Record | None:
-    """Return what :meth:`Record.to_json` told; ``None`` for anything else."""
+    """Return what :meth:`Record.to_json` returned; ``None`` for anything else."""
     try:
         name, origin = str(plain["name"]), str(plain["origin"])
         notices = tuple(map(str, plain["notices"]))

@@ -32,37 +32,37 @@ FORMULAS = (
     ("2000", mark("CIEDE2000")),
     ("cmc21", mark("CMC (2:1), acceptability")),
     ("cmc11", mark("CMC (1:1), perceptibility")),
-    (OWN_CMC, mark("CMC (l:c), weights of your own")),
+    (OWN_CMC, mark("CMC (l:c), custom weights")),
     ("cam02ucs", mark("CAM02-UCS")),
     ("76", mark("CIELAB ΔE*ab")),
 )
 _EMPTY = mark(
-    "No standard. Take the present state as one, or load a paint, a palette, CxF3 or a measured BRDF; "
-    "what you edit is then the batch that is judged against it."
+    "No standard. Use the current state, or load a paint, a palette, CxF3 or a "
+    "measured BRDF. The edited paint is then the batch that is compared with it."
 )
 
 
 class StandardSection(QWidget):
     """The body of the section.
 
-    Intents: ``take_asked``, ``load_asked``, ``known_wanted`` and ``known_asked(key)`` for the
-    entries of :meth:`show_known`, ``swap_asked``, ``remove_asked``, ``chosen(index)`` among the standards
+    Intents: ``take_requested``, ``load_requested``, ``known_list_requested`` and ``known_requested(key)`` for the
+    entries of :meth:`show_known`, ``swap_requested``, ``remove_requested``, ``chosen(index)`` among the standards
     of a file, ``formula_chosen(name)``, ``limit_edited(angle | None, part, value | None)``, ``ellipsoid_chosen(on)``,
-    ``add_batches_asked``, ``clear_batches_asked``, ``batch_opened(index)``, ``refused(text)``.
+    ``add_batches_requested``, ``clear_batches_requested``, ``batch_opened(index)``, ``refused(text)``.
     """
 
-    take_asked = Signal()
-    load_asked = Signal()
-    known_asked = Signal(str)
-    known_wanted = Signal()
-    swap_asked = Signal()
-    remove_asked = Signal()
+    take_requested = Signal()
+    load_requested = Signal()
+    known_requested = Signal(str)
+    known_list_requested = Signal()
+    swap_requested = Signal()
+    remove_requested = Signal()
     chosen = Signal(int)
     formula_chosen = Signal(str)
     limit_edited = Signal(object, str, object)
     ellipsoid_chosen = Signal(bool)
-    add_batches_asked = Signal()
-    clear_batches_asked = Signal()
+    add_batches_requested = Signal()
+    clear_batches_requested = Signal()
     batch_opened = Signal(int)
     refused = Signal(str)
 
@@ -71,19 +71,21 @@ class StandardSection(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
-        self.take = _button(tr("This State"), tr("Take the present state as the standard"), self.take_asked)
+        self.take = _button(
+            tr("This State"), tr("Use the current state as the standard"), self.take_requested
+        )
         self.load = _button(
             tr("Load"),
-            tr("An open tab, a shipped paint, or a file: paint, palette, CxF3, measured BRDF"),
+            tr("Load an open tab, a sample paint, or a file: paint, palette, CxF3, measured BRDF"),
             None,
         )
         self.load_menu = QMenu(self.load)
-        self.load_menu.aboutToShow.connect(self.known_wanted)
+        self.load_menu.aboutToShow.connect(self.known_list_requested)
         self.load.setMenu(self.load_menu)
         self.swap = _button(
-            tr("Swap"), tr("Edit the standard, and judge it against what is edited now"), self.swap_asked
+            tr("Swap"), tr("Edit the standard and compare it with the current paint"), self.swap_requested
         )
-        self.remove = _button(tr("Remove"), tr("Judge against nothing"), self.remove_asked)
+        self.remove = _button(tr("Remove"), tr("Remove the standard"), self.remove_requested)
         box.addLayout(_row(self.take, self.load, self.swap, self.remove))
         self.empty = _wrapped(tr(_EMPTY))
         box.addWidget(self.empty)
@@ -119,14 +121,14 @@ class StandardSection(QWidget):
         """Fill the menu of the Load button: a file, (key, title) of the open tabs and of the shipped paints."""
         menu = self.load_menu
         menu.clear()
-        menu.addAction(tr("From a &File…"), self.load_asked.emit)
+        menu.addAction(tr("From a &File…"), self.load_requested.emit)
         if tabs:
             menu.addSection(tr("Open tabs"))
         for key, title in tabs:
-            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_asked.emit(key))
-        inside = menu.addMenu(tr("&Shipped Paint"))
+            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_requested.emit(key))
+        inside = menu.addMenu(tr("&Sample Paint"))
         for key, title in shipped:
-            inside.addAction(title, lambda key=key: self.known_asked.emit(key))
+            inside.addAction(title, lambda key=key: self.known_requested.emit(key))
 
     def show_choices(self, names: Sequence[str], chosen: int) -> None:
         """Show the standards of the file that was loaded; a chooser only where there are several."""
@@ -160,9 +162,7 @@ class StandardSection(QWidget):
         box.setSpacing(8)
         self.choices = QuietComboBox()
         self.choices.setAccessibleName(tr("Standard"))
-        self.choices.setToolTip(
-            tr("The paint against which the one in front is judged; the file has several")
-        )
+        self.choices.setToolTip(tr("Paint of this file that is the standard"))
         self.choices.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.choices.activated.connect(self.chosen)
         self.choices.hide()
@@ -173,7 +173,7 @@ class StandardSection(QWidget):
         self.sentence.setAccessibleName(tr("Differences in words"))
         self.results = ResultTable()
         self.results.setToolTip(
-            tr("Batch minus standard at each aspecular angle, and whether it is within the tolerance there")
+            tr("Batch minus standard at each aspecular angle, and the verdict of the tolerance")
         )
         self.notices = _wrapped("")
         for widget in (self.choices, self.name, self.origin, self.verdict, self.sentence, self.more):
@@ -191,11 +191,13 @@ class StandardSection(QWidget):
             self.formula.addItem(tr(title), name)
         self.formula.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.formula.activated.connect(lambda _index: self._choose_formula())
-        form.add_row(tr("Difference"), self.formula, tr("The formula of ΔE, and of its tolerances"))
+        form.add_row(tr("Difference"), self.formula, tr("Formula of ΔE and its tolerances"))
         self.lightness = NumberField(tr("Weight l of the lightness"), "", 0.1, 10.0, 0.1, 2, 2.0)
         self.chroma = NumberField(tr("Weight c of the chroma"), "", 0.1, 10.0, 0.1, 2, 1.0)
         for field in (self.lightness, self.chroma):
-            field.setToolTip(tr("CMC(l:c) divides the difference of lightness by l and that of chroma by c"))
+            field.setToolTip(
+                tr("CMC(l:c) divides the lightness difference by l and the chroma difference by c")
+            )
         self.weights = QWidget()
         row = QHBoxLayout(self.weights)
         row.setContentsMargins(0, 0, 0, 0)
@@ -203,7 +205,7 @@ class StandardSection(QWidget):
             row.addWidget(PlainLabel(text))
             row.addWidget(weight, 1)
             weight.edited.connect(lambda _value: self._choose_formula())
-        tip = tr("A larger weight lets a larger difference pass")
+        tip = tr("A larger weight permits a larger difference")
         self.weights_label = form.add_row("l : c", self.weights, tip)
         self.weights.hide()
         self.weights_label.hide()
@@ -219,13 +221,16 @@ class StandardSection(QWidget):
         section = Section(tr("Tolerances"), "standard_tolerances", is_open=False)
         self.tolerances = ToleranceTable()
         self.tolerances.setToolTip(
-            tr("What may differ at each aspecular angle, in units of the formula above")
+            tr("Permitted difference at each aspecular angle, in units of the formula above")
         )
         self.tolerances.limit_edited.connect(self.limit_edited)
         self.tolerances.refused.connect(self.refused)
         self.ellipsoid = QCheckBox(tr("ΔL*, ΔC*, ΔH* as one ellipsoid"))
         self.ellipsoid.setToolTip(
-            tr("Judge the three parts together, their tolerances being the half axes; else each alone")
+            tr(
+                "Evaluate the three components together, with their tolerances as half axes; "
+                "otherwise separately"
+            )
         )
         self.ellipsoid.clicked.connect(self.ellipsoid_chosen)
         section.add(self.tolerances)
@@ -235,12 +240,12 @@ class StandardSection(QWidget):
     def _batch_section(self) -> Section:
         section = Section(tr("Batches"), "standard_batches", is_open=False)
         self.batches = BatchTable()
-        self.batches.setToolTip(tr("Paints against this standard; Return or a double click opens one"))
+        self.batches.setToolTip(tr("Paints compared with this standard; Return or a double click opens one"))
         self.batches.opened.connect(self.batch_opened)
         section.add(self.batches)
-        add = _button(tr("Add…"), tr("Judge further paints against this standard"), self.add_batches_asked)
+        add = _button(tr("Add…"), tr("Compare more paints with this standard"), self.add_batches_requested)
         self.clear_batches = _button(
-            tr("Clear"), tr("Take away the paints that were added; the tabs stay"), self.clear_batches_asked
+            tr("Clear"), tr("Remove the added paints; the tabs remain"), self.clear_batches_requested
         )
         self.add_batches = add
         row = QWidget()

@@ -32,11 +32,11 @@ class ToleranceSettings:
         """Return them as the core takes them. At an angle, what it has no own limit for is judged as everywhere."""
         merged = {}
         for angle, own in self.by_angle.items():
-            values = {part: getattr(own, part) for part in PARTS}
+            values: list[float | None] = []
             for part in PARTS:
-                if values[part] is None:
-                    values[part] = getattr(self.everywhere, part)
-            merged[angle] = Limits(**values, ellipsoid=self.ellipsoid)
+                value = getattr(own, part)
+                values.append(getattr(self.everywhere, part) if value is None else value)
+            merged[angle] = Limits(*values, ellipsoid=self.ellipsoid)
         return Tolerances(merged, replace(self.everywhere, ellipsoid=self.ellipsoid), self.difference)
 
     def limits(self, angle: float | None) -> Limits:
@@ -56,7 +56,7 @@ class ToleranceSettings:
 
 def load() -> ToleranceSettings:
     """Return what was kept; the usual ones where there is nothing, or nothing that can be used."""
-    text = settings().value(_KEY, "", type=str)
+    text = str(settings().value(_KEY, "", type=str))
     try:
         plain = json.loads(text)
         found = ToleranceSettings(
@@ -84,5 +84,5 @@ def save(chosen: ToleranceSettings) -> None:
 
 
 def _limits(plain: dict[str, object]) -> Limits:
-    values = {part: plain.get(part) for part in PARTS}
-    return Limits(**{part: None if value is None else float(str(value)) for part, value in values.items()})
+    values = [plain.get(part) for part in PARTS]
+    return Limits(*(None if value is None else float(str(value)) for value in values))

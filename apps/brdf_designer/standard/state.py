@@ -80,7 +80,7 @@ def state_of(standard: Standard, paint: Paint, report: BatchReport) -> StandardS
 def verdict_word(passes: bool | None) -> str:
     """Return the word of a verdict."""
     if passes is None:
-        return tr("not judged")
+        return tr("not evaluated")
     return tr("pass") if passes else tr("FAIL")
 
 
@@ -93,7 +93,7 @@ def signed(value: float, decimals: int = 2) -> str:
 def _verdict(report: BatchReport, title: str) -> str:
     largest, mean = report.largest, report.mean
     if largest is None or mean is None:
-        return tr("Nothing to compare: no angle in common")
+        return tr("No comparison: no common angle")
     return tr("{verdict}: {difference} up to {largest:.2f}, mean {mean:.2f}").format(
         verdict=verdict_word(report.passes), difference=title, largest=largest, mean=mean
     )
@@ -162,7 +162,7 @@ def _row(row: AngleRow) -> ResultRow:
     tip = _tip(row, words_text(row.words, say))
     if verdict.exceeded:
         parts = " ".join(_limit_name(name) for name in verdict.exceeded)
-        tip += "\n" + tr("Beyond the tolerance: {parts}").format(parts=parts)
+        tip += "\n" + tr("Outside the tolerance: {parts}").format(parts=parts)
     bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
     return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
 

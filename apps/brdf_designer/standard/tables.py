@@ -54,6 +54,8 @@ class WholeTable(QTableWidget):
     def set_text(self, row: int, column: int, text: str, *, bold: bool = False, tip: str = "") -> None:
         """Show a text; nothing where it is shown already."""
         item = self.item(row, column)
+        if item is None:
+            return
         if item.text() != text:
             item.setText(text)
         if item.font().bold() != bold:
@@ -84,7 +86,8 @@ class ResultTable(WholeTable):
     def show_rows(self, title: str, rows: Sequence[ResultRow]) -> None:
         """Show the rows; ``title`` is the formula's."""
         heading = self.horizontalHeaderItem(1)
-        heading.setToolTip(plain_tip(title))
+        if heading is not None:
+            heading.setToolTip(plain_tip(title))
         self.set_row_count(len(rows))
         for number, row in enumerate(rows):
             for column, text in enumerate(row.cells):
@@ -123,11 +126,13 @@ class ToleranceTable(WholeTable):
             for row, angle in enumerate(self._angles):
                 name = tr(_EVERYWHERE) if angle is None else f"{angle:g}°"
                 self.set_text(row, 0, name)
-                self.item(row, 0).setFlags(Qt.ItemFlag.ItemIsEnabled)
+                heading = self.item(row, 0)
+                if heading is not None:
+                    heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)
-                    tip = tr("Largest size of {part} that passes; empty: not judged").format(
+                    tip = tr("Largest {part} that passes; empty: not evaluated").format(
                         part=LIMIT_NAMES[part]
                     )
                     self.set_text(row, column, "" if value is None else f"{value:g}", tip=tip)
@@ -141,7 +146,9 @@ class ToleranceTable(WholeTable):
         value = parse_number(text) if text else None
         if text and (value is None or value < 0.0):
             self.refused.emit(
-                tr("“{text}” is no tolerance; write a number from 0, or nothing.").format(text=text[:40])
+                tr("“{text}” is not a tolerance. Enter a number of 0 or more, or leave it empty.").format(
+                    text=text[:40]
+                )
             )
             self.show_settings([one for one in self._angles if one is not None], self._shown)
             return
@@ -155,7 +162,7 @@ class BatchTable(WholeTable):
 
     def __init__(self) -> None:
         super().__init__(
-            tr("Batches against the standard"), (tr("Batch"), tr("ΔE max"), tr("mean"), tr("Verdict"))
+            tr("Batches compared with the standard"), (tr("Batch"), tr("ΔE max"), tr("mean"), tr("Verdict"))
         )
         header = self.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)

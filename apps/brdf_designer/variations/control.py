@@ -10,7 +10,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.preview.thumbnails import ThumbnailScene, thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.words import say
 from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
 from brdf_designer.window.window import DesignerWindow
@@ -52,7 +52,7 @@ class _Request:
 class VariationsControl(QObject):
     """The neighbours of the paint in front; nothing is done while the section is closed."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._pictures = thumbnails_of(window)
@@ -160,7 +160,7 @@ class VariationsControl(QObject):
             self._show_words()
 
     def _failed(self, error: Exception) -> None:
-        raise error  # no file and no user's value is met there: a fault of ours, which the program tells
+        raise error  # no file and no user's value is met there: a fault of ours, which the program reports
 
     # Showing.
 
@@ -184,7 +184,7 @@ class VariationsControl(QObject):
         self.section.show_note(self._pictures.problem)
 
     def _no_pictures(self, why: str) -> None:
-        text = tr("{reason} The discs show the readings instead.").format(reason=why)
+        text = tr("{reason} Discs show the readings instead.").format(reason=why)
         self.section.show_note(text)
 
 
@@ -199,15 +199,15 @@ def _state(one: Variation) -> NeighbourState:
     if one.is_missed:
         assert one.missed is not None
         tip = tr(
-            "No paint of this kind quite gives these colours: ΔE00 {missed:.1f} at most. L*a*b*:"
+            "No paint of this kind matches these colours exactly: ΔE00 up to {missed:.1f}. L*a*b*:"
         ).format(missed=one.missed)
         return NeighbourState(one.direction, f"{word} ≈", f"{tip}\n{colours}", True)
-    return NeighbourState(one.direction, word, tr("Click to take it. L*a*b*:") + "\n" + colours, True)
+    return NeighbourState(one.direction, word, tr("Click to use it. L*a*b*:") + "\n" + colours, True)
 
 
 def _kept_step() -> float:
     try:
-        step = float(settings().value(_STEP, USUAL_STEP))
+        step = float(str(settings().value(_STEP, USUAL_STEP)))
     except (TypeError, ValueError):  # edited by hand
         return USUAL_STEP
     return step if LEAST_STEP <= step <= MOST_STEP else USUAL_STEP

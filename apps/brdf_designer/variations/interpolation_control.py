@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
 from brdf_designer.preview.thumbnails import thumbnails_of
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
@@ -44,7 +44,7 @@ class _Way:
 class InterpolationControl(QObject):
     """The way of the document in front; another document, or an edit of any other kind, begins it anew."""
 
-    def __init__(self, desk: Desk, window: DesignerWindow) -> None:
+    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._desk = desk
         self._pictures = thumbnails_of(window)
@@ -91,11 +91,11 @@ class InterpolationControl(QObject):
                 other = next(one.store.value for one in self._desk.documents.row if one.key == number)
             self._begin(key, other)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
 
     def load(self, name_or_path: str | Path) -> None:
         """Take the first paint in a file, or what is measured there, as the other end."""
-        self._tasks.submit(KEY, _load, name_or_path, self._loaded, self._tell)
+        self._tasks.submit(KEY, _load, name_or_path, self._loaded, self._report)
 
     def set_share(self, share: float) -> None:
         """Make the paint the one at ``share`` of the way; part of the running gesture."""
@@ -131,11 +131,13 @@ class InterpolationControl(QObject):
         try:
             self._begin(FILE, found)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
         self._list()
 
-    def _tell(self, error: Exception) -> None:
-        self._desk.show_message(message_of(error, KEY, todo=tr("Choose another paint for the other end.")))
+    def _report(self, error: Exception) -> None:
+        self._desk.show_message(
+            message_of(error, KEY, todo=tr("Choose a different paint for the other end."))
+        )
         self._list()
 
     def _paint_changed(self, paint: Paint) -> None:

@@ -40,9 +40,7 @@ class InterpolationSection(QWidget):
         box.setSpacing(8)
         self.others = QuietComboBox()
         self.others.setAccessibleName(tr("The other paint"))
-        self.others.setToolTip(
-            tr("The paint at the other end: an open tab, a shipped paint, or one of a file")
-        )
+        self.others.setToolTip(tr("Paint at the other end: an open tab, a sample paint, or a file"))
         self.others.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.others.setMaxVisibleItems(24)
         self.others.activated.connect(lambda _index: self.other_chosen.emit(self.others.currentData() or ""))
@@ -95,7 +93,7 @@ class InterpolationSection(QWidget):
         for stop, button in zip(STOPS, self.stops, strict=True):
             button.setText(f"{100 * stop:.0f} %")
             button.setToolTip(
-                plain_tip(tr("Click to take the paint at {percent:.0f} %").format(percent=100 * stop))
+                plain_tip(tr("Click to use the paint at {percent:.0f} %").format(percent=100 * stop))
             )
             button.clicked.connect(lambda _=False, stop=stop: self.stop_taken.emit(stop))
             row.addWidget(button)
@@ -117,7 +115,7 @@ class InterpolationSection(QWidget):
             tr("Share of the other paint"), "%", 100.0 * LEAST_SHARE, 100.0 * MOST_SHARE, 1.0, 1, 0.0
         )
         for share in (self.slider, self.number):
-            share.setToolTip(tr("Where the mixture lies: 0 % is this paint, 100 % the other one"))
+            share.setToolTip(tr("Position of the mixture: 0 % is this paint, 100 % the other one"))
         self.number.edited.connect(lambda value: self._edited(value / 100.0))
         self.number.gesture_started.connect(self.gesture_started)
         self.number.gesture_finished.connect(self.gesture_finished)
@@ -126,7 +124,7 @@ class InterpolationSection(QWidget):
         ends.addWidget(self.second, 1)
         box.addLayout(ends)
         self.beyond = QCheckBox(tr("Beyond the ends"))
-        self.beyond.setToolTip(tr("From −50 to 150 %: away from the other paint, or past it"))
+        self.beyond.setToolTip(tr("Extend the range from −50 to 150 %"))
         self.beyond.toggled.connect(self._set_reach)
         box.addWidget(self.beyond)
         self._set_reach(False)

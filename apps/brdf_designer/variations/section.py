@@ -94,8 +94,8 @@ class VariationsSection(QWidget):
         grid = QGridLayout()
         grid.setSpacing(2)
         self.present = PictureButton("variation_present")
-        self.present.setText(tr("present"))
-        self.present.setToolTip(tr("The paint as it is now, among its neighbours"))
+        self.present.setText(tr("current"))
+        self.present.setToolTip(tr("Current paint among its neighbours"))
         self.present.setEnabled(False)
         grid.addWidget(self.present, 1, 1)
         self.buttons: dict[Direction, PictureButton] = {}
@@ -115,11 +115,11 @@ class VariationsSection(QWidget):
         self.step = NumberField(tr("Step"), "", LEAST_STEP, MOST_STEP, 0.5, 1, USUAL_STEP)
         self.step.edited.connect(self.step_edited)
         form.add_row(
-            tr("Step"), self.step, tr("Distance of the neighbours in ΔL*, ΔC* or ΔH*, about as in ΔE*ab")
+            tr("Step"), self.step, tr("Distance of the neighbours in ΔL*, ΔC* or ΔH*, approximately ΔE*ab")
         )
         self.environment, self.surface = _combo(ENVIRONMENTS), _combo(SURFACES)
-        form.add_row(tr("Light"), self.environment, tr("The light of the small pictures"))
-        form.add_row(tr("Form"), self.surface, tr("What the small pictures show the paint on"))
+        form.add_row(tr("Light"), self.environment, tr("Light of the thumbnails"))
+        form.add_row(tr("Form"), self.surface, tr("Shape that the thumbnails show"))
         for combo in (self.environment, self.surface):
             combo.activated.connect(lambda _index: self._choose_scene())
         box.addWidget(form)

@@ -38,34 +38,36 @@ _LABELS = {
 }
 _TIPS = {
     "gloss.gu_20": mark(
-        "Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 reads 100. Coat and base "
-        "together. The narrow 20° receptor tells glossy coats apart."
+        "Gloss units at 20° (ASTM D523, ISO 2813): polished black glass of index 1.567 "
+        "has 100. Coat and base together. The narrow 20° receptor distinguishes glossy "
+        "coats."
     ),
     "gloss.gu_60": mark(
-        "Gloss units at 60°, coat and base together: the wide receptor, for coats of every gloss. With both readings "
-        "index and roughness of the coat are solved."
+        "Gloss units at 60°, coat and base together: the wide receptor, for coats of "
+        "any gloss. Both readings determine the index and roughness of the coat."
     ),
     "orange_peel.amplitude_um": mark(
-        "Root mean square height of the coat's waviness, µm. A good finish has some tenths of a micrometre."
+        "Root mean square height of the waviness of the coat, µm. A good finish has a "
+        "few tenths of a micrometre."
     ),
     "orange_peel.wavelength_mm": mark(
-        "Typical distance from crest to crest, mm. Waves of 1 to 10 mm are seen from arm's length as orange peel; they "
-        "blur the edges of what is mirrored, which lowers the distinctness of image (DOI)."
+        "Typical distance from crest to crest, mm. Waves of 1 to 10 mm are visible at "
+        "arm's length as orange peel. They blur the edges of reflections and lower the "
+        "distinctness of image (DOI)."
     ),
     "flakes.density_per_mm2": mark(
-        "How many flakes of a square millimetre can be seen one by one; most flakes of a paint lie too deep for that."
+        "Number of individually visible flakes per square millimetre. Most flakes of a "
+        "paint lie too deep to be visible."
     ),
     "flakes.size_um": mark(
         "Mean diameter of a flake, µm; larger flakes are brighter and sparkle more coarsely."
     ),
     "flakes.roughness": mark(
-        "Spread of the flakes' tilts, as the root mean square slope m: about 0.15 to 0.19 for metallic paints. Wider "
-        "spreads sparkle at more angles, and less at each."
+        "Spread of the flake tilts as the root mean square slope m: about 0.15 to 0.19 "
+        "for metallic paints. A wider spread sparkles at more angles, but less at each."
     ),
-    "flakes.colour_spread": mark("How differently the flakes are coloured: 0 all alike, 1 every hue."),
-    "near_specular": mark(
-        "Scales the base in the mirror direction, where no instrument looks; not measured."
-    ),
+    "flakes.colour_spread": mark("Variation of the flake colours: 0 all equal, 1 all hues."),
+    "near_specular": mark("Scale of the base in the mirror direction, where instruments do not measure."),
 }
 _RULES = {
     "flake": mark("Flake tilts (bell)"),
@@ -133,13 +135,13 @@ class ModelSection(PaintSection):
             tr("Between angles"),
             self.rule,
             tr(
-                "The rule between the measured angles: a bell of flake tilts, a monotone curve through L*a*b*, or a "
-                "parabola."
+                "Interpolation between the measured angles: a bell of flake tilts, a monotone "
+                "curve through L*a*b*, or a parabola."
             ),
         )
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
-        self.note = PlainLabel(tr("Not measured: no instrument of three angles looks below 15°."))
+        self.note = PlainLabel(tr("Not measured: instruments with three angles do not measure below 15°."))
         self.notices = PlainLabel()
         for label in (self.note, self.notices):
             label.setWordWrap(True)
@@ -155,7 +157,7 @@ class ModelSection(PaintSection):
         self.rule.setCurrentIndex(self.rule.findData(paint.interpolation))
         self.panel.set_values({"near_specular": paint.near_specular})
         nearest = min(abs(m.aspecular_deg) for m in paint.measurements)
-        note = tr("Not measured: no reading lies nearer to the mirror direction than {angle:g}°.")
+        note = tr("Not measured: no reading is closer to the mirror direction than {angle:g}°.")
         self.note.setText(note.format(angle=nearest))
 
     def show_notices(self, notices: tuple[str, ...]) -> None:
@@ -175,8 +177,8 @@ class TextSection(PaintSection):
         self.notes = TextNotes(tr("Notes"))
         self.illuminant = PlainLabel()
         for field, key, label, tip in (
-            (self.name, "name", tr("Name"), tr("What the paint is called")),
-            (self.source, "source", tr("Source"), tr("Where the readings come from")),
+            (self.name, "name", tr("Name"), tr("Name of the paint")),
+            (self.source, "source", tr("Source"), tr("Source of the readings")),
             (self.notes, "notes", tr("Notes"), ""),
         ):
             field.edited.connect(lambda text, key=key: self.edited.emit((key,), text))

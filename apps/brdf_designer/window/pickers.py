@@ -69,11 +69,11 @@ class ColourPickers(QObject):
 class ReadingMenus(QObject):
     """Paint ▸ Pick Colour and Make Solid From, an entry for each reading.
 
-    Signals: ``pick_asked(index)``, ``solid_asked(index)`` of the measurement in the document.
+    Signals: ``pick_requested(index)``, ``solid_requested(index)`` of the measurement in the document.
     """
 
-    pick_asked = Signal(int)
-    solid_asked = Signal(int)
+    pick_requested = Signal(int)
+    solid_requested = Signal(int)
 
     def __init__(self, menu: QMenu, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -90,9 +90,9 @@ class ReadingMenus(QObject):
         self._solid.clear()
         for number, (index, text) in enumerate(texts, 1):
             name = tr("At {angle}…").format(angle=text)
-            pick = self._pick.addAction(name, lambda index=index: self.pick_asked.emit(index))
+            pick = self._pick.addAction(name, lambda index=index: self.pick_requested.emit(index))
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
-            self._solid.addAction(text, lambda index=index: self.solid_asked.emit(index))
+            self._solid.addAction(text, lambda index=index: self.solid_requested.emit(index))
         return True
 
 

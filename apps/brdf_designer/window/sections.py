@@ -12,13 +12,13 @@ from brdf_designer.export.control import HandoverControl
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.preview import PreviewControl
-from brdf_designer.session.desk import Desk
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow
 
-PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
+PARTS: tuple[Callable[[PaintSession, DesignerWindow], object], ...] = (
     ColourCommands,
     CoatControl,
     NearestOffer,
@@ -33,10 +33,10 @@ PARTS: tuple[Callable[[Desk, DesignerWindow], object], ...] = (
 )
 """What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
 
-Parts are made before the window is shown. What costs time at a start belongs into :meth:`Desk.at_idle`.
+Parts are made before the window is shown. What costs time at a start belongs into :meth:`PaintSession.at_idle`.
 """
 
 
-def build_sections(desk: Desk, window: DesignerWindow) -> list[object]:
+def build_sections(desk: PaintSession, window: DesignerWindow) -> list[object]:
     """Make every part and return them; their owner keeps them."""
     return [part(desk, window) for part in PARTS]

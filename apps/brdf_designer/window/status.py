@@ -21,23 +21,23 @@ class DeskStatus:
         self._flop = line.cell(
             "Flop index",
             tr(
-                "Flop: how much darker the paint is from the face to the flop, as the index\n"
-                "2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high flop.\n"
-                "First what is asked, then what the fitted lobes reach."
+                "Flop: darkening of the paint from face to flop, as the index\n2.69 (L*15 − "
+                "L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high "
+                "flop.\nFirst the target, then the value achieved by the fitted lobes."
             ),
         )
         self._fit = line.cell(
             "Fit",
             tr(
-                "The largest colour difference CIEDE2000 between what is asked and what the fitted lobes give: at the "
-                "measured angles, and between them; then the time from the paint to its weights, and whether they "
-                "are exact or the best at the time limit."
+                "Largest colour difference CIEDE2000 between the target and the fitted lobes, "
+                "at the measured angles and between them; then the time of the fit, and "
+                "whether the fit is exact or was stopped by the time limit."
             ),
         )
         self._gamut = line.cell(
             "Gamut", tr("Whether this screen, taken as sRGB, can show the measured colours.")
         )
-        self._link = line.cell("Link", tr("Programs that follow this paint while it is edited."), right=True)
+        self._link = line.cell("Link", tr("Programs that follow the edits of this paint."), right=True)
         self._colours: Colours | None = None
         self._fitted: tuple[Colours | None, FitState] | None = None
         self._fit_text = ""
@@ -52,7 +52,7 @@ class DeskStatus:
         )
 
     def show_fit(self, state: FitState) -> None:
-        """Show the flop that is reached; what the fit gives is told with what it gives between the angles."""
+        """Show the flop that is reached; what the fit gives is shown with the fit between the angles."""
         self._fitted = (self._colours, state)
         if self._colours is not None:
             self._show_flop(self._colours.flop, _reached_flop(self._colours, state))
@@ -73,14 +73,16 @@ class DeskStatus:
         large = is_large(worst)
         tip = fit_tips(worst, state.time_limited, state.exact_follows)
         rows = [] if colours is None else [_row(angle, state) for angle in colours.angles]
-        told = "\n".join((*rows, tip) if tip else rows)
-        self._fit.set(self._fit_text, told, "warning" if large or state.time_limited else "fresh")
+        text = "\n".join((*rows, tip) if tip else rows)
+        self._fit.set(self._fit_text, text, "warning" if large or state.time_limited else "fresh")
 
     def mark_stale(self) -> None:
         """Say that the fit is of an earlier paint."""
         if self._colours is not None:
             self._show_flop(self._colours.flop, None)
-        self._fit.set(self._fit_text or tr("No fit"), tr("This is of the last paint that can be."), "stale")
+        self._fit.set(
+            self._fit_text or tr("No fit"), tr("These values are those of the last possible paint."), "stale"
+        )
 
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show who is linked."""
@@ -91,9 +93,9 @@ class DeskStatus:
         if asked is None:
             self._flop.set(tr("Flop –"), tr("The flop index needs readings at 15, 45 and 110°."))
             return
-        text = tr("Flop {asked}").format(asked=_one_decimal(asked.value))
+        text = tr("Flop {target}").format(target=_one_decimal(asked.value))
         if reached is not None:
-            text = tr("{flop}, reached {reached}").format(flop=text, reached=_one_decimal(reached.value))
+            text = tr("{flop}, achieved {achieved}").format(flop=text, achieved=_one_decimal(reached.value))
         notice = f"{asked.notice[:1].upper()}{asked.notice[1:]}." if asked.notice else None
         self._flop.set(f"{text} ?" if asked.notice else text, notice, "warning" if asked.notice else "fresh")
 
@@ -106,10 +108,10 @@ def _reached_flop(colours: Colours, state: FitState) -> FlopIndex | None:
 
 
 def _row(angle: AngleColour, state: FitState) -> str:
-    return tr("{angle}: asked {asked}, fit {given}, ΔE00 {difference}").format(
+    return tr("{angle}: target {target}, fit {fit}, ΔE00 {difference}").format(
         angle=angle.text,
-        asked=_lab(angle.lab),
-        given=_lab(state.given[angle.index].lab),
+        target=_lab(angle.lab),
+        fit=_lab(state.given[angle.index].lab),
         difference=f"{state.delta_e[angle.index]:.2f}",
     )
 

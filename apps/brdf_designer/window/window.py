@@ -34,32 +34,32 @@ class DesignerWindow(SuiteWindow):
     """The window of Designer.
 
     Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
-    :mod:`brdf_designer.session.fields` names them; ``new_asked``, ``open_asked(Path | None)``, ``shipped_asked(name)``,
-    ``save_asked``, ``save_as_asked``, ``undo_asked``, ``redo_asked``, ``viewer_asked``, ``recent_cleared``;
-    of the tabs ``tab_chosen(place)``, ``tab_close_asked(place)``, ``close_front_asked``,
-    ``tab_moved(before, after)``, ``tab_step_asked(by)``, ``reopen_asked``; ``close_asked(QCloseEvent)``, to be
-    ignored where the window must stay.
+    :mod:`brdf_designer.session.fields` names them; ``new_requested``, ``open_requested(Path | None)``,
+    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``undo_requested``, ``redo_requested``,
+    ``viewer_requested``, ``recent_cleared``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
+    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``;
+    ``close_requested(QCloseEvent)``, to be ignored where the window must stay.
     """
 
     edited = Signal(object, object)
     gesture_started = Signal(object)
     gesture_finished = Signal()
-    new_asked = Signal()
-    open_asked = Signal(object)
-    shipped_asked = Signal(str)
-    save_asked = Signal()
-    save_as_asked = Signal()
+    new_requested = Signal()
+    open_requested = Signal(object)
+    shipped_requested = Signal(str)
+    save_requested = Signal()
+    save_as_requested = Signal()
     tab_chosen = Signal(int)
-    tab_close_asked = Signal(int)
-    close_front_asked = Signal()
+    tab_close_requested = Signal(int)
+    close_front_requested = Signal()
     tab_moved = Signal(int, int)
-    tab_step_asked = Signal(int)
-    reopen_asked = Signal()
-    undo_asked = Signal()
-    redo_asked = Signal()
-    viewer_asked = Signal()
+    tab_step_requested = Signal(int)
+    reopen_requested = Signal()
+    undo_requested = Signal()
+    redo_requested = Signal()
+    viewer_requested = Signal()
     recent_cleared = Signal()
-    close_asked = Signal(QCloseEvent)
+    close_requested = Signal(QCloseEvent)
 
     def __init__(self, shipped: Sequence[str]) -> None:
         super().__init__("Designer")
@@ -226,7 +226,7 @@ class DesignerWindow(SuiteWindow):
             action.setEnabled(len(tabs) > 1)
 
     def show_reopen(self, can: bool) -> None:
-        """Show whether a closed tab can be had back."""
+        """Show whether a closed tab can be reopened."""
         self.reopen_action.setEnabled(can)
 
     def show_message(self, message: Message) -> None:
@@ -241,7 +241,7 @@ class DesignerWindow(SuiteWindow):
 
     def show_recent(self, paths: Sequence[Path]) -> None:
         """Fill File ▸ Open Recent."""
-        fill_recent(self.recent_menu, paths, self.open_asked.emit, self.recent_cleared.emit)
+        fill_recent(self.recent_menu, paths, self.open_requested.emit, self.recent_cleared.emit)
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
@@ -280,9 +280,9 @@ class DesignerWindow(SuiteWindow):
         outer.addWidget(split, 1)
         self.set_centre(centre)
         self.tabs.chosen.connect(self.tab_chosen)
-        self.tabs.close_asked.connect(self.tab_close_asked)
+        self.tabs.close_requested.connect(self.tab_close_requested)
         self.tabs.dragged.connect(self.tab_moved)
-        self.tabs.new_asked.connect(self.new_asked)
+        self.tabs.new_requested.connect(self.new_requested)
 
     def _build_inspector(self) -> None:
         self.editors = ColourEditors()
@@ -292,7 +292,7 @@ class DesignerWindow(SuiteWindow):
         self.plot.drag_started.connect(self.editors.begin_in_lch)
         self.plot.edited.connect(self.editors.edit_in_lch)
         self.plot.drag_finished.connect(self.editors.end)
-        self.editors.pick_asked.connect(self.pick_colour)
+        self.editors.pick_requested.connect(self.pick_colour)
         self.coat, self.flakes = CoatSection(), FlakesSection()
         self.model, self.texts = ModelSection(), TextSection()
         self.add_section("colour", tr("Colour"), self.editors)
@@ -308,39 +308,39 @@ class DesignerWindow(SuiteWindow):
     def _build_menus(self, shipped: Sequence[str]) -> None:
         keys = QKeySequence.StandardKey
         file = self.file_menu
-        new = self.add_action(file, mark("&New"), self.new_asked.emit, keys.New, "file-plus")
+        new = self.add_action(file, mark("&New"), self.new_requested.emit, keys.New, "file-plus")
         opened = self.add_action(
-            file, mark("&Open…"), lambda: self.open_asked.emit(None), keys.Open, "folder-open"
+            file, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
         )
-        shipped_menu = file.addMenu(tr("Open S&hipped Paint"))
+        shipped_menu = file.addMenu(tr("Open &Sample Paint"))
         for name in shipped:
             action = shipped_menu.addAction(name.replace("_", " ").capitalize())
-            action.triggered.connect(lambda _=False, name=name: self.shipped_asked.emit(name))
+            action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
         self.recent_menu: QMenu = file.addMenu(tr("Open &Recent"))
         self.recent_menu.setToolTipsVisible(True)
         file.addSeparator()
-        save = self.add_action(file, mark("&Save"), self.save_asked.emit, keys.Save, "floppy-disk")
-        self.add_action(file, mark("Save &As…"), self.save_as_asked.emit, "Ctrl+Shift+S")
+        save = self.add_action(file, mark("&Save"), self.save_requested.emit, keys.Save, "floppy-disk")
+        self.add_action(file, mark("Save &As…"), self.save_as_requested.emit, "Ctrl+Shift+S")
         file.addSeparator()
-        self.add_action(file, mark("&Close Tab"), self.close_front_asked.emit, "Ctrl+W", "x")
+        self.add_action(file, mark("&Close Tab"), self.close_front_requested.emit, "Ctrl+W", "x")
         self.reopen_action = self.add_action(
-            file, mark("Reopen Closed &Tab"), self.reopen_asked.emit, "Ctrl+Shift+T"
+            file, mark("Reopen Closed &Tab"), self.reopen_requested.emit, "Ctrl+Shift+T"
         )
         self.reopen_action.setEnabled(False)
         self.add_quit()
         self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
-            self.edit_menu, mark("&Undo"), self.undo_asked.emit, keys.Undo, "arrow-counter-clockwise"
+            self.edit_menu, mark("&Undo"), self.undo_requested.emit, keys.Undo, "arrow-counter-clockwise"
         )
         self.redo_action = self.add_action(
-            self.edit_menu, mark("&Redo"), self.redo_asked.emit, "Ctrl+Shift+Z", "arrow-clockwise"
+            self.edit_menu, mark("&Redo"), self.redo_requested.emit, "Ctrl+Shift+Z", "arrow-clockwise"
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.reading_menus = ReadingMenus(self.paint_menu, self)
-        self.reading_menus.pick_asked.connect(self.pick_colour)
-        self.reading_menus.solid_asked.connect(lambda index: self.edited.emit(("solid",), index))
+        self.reading_menus.pick_requested.connect(self.pick_colour)
+        self.reading_menus.solid_requested.connect(lambda index: self.edited.emit(("solid",), index))
         self._step_actions = [
-            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_asked.emit(by), keys)
+            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_requested.emit(by), keys)
             for text, by, keys in (
                 (mark("&Next Tab"), 1, "Ctrl+Tab"),
                 (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
@@ -349,13 +349,13 @@ class DesignerWindow(SuiteWindow):
         for step, second in zip(self._step_actions, ("Ctrl+PgDown", "Ctrl+PgUp"), strict=True):
             step.setShortcuts([step.shortcut(), QKeySequence(second)])
         viewer = self.add_action(
-            self.window_menu, mark("Open &Viewer"), self.viewer_asked.emit, icon="monitor"
+            self.window_menu, mark("Open &Viewer"), self.viewer_requested.emit, icon="monitor"
         )
-        for action in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
-            if action is None:
+        for entry in (new, opened, save, None, self.undo_action, self.redo_action, None, viewer):
+            if entry is None:
                 self.toolbar.addSeparator()
             else:
-                self.toolbar.addAction(action)
+                self.toolbar.addAction(entry)
 
     # The picker, drops and the end.
 
@@ -389,10 +389,10 @@ class DesignerWindow(SuiteWindow):
 
     def dropEvent(self, event: QDropEvent) -> None:
         event.acceptProposedAction()
-        self.open_asked.emit(Path(event.mimeData().urls()[0].toLocalFile()))
+        self.open_requested.emit(Path(event.mimeData().urls()[0].toLocalFile()))
 
     def may_close(self) -> bool:
-        """See :meth:`SuiteWindow.may_close`: the controller answers through ``close_asked``."""
+        """See :meth:`SuiteWindow.may_close`: the controller answers through ``close_requested``."""
         question = QCloseEvent()
-        self.close_asked.emit(question)
+        self.close_requested.emit(question)
         return question.isAccepted()

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
-from brdf_designer.acquire.fit.work import _told
-from brdf_designer.acquire.workbench import WORK_FILE
+from brdf_designer.acquire.fit.work import with_error
+from brdf_designer.acquire.reconstruction_session import WORK_FILE
 
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.documents.store import load_any_paint
@@ -45,7 +45,7 @@ def open_folder(assistant, folder, qtbot):
 def finished(assistant, qtbot, key):
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
     assert assistant.window.messages.shown() == {}
-    return assistant.bench.have[key]
+    return assistant.bench.results[key]
 
 
 def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, qtbot):
@@ -59,7 +59,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     window.geometry_page.start.click()
     geometry = finished(assistant, qtbot, "geometry")
     page = window.geometry_page
-    assert {mark.name for mark in page.picture.marks} >= {"outline that was fitted", "highlight, found"}
+    assert {mark.name for mark in page.picture.marks} >= {"fitted outline", "highlight, found"}
     assert "px" in page.facts.texts["Outline"]
     # The outline lies where the sphere does: in the middle of the picture, 0.85 of it wide.
     around = geometry.state.outline
@@ -68,11 +68,11 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
     # Stopped as soon as the first position is in the file, then resumed: what was done is taken up.
     window.reconstruction.start.click()
-    qtbot.waitUntil(lambda: assistant.road._done >= 1 or "table" in bench.have)
+    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 1 or "table" in bench.results)
     window.reconstruction.cancel.click()
     assert (folder / WORK_FILE).exists()
     assert window.reconstruction.start.isEnabled()
-    assert "table" not in bench.have
+    assert "table" not in bench.results
     window.reconstruction.start.click()
     table = finished(assistant, qtbot, "table")
     assert table.acquired.resumed >= 1
@@ -114,28 +114,28 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
     # Another mask takes the table and the fit with it, and nothing else.
     window.show_page("mask")
-    qtbot.waitUntil(lambda: window.mask.picture.history is not None)
+    qtbot.waitUntil(lambda: window.mask_page.picture.history is not None)
     used = np.ones((96, 96), bool)
     used[:, :10] = False
-    window.mask.picture.put(used)
-    assert set(bench.have) == {"response", "geometry"}
+    window.mask_page.picture.put(used)
+    assert set(bench.results) == {"response", "geometry"}
     assert not window.coverage.save.isEnabled()
     assert not window.fit.open.isEnabled()
     assistant.write_pending()
     # What was begun with the other mask is not mixed with it: that is said, with the way on.
     window.reconstruction.start.click()
     qtbot.waitUntil(lambda: "table" in window.messages.shown())
-    assert [text for text, _ in window.messages.shown()["table"].actions] == ["Begin Again"]
+    assert [text for text, _ in window.messages.shown()["table"].actions] == ["Start Over"]
 
 
 def test_work_of_an_earlier_run_is_taken_up(assistant, folder, qtbot):
     """What was done is there when the folder is opened again, with its calibration."""
-    assistant.road.find_table()
-    qtbot.waitUntil(lambda: assistant.road._done >= 2 or "table" in assistant.bench.have)
+    assistant.reconstruction.find_table()
+    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 2 or "table" in assistant.bench.results)
     assistant.bench.cancel("table")
     open_folder(assistant, folder, qtbot)
-    assert set(assistant.bench.have) == {"response", "geometry"}
-    assert assistant.road._done >= 1
+    assert set(assistant.bench.results) == {"response", "geometry"}
+    assert assistant.reconstruction._done >= 1
     assert assistant.window.reconstruction.start.text() in ("Resume", "Start")
 
 
@@ -169,8 +169,8 @@ def test_an_error_of_a_step_is_told_and_the_others_stay(assistant, folder, qtbot
     finished(assistant, qtbot, "response")
     assistant.window.geometry_page.start.click()
     qtbot.waitUntil(lambda: "geometry" in assistant.window.messages.shown())
-    assert "geometry" not in assistant.bench.have
-    assert "response" in assistant.bench.have
+    assert "geometry" not in assistant.bench.results
+    assert "response" in assistant.bench.results
 
 
 def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
@@ -178,12 +178,12 @@ def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
     finished(assistant, qtbot, "response")
     assistant.window.geometry_page.refined.click()
     assert assistant.bench.options.refine is False
-    assert "response" in assistant.bench.have
+    assert "response" in assistant.bench.results
     assistant.window.geometry_page.refined.click()
     kind = assistant.window.response.kind
     kind.setCurrentIndex(kind.findData("linear"))
     kind.activated.emit(kind.currentIndex())
-    assert assistant.bench.have == {}
+    assert assistant.bench.results == {}
     assert assistant.bench.options.response == "linear"
 
 
@@ -197,4 +197,4 @@ def test_other_choices_forget_what_hangs_on_them(assistant, qtbot):
     ],
 )
 def test_an_uncertainty_has_one_digit_and_its_value_no_more(value, error, text):
-    assert _told(value, error) == text
+    assert with_error(value, error) == text

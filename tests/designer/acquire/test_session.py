@@ -195,10 +195,10 @@ def test_a_number_that_is_typed_is_in_the_file_and_undone_in_it(opened, folder, 
     QTest.keyClicks(field, "61.5")
     QTest.keyClick(field, Qt.Key.Key_Return)
     qtbot.waitUntil(lambda: read_session(folder).sphere.radius_m == pytest.approx(0.0615))
-    opened.window.undo_asked.emit()
+    opened.window.undo_requested.emit()
     assert read_session(folder).sphere.radius_m == pytest.approx(0.06)
     assert field.value() == pytest.approx(60.0)
-    opened.window.redo_asked.emit()
+    opened.window.redo_requested.emit()
     assert read_session(folder).sphere.radius_m == pytest.approx(0.0615)
 
 
@@ -230,7 +230,7 @@ def test_what_another_program_has_written_is_not_overwritten(opened, folder):
 
 def mask_page(assistant, qtbot):
     assistant.window.show_page("mask")
-    page = assistant.window.mask
+    page = assistant.window.mask_page
     qtbot.waitUntil(lambda: page.picture.history is not None)
     return page
 

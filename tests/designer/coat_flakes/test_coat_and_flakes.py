@@ -46,7 +46,7 @@ def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
     assert coat.panel.fields["gloss.gu_20"].value() == pytest.approx(
         designer.store.value.gloss.gu_20, abs=0.06
     )
-    assert steps(designer) == ["Change Index of the Coat", "Change Roughness of the Coat"]
+    assert steps(designer) == ["Change Coat Index", "Change Coat Roughness"]
     # And back: a reading that is typed is solved for the coat.
     type_in(coat.panel.fields["gloss.gu_20"], "50")
     assert coat.roughness.value() > 0.01
@@ -72,10 +72,10 @@ def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(design
     assert taken != before
     designer.controller.undo()
     ((text, take),) = message.actions
-    assert text == f"Take Roughness {most}"
+    assert text == f"Use Roughness {most}"
     take()
     assert designer.store.value == taken
-    assert steps(designer)[-1] == "Change Roughness of the Coat"
+    assert steps(designer)[-1] == "Change Coat Roughness"
 
 
 def test_haze_is_told_from_the_readings_or_from_the_coat(designer, qtbot) -> None:
@@ -104,7 +104,7 @@ def test_orange_peel_is_part_of_the_paint(designer) -> None:
     assert designer.store.value.orange_peel is None
     coat.has_peel.click()
     assert designer.store.value.orange_peel == OrangePeel(19.0, 6.0)
-    assert steps(designer)[:3] == ["Switch Orange Peel", "Change Orange peel", "Change Peel wavelength"]
+    assert steps(designer)[:3] == ["Orange Peel On", "Change Orange peel", "Change Peel wavelength"]
 
 
 def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(designer, qtbot) -> None:
@@ -118,7 +118,7 @@ def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(d
     message = messages.shown()["nearest"]
     assert "GU at 20°" in message.todo
     (text, take), *_ = message.actions
-    assert text == "Take the Nearest"
+    assert text == "Use Closest"
     take()
     taken = designer.store.value
     assert 130.0 < taken.gloss.gu_20 < 180.0
@@ -126,7 +126,7 @@ def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(d
     assert coat.ior.isEnabled()
     assert not coat.note.isVisible()
     assert "nearest" not in messages.shown()
-    assert steps(designer) == ["Change Gloss 20°", "Take Nearest Paint"]
+    assert steps(designer) == ["Change Gloss 20°", "Use Closest Paint"]
     designer.controller.undo()
     assert designer.store.value.gloss.gu_20 == 180.0
     designer.controller.undo()
@@ -149,7 +149,7 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     assert above - below > 40, "the strip shows what the lobes give under what is asked"
     qtbot.waitUntil(lambda: "nearest" in window.messages.shown())
     message = window.messages.shown()["nearest"]
-    assert "No sum of the lobes gives the colour asked at" in message.what
+    assert "No combination of lobes produces the target colour at" in message.what
     assert "110°" in message.what
     # Another edit takes the offer back: it was for the paint before.
     type_in(window.editors.editors[2].fields[0], "81")
@@ -204,7 +204,7 @@ def test_the_choices_over_the_colours_are_commands_too(designer) -> None:
     found = dict(commands(designer.window))
     head = designer.window.editors.head
     modes, spaces = head.modes.value, head.spaces.value
-    found["Paint ▸ Edit All Angles Together"].trigger()
+    found["Paint ▸ Edit All Angles"].trigger()
     found["Paint ▸ Colours in LCh"].trigger()
     assert (head.modes.value, head.spaces.value) == ("all", "lch") != (modes, spaces)
     assert head.modes.buttons["all"].isChecked()
@@ -234,20 +234,20 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     assert not fit.font().bold()
 
 
-def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer, qtbot):
+def test_the_status_bar_shows_target_and_fit(designer, qtbot):
     qtbot.waitUntil(lambda: designer.controller.is_complete)
     flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
-    assert flop.text() == "Flop 13.9, reached 13.9"
+    assert flop.text() == "Flop 13.9, achieved 13.9"
     assert fit.text().endswith(", exact")
     rows = fit.toolTip().splitlines()
-    assert rows[0] == "15°: asked 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
+    assert rows[0] == "15°: target 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
     # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
     type_in(designer.window.editors.editors[2].fields[0], "55")
     qtbot.waitUntil(lambda: designer.controller.is_complete)
-    asked, reached = flop.text().rstrip(" ?").split(", reached ")
+    asked, achieved = flop.text().rstrip(" ?").split(", achieved ")
     lightness = [row.lab_fitted[0] for row in designer.desk.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
-    assert reached == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
+    assert achieved == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
     assert fit.text().startswith("! Fit ΔE00 ≤ ")
     worst = max(row.delta_e_2000 for row in designer.desk.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
@@ -255,7 +255,7 @@ def test_the_status_bar_tells_what_the_fit_gives_beside_what_was_asked(designer,
     assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
     # Of a paint that cannot be, only what is asked is said.
     type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")
-    assert "reached" not in flop.text()
+    assert "achieved" not in flop.text()
     assert fit.text().startswith("(")
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_panel import HANDLES
-from brdf_designer.session.fields import edited, step_name
+from brdf_designer.session.fields import apply_edit, step_name
 from brdf_designer.session.state import colours_of
 from brdf_qt.documents.store import DocumentStore
 from hypothesis import HealthCheck, given, settings
@@ -48,7 +48,7 @@ class Host:
 
     def edit(self, key, value) -> None:
         try:
-            after = edited(self.store.value, key, value)
+            after = apply_edit(self.store.value, key, value)
         except SuiteError as error:
             self.refused.append(str(error))
             return
@@ -247,7 +247,7 @@ def test_angles_are_added_and_removed(host: Host) -> None:
     type_in(head.angle, "75")
     head.add.click()
     assert [m.aspecular_deg for m in host.store.value.measurements] == [15.0, 45.0, 75.0, 110.0]
-    assert head.sets.currentText() == "Own angles"
+    assert head.sets.currentText() == "Custom angles"
     assert host.editors.editors[2].remove.isEnabled()
     head.add.click()
     assert "already" in host.refused[-1]
@@ -288,7 +288,7 @@ def test_any_edits_and_as_many_undos_give_the_identical_paint(kept_host: Host, w
         elif what == "add":
             host.editors.head.angle_added.emit(rest[0])
         elif what == "remove":
-            host.editors.angles.remove_asked.emit(rest[0])
+            host.editors.angles.remove_requested.emit(rest[0])
         elif what in ("space", "mode"):
             choose(host, rest[0])
         elif what == "edit":

@@ -143,7 +143,7 @@ def test_a_grip_tells_what_it_is_with_its_unit(desk, qtbot):
     assert "degrees" in QToolTip.text()
     QToolTip.hideText()
     QApplication.sendEvent(band, QEvent(QEvent.Type.Leave))
-    assert strip.caption.accessibleName().startswith("Flop over")
+    assert strip.caption.accessibleName().startswith("Flop (target above")
 
 
 def test_what_a_paint_has_none_of_is_not_moved(desk):

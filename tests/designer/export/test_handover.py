@@ -39,10 +39,10 @@ def test_the_list_is_that_of_the_core() -> None:
 def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, control, tmp_path: Path) -> None:
     settled(qtbot, control)
     assert designer.window.section(KEY).is_open
-    assert control.section.losses.text().startswith("Lost:")
+    assert control.section.losses.text().startswith("Losses:")
     control.section.choose("csv")
     control.section.format_chosen.emit("csv")
-    qtbot.waitUntil(lambda: control.section.losses.text() == "Nothing is lost.")
+    qtbot.waitUntil(lambda: control.section.losses.text() == "No losses.")
     dialogs.path = tmp_path / "blue.csv"
     control.section.export.click()
     qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())

@@ -70,13 +70,13 @@ def test_an_earlier_state_can_be_a_new_step_or_a_tab(designer, history, qtbot):
     assert len(shown(history)) == 3
     to, step, tab = history.menu_of(0).actions()
     step.trigger()
-    qtbot.waitUntil(lambda: shown(history)[-1] == "Take Earlier State")
+    qtbot.waitUntil(lambda: shown(history)[-1] == "Restore Earlier State")
     assert designer.store.value == load_shipped_paint("blue")
     assert designer.store.stack.count() == 3
     history.menu_of(1).actions()[2].trigger()
     assert designer.store.value.lab_at(15.0)[0] == 61.0
     assert len(designer.documents.row) == 2
-    assert (to.text(), tab.text()) == ("&Go to This State", "&Open It in a New Tab")
+    assert (to.text(), tab.text()) == ("&Go to This State", "&Open in New Tab")
 
 
 def test_each_tab_shows_its_own_history(designer, history, qtbot):

@@ -55,7 +55,7 @@ def test_a_measured_file_by_the_menu(desk, control, asked, qtbot, shared_data) -
 def test_a_paint_of_lobes_is_opened_and_read_again_at_more_angles(
     desk, control, qtbot, cook_torrance
 ) -> None:
-    desk.window.open_asked.emit(cook_torrance)
+    desk.window.open_requested.emit(cook_torrance)
     wait_for(qtbot, control)
     before = desk.desk.paint
     assert before.name == "Lobes"
@@ -70,7 +70,7 @@ def test_a_paint_of_lobes_is_opened_and_read_again_at_more_angles(
     desk.window.undo_action.trigger()
     assert desk.desk.paint is before
     # The report stays with its tab.
-    desk.window.new_asked.emit()
+    desk.window.new_requested.emit()
     assert control.host.isHidden()
     desk.documents.show(desk.documents.row[0])
     assert not control.host.isHidden()
@@ -100,12 +100,12 @@ def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> 
     form = next(known for known in FORMATS if known.ending == ".cxf")
     blue, red = load_shipped_paint("blue"), load_shipped_paint("red")
     form.write([ExportItem(blue), ExportItem(red)], path, None)
-    desk.window.open_asked.emit(path)
+    desk.window.open_requested.emit(path)
     opened = [one.store.value for one in desk.documents.row]
     assert [paint.name for paint in opened] == [blue.name, red.name]
     assert opened[1].lab_at(45.0) == pytest.approx(red.lab_at(45.0), abs=1e-3)
     path.write_text(path.read_text("utf-8")[:-300], "utf-8")
-    desk.window.open_asked.emit(path)
+    desk.window.open_requested.emit(path)
     assert "season.cxf" in desk.window.messages.shown()["open"].where
     assert len(desk.documents.row) == 2
 
@@ -113,12 +113,12 @@ def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> 
 def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")
-    desk.window.open_asked.emit(text)
+    desk.window.open_requested.emit(text)
     assert "notes.txt" in desk.window.messages.shown()["open"].where
     broken = tmp_path / "broken.bsdf"
     broken.write_bytes(b"tensor_file\0\1\0" + b"\xff" * 40)
     before = desk.desk.paint
-    desk.window.open_asked.emit(broken)
+    desk.window.open_requested.emit(broken)
     qtbot.waitUntil(lambda: "broken.bsdf" in desk.window.messages.shown()["open"].where)
     assert desk.desk.paint is before
     assert desk.window.progress.jobs == ()

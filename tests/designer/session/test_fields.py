@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from brdf_designer.session.fields import by_angle, edited, step_name
+from brdf_designer.session.fields import apply_edit, by_angle, step_name
 
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint, solid_paint
 from brdf_suite.errors import ValueRangeError
@@ -19,7 +19,7 @@ PAINT = solid_paint("x", (50.0, 1.0, 2.0))
         (("gloss", "gu_20"), 70.0, lambda p: p.gloss.gu_20, "Change Gloss 20°"),
         (("gloss", "gu_60"), None, lambda p: p.gloss.gu_60, "Change Gloss 60°"),
         (("flakes", "size_um"), 9.0, lambda p: p.flakes.size_um, "Change Flake size"),
-        (("flakes",), Flakes(), lambda p: p.flakes, "Switch Flakes"),
+        (("flakes",), Flakes(), lambda p: p.flakes, "Flakes On"),
         (("interpolation",), "monotone", lambda p: p.interpolation, "Change Interpolation"),
         (("near_specular",), 1.5, lambda p: p.near_specular, "Change Near-Specular Factor"),
         (("name",), "y", lambda p: p.name, "Rename Paint"),
@@ -28,21 +28,21 @@ PAINT = solid_paint("x", (50.0, 1.0, 2.0))
     ],
 )
 def test_every_field_is_set_and_named(key, value, read, name):
-    after = edited(PAINT, key, value)
+    after = apply_edit(PAINT, key, value)
     assert read(after) == ((61.5, 1.0, 2.0) if key[0] == "lab" else value)
     assert step_name(PAINT, key) == name
 
 
 def test_make_solid_takes_one_reading_for_all():
-    paint = edited(PAINT, ("lab", 2, 0), 10.0)
-    assert {m.lab for m in edited(paint, ("solid",), 2).measurements} == {(10.0, 1.0, 2.0)}
+    paint = apply_edit(PAINT, ("lab", 2, 0), 10.0)
+    assert {m.lab for m in apply_edit(paint, ("solid",), 2).measurements} == {(10.0, 1.0, 2.0)}
 
 
 def test_a_value_out_of_range_is_refused_by_name():
     with pytest.raises(ValueRangeError, match="lab"):
-        edited(PAINT, ("lab", 0, 0), 300.0)
+        apply_edit(PAINT, ("lab", 0, 0), 300.0)
     with pytest.raises(ValueRangeError, match="name"):
-        edited(PAINT, ("name",), " ")
+        apply_edit(PAINT, ("name",), " ")
 
 
 def test_readings_are_shown_by_light_then_angle():

@@ -9,8 +9,8 @@ import pytest
 from brdf_designer.assembly import paint_format
 from brdf_designer.controller import Controller, View
 from brdf_designer.documents.tabs import Documents
-from brdf_designer.session.desk import Desk, Fitter
-from brdf_designer.session.fields import _EDITS, edited
+from brdf_designer.session.fields import _EDITS, apply_edit
+from brdf_designer.session.paint_session import Fitter, PaintSession
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -108,7 +108,7 @@ def desk(qapp, dialogs):
     documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
     documents.add(load_shipped_paint("red"))
     documents.add(load_shipped_paint("copper"))
-    desk = Desk(documents, fitter, lambda *_: None, view)
+    desk = PaintSession(documents, fitter, lambda *_: None, view)
     desk.controller = Controller(view, desk)
     yield desk
     documents.keep_unsaved()
@@ -127,7 +127,7 @@ def test_each_kind_can_change_the_paint(desk):
         (("angles", "add"), Geometry(45.0, 25.0)),
         (("coat", "ior"), (1.52, 0.01)),
     ):
-        assert edited(desk.paint, kind, value) != desk.paint, kind
+        assert apply_edit(desk.paint, kind, value) != desk.paint, kind
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])

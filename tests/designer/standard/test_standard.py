@@ -109,7 +109,7 @@ def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> Non
     table.item(3, 2).setText("")
     assert column(section.results, 5) == ["pass"] * 3
     table.item(2, 3).setText("a lot")
-    assert "no tolerance" in desk.window.messages.shown()["standard"].what
+    assert "not a tolerance" in desk.window.messages.shown()["standard"].what
     assert table.item(2, 3).text() == ""
     table.item(3, 2).setText("2")
     assert load() == control._settings

@@ -7,9 +7,9 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.exposures.page import ExposuresPage
 from brdf_designer.acquire.exposures.work import SeriesRequest, read_series_state
+from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.states import Series
-from brdf_designer.acquire.workbench import Workbench
 
 _KEPT = 2
 """Positions whose photographs stay in memory: 16 of a megapixel are about 110 MB."""
@@ -18,7 +18,7 @@ _KEPT = 2
 class SeriesControl(QObject):
     """Joins the page of the exposures to the workbench; the session's page shows one of them."""
 
-    def __init__(self, bench: Workbench, page: ExposuresPage, sessions: SessionControl) -> None:
+    def __init__(self, bench: ReconstructionSession, page: ExposuresPage, sessions: SessionControl) -> None:
         super().__init__(bench)
         self._bench, self._page, self._sessions = bench, page, sessions
         self._kept: dict[int, Series] = {}

@@ -36,13 +36,13 @@ class ExposuresPage(AcquirePage):
         super().__init__(
             "exposures",
             tr(
-                "Each position was photographed with several exposures: the highlight needs a short, the "
-                "flank a long one."
+                "Each position was photographed with several exposures: a short one for the "
+                "highlight, a long one for the flank."
             ),
         )
         self._series: Series | None = None
         self._chosen = -1
-        self.picture = PictureView(tr("The photograph"), tr("Open a session first."))
+        self.picture = PictureView(tr("Selected photograph"), tr("Open a session first."))
         self.strip = QListWidget()
         self.strip.setAccessibleName(tr("Photographs of this position"))
         self.strip.setToolTip(
@@ -75,16 +75,18 @@ class ExposuresPage(AcquirePage):
         self.centre.addWidget(self.strip)
         self.position = QuietSlider(Qt.Orientation.Horizontal)
         self.position.setAccessibleName(tr("Position of the lamp"))
-        self.position.setToolTip(tr("Which position's photographs are shown"))
+        self.position.setToolTip(tr("Position of the displayed photographs"))
         self.position.setTracking(True)
         self.position.valueChanged.connect(self._move)
         self.where = wrapped("")
         self.brightness = NumberField(tr("Brightness"), "EV", -6.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
         form = Form()
-        form.add_row(tr("Position"), self.position, tr("Which position's photographs are shown"))
+        form.add_row(tr("Position"), self.position, tr("Position of the displayed photographs"))
         form.add_wide(self.where)
-        form.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        form.add_row(
+            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
+        )
         self.add_part("position", tr("Position"), form)
         self.pixel = Facts(tr("The pixel under the cursor"))
         self.table = WholeTable(
@@ -111,18 +113,18 @@ class ExposuresPage(AcquirePage):
         self.position.blockSignals(True)
         self.position.setRange(0, max(0, len(angles_deg) - 1))
         self.position.blockSignals(False)
-        self._tell_position(self.position.value())
+        self._report_position(self.position.value())
 
     _angles: tuple[float, ...] = ()
     differing = 0
-    """How many files of what is shown tell another time than the session."""
+    """Number of displayed files whose exposure time differs from the session."""
 
     def show_position(self, index: int) -> None:
         """Show which position is chosen, without an intent."""
         self.position.blockSignals(True)
         self.position.setValue(index)
         self.position.blockSignals(False)
-        self._tell_position(index)
+        self._report_position(index)
 
     def show_series(self, series: Series | None) -> None:
         """Show a position's photographs; the same exposure stays chosen."""
@@ -140,7 +142,7 @@ class ExposuresPage(AcquirePage):
             return
         if not series.shots:
             self.picture.show_empty(
-                tr("No photograph of this position can be read; the session's page tells why.")
+                tr("No photograph of this position can be read. The page Session lists the reasons.")
             )
             self.histogram.show_curves(())
             self.table.set_row_count(0)
@@ -187,19 +189,19 @@ class ExposuresPage(AcquirePage):
         self.table.blockSignals(False)
         self.differing = differing
         if all(shot.exif_s is None for shot in series.shots):
-            self.times.setText(tr("The files hold no times of their own; the stated ones are taken."))
+            self.times.setText(tr("The files contain no exposure times. The times in session.json are used."))
         elif differing:
             self.times.setText(
-                tr("{count} files tell another time than session.json.").format(count=differing)
+                tr("The times of {count} files differ from session.json.").format(count=differing)
             )
         else:
-            self.times.setText(tr("The times in the files are the stated ones."))
+            self.times.setText(tr("The times in the files match session.json."))
 
     def _move(self, index: int) -> None:
-        self._tell_position(index)
+        self._report_position(index)
         self.position_chosen.emit(index)
 
-    def _tell_position(self, index: int) -> None:
+    def _report_position(self, index: int) -> None:
         if index < len(self._angles):
             self.where.setText(
                 tr("Lamp at {angle:g}°, position {number} of {count}").format(
@@ -250,7 +252,7 @@ class ExposuresPage(AcquirePage):
                 (
                     tr("Codes"),
                     " ".join(str(int(code)) for code in found),
-                    tr("Red, green and blue as the file has them"),
+                    tr("Red, green and blue codes in the file"),
                 ),
             )
         )

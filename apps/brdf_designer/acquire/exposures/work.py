@@ -37,8 +37,8 @@ class SeriesRequest:
 def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
     """Read all photographs of a position.
 
-    Files that cannot be read, and photographs that contradict each other (exchanged, saturated everywhere), are told
-    as problems; a position without any gives an empty series.
+    Files that cannot be read, and photographs that contradict each other (exchanged, saturated everywhere), are
+    reported as problems; a position without any gives an empty series.
     """
     from brdf_suite.acquisition.photographs.exposure_order import check_exposures
     from brdf_suite.acquisition.photographs.reading import read_photograph
@@ -73,7 +73,12 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
 
 
 def _shot(
-    codes: NDArray[np.generic], bits: int | None, time: float, exif: float | None, name: str, black: float
+    codes: NDArray[np.floating | np.integer],
+    bits: int | None,
+    time: float,
+    exif: float | None,
+    name: str,
+    black: float,
 ) -> Shot:
     top = float((1 << bits) - 1) if bits else float(np.nanmax(codes, initial=1.0))
     clipped = np.asarray((codes >= top).any(axis=-1)) if bits else np.zeros(codes.shape[:2], bool)
@@ -86,7 +91,11 @@ def _shot(
     )
     step = max(1, -(-max(codes.shape[:2]) // LONGEST_SIDE))
     shown = codes[::step, ::step]
-    tones: Tones = tones_of_codes(shown.astype(np.uint16), bits) if bits else tones_of_linear(shown, top)
+    tones: Tones = (
+        tones_of_codes(shown.astype(np.uint16), bits)
+        if bits
+        else tones_of_linear(shown.astype(np.float32), top)
+    )
     return Shot(
         float(time),
         None if exif is None else float(exif),

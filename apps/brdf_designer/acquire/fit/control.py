@@ -17,8 +17,8 @@ from brdf_designer.acquire.fit.work import (
     find_start,
     save_fitted,
 )
-from brdf_designer.acquire.workbench import Workbench
-from brdf_designer.session.desk import Desk
+from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_designer.session.paint_session import PaintSession
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import MeasuredStart
 
@@ -26,19 +26,21 @@ from brdf_suite.paint_design.measured_start import MeasuredStart
 class FitControl(QObject):
     """Fits, shows, opens and saves."""
 
-    def __init__(self, bench: Workbench, page: FitPage, desk: Desk, dialogs: Dialogs) -> None:
+    def __init__(
+        self, bench: ReconstructionSession, page: FitPage, desk: PaintSession, dialogs: Dialogs
+    ) -> None:
         super().__init__(bench)
         self._bench, self._page, self._desk, self._dialogs = bench, page, desk, dialogs
-        page.fit_asked.connect(self.find)
-        page.choice_edited.connect(lambda: bench.forget("fit"))
-        page.open_asked.connect(self.open)
-        page.save_asked.connect(self.save)
+        page.fit_requested.connect(self.find)
+        page.choice_edited.connect(lambda: bench.invalidate("fit"))
+        page.open_requested.connect(self.open)
+        page.save_requested.connect(self.save)
         bench.found.connect(self._show)
         bench.busy_changed.connect(self._busy)
 
     def find(self) -> None:
         """Fit the lobes to the table."""
-        table, session = self._bench.have.get("table"), self._bench.session
+        table, session = self._bench.results.get("table"), self._bench.session
         if table is None or session is None:
             return
         model, lobes = self._page.chosen
@@ -47,7 +49,7 @@ class FitControl(QObject):
 
     def open(self) -> None:
         """Start a design from the fitted lobes, in a tab of Designer."""
-        fit: FitFound | None = self._bench.have.get("fit")
+        fit: FitFound | None = self._bench.results.get("fit")
         if fit is None or fit.paint is None:
             return
         request = StartRequest(fit.paint, str(self._bench.folder))
@@ -55,7 +57,7 @@ class FitControl(QObject):
 
     def save(self) -> None:
         """Ask where the lobes are to be, and write them as a paint."""
-        fit: FitFound | None = self._bench.have.get("fit")
+        fit: FitFound | None = self._bench.results.get("fit")
         if fit is None or fit.paint is None or self._bench.folder is None:
             return
         named = fit.paint.name.replace("/", "_") + PAINT_ENDING
@@ -70,25 +72,25 @@ class FitControl(QObject):
 
     def _opened(self, start: MeasuredStart) -> None:
         self._desk.open_paint(start.paint)
-        told = tr("“{name}” is open in Designer, in a tab of its own; it is not saved yet.").format(
+        text = tr("“{name}” is open in a new tab in Designer. It is not saved yet.").format(
             name=start.paint.name
         )
-        self._page.show_kept(told)
+        self._page.show_kept(text)
         notes = list(start.notices)
         if start.mean_delta_e is not None:
             notes.insert(
                 0,
-                tr("ΔE00 to the fitted lobes at angles that were not used: {mean:.1f} in the mean.").format(
+                tr("Mean ΔE00 to the fitted lobes at angles that were not used: {mean:.1f}.").format(
                     mean=start.mean_delta_e
                 ),
             )
-        self._desk.show_message(Message("acquired", told, where=" ".join(notes)))
+        self._desk.show_message(Message("acquired", text, where=" ".join(notes)))
 
     def _show(self, key: str) -> None:
         if key not in ("fit", "table"):
             return
-        fit: FitFound | None = self._bench.have.get("fit")
-        self._page.show_fit(None if fit is None else fit.state, has_table="table" in self._bench.have)
+        fit: FitFound | None = self._bench.results.get("fit")
+        self._page.show_fit(None if fit is None else fit.state, has_table="table" in self._bench.results)
         self._page.show_kept("")
         if fit is None:
             self._bench.window.show_step("fit", "todo", "")
@@ -104,5 +106,5 @@ class FitControl(QObject):
             else:
                 self._show("fit")
         elif key == "start":
-            fit = self._bench.have.get("fit")
+            fit = self._bench.results.get("fit")
             self._page.open.setEnabled(not busy and fit is not None and fit.state.has_paint)

@@ -10,7 +10,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox
 
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
-from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
+from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
 from brdf_designer.acquire.states import FitState
 from brdf_designer.standard.tables import WholeTable
 
@@ -23,20 +23,20 @@ LEAST_LOBES, MOST_LOBES, USUAL_LOBES = 1, 6, 3
 class FitPage(AcquirePage):
     """The page of the fit.
 
-    Intents: ``fit_asked()``, ``choice_edited()``, ``open_asked()``, ``save_asked()``.
+    Intents: ``fit_requested()``, ``choice_edited()``, ``open_requested()``, ``save_requested()``.
     """
 
-    fit_asked = Signal()
+    fit_requested = Signal()
     choice_edited = Signal()
-    open_asked = Signal()
-    save_asked = Signal()
+    open_requested = Signal()
+    save_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
             "fit",
             tr(
-                "A few lobes stand for the whole table; points are measured, the line is the fit, dashed "
-                "lines are its parts."
+                "The table approximated by a few lobes: measured values as points, the fit as "
+                "a line, its components dashed."
             ),
         )
         self._state: FitState | None = None
@@ -70,11 +70,11 @@ class FitPage(AcquirePage):
         self.model.activated.connect(lambda _index: self.choice_edited.emit())
         self.lobes.valueChanged.connect(lambda _value: self.choice_edited.emit())
         form.add_row(
-            tr("Model"), self.model, tr("The shape of the lobes; only Cook-Torrance becomes a paint")
+            tr("Model"), self.model, tr("Lobe model; only Cook-Torrance can be opened or saved as a paint")
         )
-        form.add_row(tr("Lobes"), self.lobes, tr("How many; the last one stands for the sharp peak"))
-        self.start = button(tr("Fit the Lobes"), tr("Fit the lobes to the table; some seconds"))
-        self.start.clicked.connect(lambda _=False: self.fit_asked.emit())
+        form.add_row(tr("Lobes"), self.lobes, tr("Number of lobes; the last one models the sharp peak"))
+        self.start = button(tr("Fit Lobes"), tr("Fit the lobes to the table; takes several seconds"))
+        self.start.clicked.connect(lambda _=False: self.fit_requested.emit())
         self.note = wrapped("")
         self.add_part("model", tr("Model"), form, self.start, self.note)
         look = Form()
@@ -94,17 +94,15 @@ class FitPage(AcquirePage):
         )
         look.add_row(tr("Channel"), self.channel, tr("Linear Rec. 2020"))
         self.look = self.add_part("look", tr("Plot"), look)
-        self.facts = Facts(tr("How well the fit stands for the table"))
+        self.facts = Facts(tr("Fit errors"))
         self.errors = self.add_part("errors", tr("Errors"), self.facts)
         self.open = button(
             tr("Open as New Paint"),
-            tr("Start a design in Designer from it, in a tab of its own; nothing is saved yet"),
+            tr("Start an unsaved design from this fit in a new tab"),
         )
-        self.save = button(
-            tr("Save Paint…"), tr("Save the lobes themselves as a .brdfpaint that Viewer opens")
-        )
-        self.open.clicked.connect(lambda _=False: self.open_asked.emit())
-        self.save.clicked.connect(lambda _=False: self.save_asked.emit())
+        self.save = button(tr("Save Paint…"), tr("Save the lobes as a .brdfpaint file for Viewer"))
+        self.open.clicked.connect(lambda _=False: self.open_requested.emit())
+        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
         self.kept = wrapped("")
         self.add_part("result", tr("Result"), self.open, self.save, self.kept)
         self.show_fit(None)
@@ -121,14 +119,13 @@ class FitPage(AcquirePage):
         self.start.setEnabled(has_table or there)
         for part in (self.look, self.errors, self.table):
             part.setVisible(there)
-        self.open.setEnabled(there and state.has_paint)
-        self.save.setEnabled(there and state.has_paint)
+        has_paint = state is not None and state.has_paint
+        self.open.setEnabled(has_paint)
+        self.save.setEnabled(has_paint)
         if state is None:
             self.note.setText("")
             self.plot.show_empty(
-                tr("Not fitted yet.")
-                if has_table
-                else tr("There is no table yet: the reconstruction makes it.")
+                tr("Not fitted yet.") if has_table else tr("No table yet. Run the reconstruction first.")
             )
             return
         self.note.setText("\n".join(state.notices))
@@ -161,7 +158,9 @@ class FitPage(AcquirePage):
         every = chosen >= len(state.theta_d_deg)
         places = range(len(state.theta_d_deg)) if every else (chosen,)
         channel = int(self.channel.currentData())
-        looks = [*CHANNELS] if channel == 3 else [("text", "solid") if channel < 0 else CHANNELS[channel]]
+        looks: list[tuple[Kind, str]] = (
+            [*CHANNELS] if channel == 3 else [("text", "solid") if channel < 0 else CHANNELS[channel]]
+        )
         curves: list[Curve] = []
         for place in places:
             for number, (kind, _dash) in enumerate(looks):

@@ -55,7 +55,8 @@ def fit_state(found: Any) -> FitState:
             tr("Mean |ln|"),
             f"{errors.l1_mean:.4f}",
             tr(
-                "Mean of |ln(fit/measured)| over every measured bin: the paper's energy over its number of terms"
+                "Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 "
+                "divided by its number of terms"
             ),
         ),
         (
@@ -76,19 +77,19 @@ def fit_state(found: Any) -> FitState:
         (
             tr("Samples"),
             f"{fit.samples}",
-            tr("That the solver looked at; the errors are over every measured bin"),
+            tr("Samples used by the solver; errors are computed over all measured bins"),
         ),
-        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("That the fit took")),
+        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
     ]
     spread = fit.standard_errors
-    rows = [(tr("diffuse"), *(_told(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]
+    rows = [(tr("diffuse"), *(with_error(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]
     for lobe in range(len(fit.m)):
         rows.append(
             (
                 tr("lobe {number}").format(number=lobe + 1),
-                *(_told(fit.ks[lobe][c], spread.ks[lobe][c]) for c in range(3)),
-                _told(fit.m[lobe], spread.m[lobe]),
-                _told(fit.r[lobe], spread.r[lobe]),
+                *(with_error(fit.ks[lobe][c], spread.ks[lobe][c]) for c in range(3)),
+                with_error(fit.m[lobe], spread.m[lobe]),
+                with_error(fit.r[lobe], spread.r[lobe]),
             )
         )
     return FitState(
@@ -104,10 +105,10 @@ def fit_state(found: Any) -> FitState:
     )
 
 
-def _told(value: float, error: float) -> str:
+def with_error(value: float, error: float) -> str:
     """Return a value with its standard uncertainty, to one digit of that.
 
-    >>> _told(0.31234, 0.0123)
+    >>> with_error(0.31234, 0.0123)
     '0.31 ± 0.01'
     """
     value, error = float(value), float(error)

@@ -1,4 +1,4 @@
-"""Step 4: where the sphere lies in the picture and where the lamp really was, with what is left over."""
+"""Step 4: where the sphere lies in the picture and where the lamp really was, with the residuals."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QSplitter
 
 from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.marks import Differences, Outline, Points
+from brdf_designer.acquire.pictures.marks import Area, Differences, Outline, Points
 from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.states import GeometryState
@@ -21,25 +21,25 @@ _HALF = 0.5
 
 
 class GeometryPage(AcquirePage):
-    """The page of the geometry. Intents: ``find_asked()``, ``refine_chosen(on)``."""
+    """The page of the geometry. Intents: ``find_requested()``, ``refine_chosen(on)``."""
 
-    find_asked = Signal()
+    find_requested = Signal()
     refine_chosen = Signal(bool)
 
     def __init__(self) -> None:
         super().__init__(
             "geometry",
             tr(
-                "The sphere's outline gives its centre; where the highlights lie tells how far the lamp "
-                "was off."
+                "The outline gives the centre of the sphere; the positions of the highlights "
+                "give the error of the lamp position."
             ),
         )
         self._state: GeometryState | None = None
         self.picture = PictureView(tr("Sphere and highlights"), tr("Not found yet."))
         self.residuals = LinesPlot(
-            tr("What is left between found and expected highlights"),
+            tr("Residuals: found and expected highlights"),
             Axis(tr("Lamp angle (degrees)")),
-            Axis(tr("Off (pixels)")),
+            Axis(tr("Residual (pixels)")),
         )
         split = QSplitter(Qt.Orientation.Vertical)
         split.setHandleWidth(8)
@@ -51,28 +51,32 @@ class GeometryPage(AcquirePage):
         self.centre.addWidget(split, 1)
         self.start = button(
             tr("Find Sphere and Lamp"),
-            tr("Find the outline, the highlights of many positions, and what fits them"),
+            tr("Find the outline and the highlights of many positions, and fit the geometry to them"),
         )
-        self.start.clicked.connect(lambda _=False: self.find_asked.emit())
-        self.refined = QCheckBox(tr("Refine by the highlights"))
+        self.start.clicked.connect(lambda _=False: self.find_requested.emit())
+        self.refined = QCheckBox(tr("Refine from highlights"))
         self.refined.setChecked(True)
         self.refined.setToolTip(
-            tr("Correct the lamp's angle and height and the sphere's centre by where the highlights are")
+            tr("Correct the angle and height of the lamp and the centre of the sphere from the highlights")
         )
         self.refined.toggled.connect(self.refine_chosen)
         self.note = wrapped("")
         self.add_part("find", tr("Geometry"), self.start, self.refined, self.note)
-        self.facts = Facts(tr("What is left over"))
-        self.left = self.add_part("left", tr("Left Over"), self.facts)
-        self.found = Facts(tr("What was refined"))
+        self.facts = Facts(tr("Residuals"))
+        self.left = self.add_part("left", tr("Residuals"), self.facts)
+        self.found = Facts(tr("Refined parameters"))
         self.refinement = self.add_part("refined", tr("Refinement"), self.found)
         form = Form()
-        self.gain = NumberField(tr("Magnified"), "×", 1.0, 500.0, 10.0, 0, 50.0)
+        self.gain = NumberField(tr("Magnification"), "×", 1.0, 500.0, 10.0, 0, 50.0)
         self.gain.edited.connect(lambda _value: self._draw_marks())
         self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw_picture())
-        form.add_row(tr("Magnified"), self.gain, tr("How many times as long the differences are drawn"))
-        form.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        form.add_row(
+            tr("Magnification"), self.gain, tr("Factor by which the drawn differences are magnified")
+        )
+        form.add_row(
+            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
+        )
         self.look = self.add_part("look", tr("Picture"), form)
         self.show_geometry(None)
 
@@ -105,7 +109,7 @@ class GeometryPage(AcquirePage):
                 Curve(
                     state.angles_deg[off],
                     state.residual_px[off],
-                    tr("left out"),
+                    tr("excluded"),
                     "faint",
                     mark="points",
                     width=2.0,
@@ -124,8 +128,8 @@ class GeometryPage(AcquirePage):
         if state is None:
             return
         gain = self.gain.value()
-        marks = [
-            Outline(state.outline + _HALF, tr("outline that was fitted")),
+        marks: list[Outline | Points | Differences | Area] = [
+            Outline(state.outline + _HALF, tr("fitted outline")),
             Points(state.predicted + _HALF, tr("highlight, expected"), "ring"),
             Points(state.found + _HALF, tr("highlight, found"), "cross"),
             Differences(
@@ -137,5 +141,5 @@ class GeometryPage(AcquirePage):
         ]
         rejected = state.edge[~state.edge_used]
         if len(rejected):
-            marks.append(Points(rejected + _HALF, tr("edge that was left out"), "dot"))
+            marks.append(Points(rejected + _HALF, tr("excluded edge"), "dot"))
         self.picture.show_marks(marks)

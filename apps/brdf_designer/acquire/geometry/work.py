@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
+from numpy.typing import ArrayLike, NDArray
 
 from brdf_designer.acquire.exposures.work import LONGEST_SIDE
 from brdf_designer.acquire.pictures.tone import tones_of_linear
+from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, response_found
 from brdf_designer.acquire.states import GeometryState, Problem
-from brdf_designer.acquire.workbench import RoadRequest
 from brdf_suite.progress import Progress, subrange
 
 if TYPE_CHECKING:
@@ -37,7 +38,7 @@ class GeometryAnswer:
     response: ResponseFound | None
 
 
-def road_of(request: RoadRequest) -> Acquisition:
+def open_acquisition(request: StepRequest) -> Acquisition:
     """Take the road up where the request says."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
@@ -49,9 +50,9 @@ def road_of(request: RoadRequest) -> Acquisition:
     return road
 
 
-def find_geometry(request: RoadRequest, progress: Progress) -> GeometryAnswer:
+def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
     """Find sphere and lamp; the response first, where it is not known."""
-    road = road_of(replace(request, geometry=None))
+    road = open_acquisition(replace(request, geometry=None))
     response = None
     start = 0.0
     if request.response is None:
@@ -72,7 +73,7 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         (
             tr("Outline"),
             tr("{rms:.3f} px RMS").format(rms=outline.rms_px),
-            tr("Root mean square distance of the edge that was seen from the outline that was fitted"),
+            tr("Root mean square distance of the detected edge from the fitted outline"),
         )
     ]
     parameters: list[tuple[str, str, str]] = []
@@ -84,19 +85,19 @@ def geometry_found(road: Acquisition) -> GeometryFound:
             (
                 tr("Highlights"),
                 tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.rms_px, deg=refinement.rms_deg),
-                tr("What is left between found and expected highlights after the refinement"),
+                tr("Distance of found from expected highlights after the refinement"),
             ),
             (
                 tr("Before"),
                 tr("{px:.3f} px, {deg:.4f}° RMS").format(px=refinement.before_px, deg=refinement.before_deg),
-                tr("The same with the numbers of session.json"),
+                tr("Residuals before the refinement, with the values of session.json"),
             ),
             (
                 tr("Used"),
                 tr("{used} of {count} highlights").format(
                     used=int((~refinement.outliers).sum()), count=len(refinement.outliers)
                 ),
-                tr("The others do not belong: a second reflection, or the arm"),
+                tr("The others are outliers, such as a second reflection or the arm"),
             ),
         ]
         parameters = [_refined(row) for row in refinement.parameters if row.observed > 0.005]
@@ -106,12 +107,16 @@ def geometry_found(road: Acquisition) -> GeometryFound:
         off = found - geometry.highlights(seen) if len(seen) else found
     step = max(1, -(-max(union.shape) // LONGEST_SIDE))
     around = geometry.outline(np.linspace(0.0, 2.0 * np.pi, _OUTLINE_POINTS))
-    scaled = lambda places: (np.asarray(places, float) + 0.5) / step - 0.5  # noqa: E731 - one line, used four times
+
+    def scaled(places: ArrayLike) -> NDArray[np.float64]:
+        result: NDArray[np.float64] = (np.asarray(places, np.float64) + 0.5) / step - 0.5
+        return result
+
     rig = [
         (
             tr("Sphere"),
             "{:.1f}, {:.1f} px".format(*np.mean(around[:-1], axis=0)),
-            tr("Middle of its outline, column and row"),
+            tr("Centre of its outline: column and row"),
         ),
         (
             tr("Distance"),
@@ -125,7 +130,10 @@ def geometry_found(road: Acquisition) -> GeometryFound:
             (
                 tr("Lens"),
                 tr("{rms:.3f} px RMS").format(rms=float(lens_rms)),
-                tr("Distance of the board's corners from where the calibrated camera expects them"),
+                tr(
+                    "Distance of the corners of the board from the positions that the calibrated "
+                    "camera predicts"
+                ),
             )
         )
     state = GeometryState(
@@ -157,7 +165,7 @@ def _refined(row: Any) -> tuple[str, str, str]:
     value = tr("{value} ± {sigma}\nstated {stated}").format(
         value=found, sigma=sigma + unit, stated=stated + unit
     )
-    told = tr("The highlights tell {share:.0f} % of it: {why}").format(
+    share = tr("The highlights determine {share:.0f} % of it: {why}").format(
         share=100.0 * row.observed, why=row.why
     )
-    return row.name, value, told
+    return row.name, value, share

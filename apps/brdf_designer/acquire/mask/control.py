@@ -16,7 +16,7 @@ from brdf_designer.acquire.mask.history import Mask
 from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
-from brdf_designer.acquire.workbench import Workbench
+from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
 
@@ -48,7 +48,7 @@ class _Read:
 class MaskControl(QObject):
     """Shows a picture below the mask, and writes the mask when the hand pauses."""
 
-    def __init__(self, bench: Workbench, page: MaskPage) -> None:
+    def __init__(self, bench: ReconstructionSession, page: MaskPage) -> None:
         super().__init__(bench)
         self._bench, self._page = bench, page
         self._fresh = True
@@ -59,7 +59,7 @@ class MaskControl(QObject):
         self._pause.timeout.connect(self.write_pending)
         page.mask_edited.connect(self._edited)
         page.position_chosen.connect(self._show_position)
-        page.everything_asked.connect(self._take_everything)
+        page.everything_requested.connect(self._take_everything)
         bench.opened.connect(self._opened)
         bench.found.connect(self._found)
         bench.window.step_shown.connect(self._shown)
@@ -81,13 +81,13 @@ class MaskControl(QObject):
         try:
             session = write_session_mask(bench.folder, bench.session, history.used)
         except SuiteError as error:
-            todo = tr("The mask is kept here; the next stroke tries again.")
+            todo = tr("The mask is kept in this window. The next stroke saves it again.")
             bench.say(message_of(error, "mask", todo=todo))
             return
         self._unwritten = False
         bench.window.messages.dismiss("mask")
         bench.edit(session, forget=None)
-        self._tell()
+        self._report()
 
     def _opened(self) -> None:
         self._pause.stop()
@@ -115,7 +115,7 @@ class MaskControl(QObject):
             self._fresh = False
             used = answer.mask if answer.mask is not None else np.ones(answer.shape, bool)
             self._page.show_mask(used)
-            self._tell()
+            self._report()
 
     def _take_everything(self) -> None:
         history = self._page.picture.history
@@ -124,28 +124,28 @@ class MaskControl(QObject):
 
     def _edited(self) -> None:
         self._unwritten = True
-        self._bench.forget("table")
+        self._bench.invalidate("table")
         self._pause.start()
 
-    def _tell(self) -> None:
+    def _report(self) -> None:
         session = self._bench.session
         if session is None:
             return
         if session.mask is None:
             self._page.show_kept(
-                tr("Nothing is left out. What is painted is kept in the folder as {file}.").format(
+                tr("No pixels are excluded. The mask is saved in the folder as {file}.").format(
                     file=MASK_FILE
                 )
             )
         else:
-            self._page.show_kept(tr("Kept in the folder as {file}.").format(file=session.mask))
-        self._bench.window.show_step("mask", "done", session.mask or tr("everything is used"))
+            self._page.show_kept(tr("Saved in the folder as {file}.").format(file=session.mask))
+        self._bench.window.show_step("mask", "done", session.mask or tr("no pixels excluded"))
 
     def _found(self, key: str) -> None:
         """Draw the sphere's outline below the mask, as soon as it is known."""
         if key != "geometry":
             return
-        found = self._bench.have.get("geometry")
+        found = self._bench.results.get("geometry")
         if found is None:
             self._page.show_outline(None)
             return

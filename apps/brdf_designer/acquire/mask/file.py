@@ -39,7 +39,7 @@ def write_session_mask(folder: Path, session: Session, used: Mask) -> Session:
     stream = io.BytesIO()
     Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
     write_atomically(folder / name, stream.getvalue())
-    # What somebody else has written there meanwhile is kept: only the mask's name is changed.
+    # Changes that other programs made meanwhile are kept: only the mask's name is changed.
     present = read_session(folder)
     if present.mask != name:
         present = replace(present, mask=name)

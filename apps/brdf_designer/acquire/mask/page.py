@@ -22,29 +22,29 @@ from brdf_designer.acquire.pictures.tone import Tones, drawn
 class MaskPage(AcquirePage):
     """The page of the mask.
 
-    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_asked()``.
+    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_requested()``.
     """
 
     mask_edited = Signal()
     position_chosen = Signal(int)
-    everything_asked = Signal()
+    everything_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
             "mask",
             tr(
-                "Paint over what is not the sphere's own light: the arm, its reflection, dust. The lower "
-                "half is left out anyway."
+                "Paint over the arm, its reflection and dust to exclude them. The lower half "
+                "is always excluded."
             ),
         )
         self._tones: Tones | None = None
-        self.picture = MaskView(tr("The mask over a photograph"), tr("Open a session first."))
+        self.picture = MaskView(tr("Mask over a photograph"), tr("Open a session first."))
         self.centre.addWidget(self.picture, 1)
-        self.leave_out, self.take_in = ChoiceButton(tr("Leave Out")), ChoiceButton(tr("Take In"))
+        self.leave_out, self.take_in = ChoiceButton(tr("Exclude")), ChoiceButton(tr("Include"))
         modes = QButtonGroup(self)
         for one, tip in (
-            (self.leave_out, tr("The brush leaves pixels out of the measurement (X changes)")),
-            (self.take_in, tr("The brush takes pixels back into the measurement (X changes)")),
+            (self.leave_out, tr("The brush excludes pixels from the measurement (X switches)")),
+            (self.take_in, tr("The brush includes pixels in the measurement again (X switches)")),
         ):
             modes.addButton(one)
             one.setToolTip(plain_tip(tip))
@@ -60,10 +60,14 @@ class MaskPage(AcquirePage):
         )
         self.radius.edited.connect(self.picture.set_radius)
         self.picture.radius_changed.connect(self.radius.set_value)
-        form.add_row(tr("Radius"), self.radius, tr("Of the brush; [ and ] change it over the picture"))
+        form.add_row(
+            tr("Radius"),
+            self.radius,
+            tr("Radius of the brush; [ and ] change it while the picture has the focus"),
+        )
         self.undo, self.redo = (
-            button(tr("Undo"), tr("Take the newest stroke back (Ctrl+Z)")),
-            button(tr("Redo"), tr("Paint again what was taken back (Ctrl+Shift+Z)")),
+            button(tr("Undo"), tr("Undo the last stroke (Ctrl+Z)")),
+            button(tr("Redo"), tr("Redo the last undone stroke (Ctrl+Shift+Z)")),
         )
         self.undo.clicked.connect(lambda _=False: self.picture.undo())
         self.redo.clicked.connect(lambda _=False: self.picture.redo())
@@ -71,10 +75,8 @@ class MaskPage(AcquirePage):
         self.add_part(
             "brush", tr("Brush"), beside(self.leave_out, self.take_in), form, beside(self.undo, self.redo)
         )
-        self.everything = button(
-            tr("Take In Everything"), tr("Begin again with a mask that leaves nothing out")
-        )
-        self.everything.clicked.connect(lambda _=False: self.everything_asked.emit())
+        self.everything = button(tr("Include All"), tr("Replace the mask by one that excludes no pixels"))
+        self.everything.clicked.connect(lambda _=False: self.everything_requested.emit())
         self.facts = Facts(tr("The mask"))
         self.kept = wrapped("")
         self.add_part("mask", tr("Mask"), self.facts, self.everything, self.kept)
@@ -84,9 +86,11 @@ class MaskPage(AcquirePage):
         self.where = wrapped("")
         self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
-        look.add_row(tr("Position"), self.position, tr("Which position's photograph lies below the mask"))
+        look.add_row(tr("Position"), self.position, tr("Position of the photograph below the mask"))
         look.add_wide(self.where)
-        look.add_row(tr("Brightness"), self.brightness, tr("Of the picture on the screen alone, in stops"))
+        look.add_row(
+            tr("Brightness"), self.brightness, tr("Brightness of the displayed picture only, in stops")
+        )
         self.add_part("look", tr("Picture"), look)
         self._show_state()
 
@@ -97,7 +101,7 @@ class MaskPage(AcquirePage):
         self.position.setRange(0, max(0, len(angles_deg) - 1))
         self.position.setValue(len(angles_deg) // 2)
         self.position.blockSignals(False)
-        self._tell_position(self.position.value())
+        self._report_position(self.position.value())
 
     _angles: tuple[float, ...] = ()
 
@@ -136,9 +140,9 @@ class MaskPage(AcquirePage):
         self.facts.show_rows(
             (
                 (
-                    tr("Left out"),
+                    tr("Excluded"),
                     percent(share),
-                    tr("Share of all pixels of the picture that the mask leaves out"),
+                    tr("Share of all pixels of the picture that the mask excludes"),
                 ),
             )
         )
@@ -147,10 +151,10 @@ class MaskPage(AcquirePage):
         (self.take_in if takes_in else self.leave_out).setChecked(True)
 
     def _move(self, index: int) -> None:
-        self._tell_position(index)
+        self._report_position(index)
         self.position_chosen.emit(index)
 
-    def _tell_position(self, index: int) -> None:
+    def _report_position(self, index: int) -> None:
         if index < len(self._angles):
             self.where.setText(tr("Lamp at {angle:g}°").format(angle=self._angles[index]))
 

@@ -34,8 +34,9 @@ class MaskView(PictureView):
         super().__init__(name, empty_text, parent)
         self.setToolTip(
             tr(
-                "Drag to paint, with Ctrl the other way round; by keys: arrows move the brush, Space paints, "
-                "[ and ] change its size, X what it does. Wheel zooms, Shift drag moves, F frames."
+                "Drag to paint (Ctrl: erase). Keys: arrows move the brush, Space paints, [ and "
+                "] change its size, X switches its mode. Wheel zooms, Shift drag pans, F "
+                "frames."
             )
         )
         self.history: MaskHistory | None = None
@@ -94,7 +95,7 @@ class MaskView(PictureView):
     def _show(self) -> None:
         marks = list(self._under)
         if self.history is not None:
-            marks.append(Area(area_of(~self.history.used), tr("left out")))
+            marks.append(Area(area_of(~self.history.used), tr("excluded")))
         self.show_marks(marks)
 
     def draw_over(self, painter: QPainter) -> None:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
 Mark = Literal["line", "points", "fill"]
-# Red, green and blue that protan, deutan and tritan eyes tell apart, on dark and on light grounds.
+# Red, green and blue that protan, deutan and tritan eyes distinguish, on dark and on light grounds.
 _COLOURS = {"red": ("#d9694f", "#b5452c"), "green": ("#8fbf6a", "#4f8a2b"), "blue": ("#6f9ae0", "#2f5fb0")}
 _DASHES: dict[str, tuple[float, ...]] = {
     "solid": (),

@@ -40,7 +40,7 @@ class AngleMap:
 
 
 class MapPlot(QWidget):
-    """One map; ``hovered(row, column)`` tells the cell under the cursor, (−1, −1) none."""
+    """One map; ``hovered(row, column)`` gives the cell under the cursor, (−1, −1) none."""
 
     hovered = Signal(int, int)
 
@@ -74,7 +74,7 @@ class MapPlot(QWidget):
         self._image = image_of(np.rint(30.0 + 210.0 * share).astype(np.uint8)[::-1])
         self._unknown = area_of(unknown[::-1])
         self.setAccessibleDescription(
-            tr("{share:.0f} % of the cells hold something").format(share=100.0 * float(1.0 - unknown.mean()))
+            tr("{share:.0f} % of the cells contain data").format(share=100.0 * float(1.0 - unknown.mean()))
         )
         self.update()
 

@@ -1,6 +1,6 @@
 """A picture that takes the window: zoomed by the wheel, moved by a drag, with marks over it.
 
-F frames it, + and − zoom, the arrow keys move it. ``hovered(x, y)`` tells the pixel under the cursor, in the picture's
+F frames it, + and − zoom, the arrow keys move it. ``hovered(x, y)`` gives the pixel under the cursor, in the picture's
 own pixels; ``left_picture()`` that there is none.
 """
 
@@ -46,7 +46,7 @@ class PictureView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(160, 120)
-        self.setToolTip(tr("Wheel, + and − zoom; middle or Shift drag and the arrow keys move; F frames"))
+        self.setToolTip(tr("Wheel, + and − zoom; middle drag, Shift drag and the arrow keys pan; F frames"))
         self._empty = empty_text
         self._image = QImage()
         self._marks: tuple[Mark, ...] = ()

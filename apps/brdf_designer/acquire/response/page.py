@@ -14,27 +14,26 @@ from brdf_designer.acquire.states import ResponseState
 
 
 class ResponsePage(AcquirePage):
-    """The page of the response curve. Intents: ``recover_asked()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
+    """Page of the response curve. Intents: ``recover_requested()``, ``kind_chosen(name)``: ``auto`` or ``linear``."""
 
-    recover_asked = Signal()
+    recover_requested = Signal()
     kind_chosen = Signal(str)
 
     def __init__(self) -> None:
         super().__init__(
             "response",
             tr(
-                "The same light with different exposures tells what each code means; the curve is found "
-                "from all of them."
+                "The response curve is estimated from photographs of the same light with different exposures."
             ),
         )
         self.plot = LinesPlot(
-            tr("Response of the camera"),
+            tr("Camera response"),
             Axis(tr("Code")),
             Axis(tr("Exposure (half at the middle code)"), log=True),
         )
         self.plot.put_legend(left=True)
         self.times = LinesPlot(
-            tr("Stated exposure times against what the photographs say"),
+            tr("Stated exposure times compared with estimates from the photographs"),
             Axis(tr("Stated time (ms)"), log=True),
             Axis(tr("Difference (%)")),
         )
@@ -47,21 +46,24 @@ class ResponsePage(AcquirePage):
         split.setChildrenCollapsible(False)
         self.centre.addWidget(split, 1)
         self.kind = QuietComboBox()
-        self.kind.addItem(tr("As session.json says"), "auto")
+        self.kind.addItem(tr("From session.json"), "auto")
         self.kind.addItem(tr("Linear camera"), "linear")
-        self.kind.setAccessibleName(tr("Kind of response"))
+        self.kind.setAccessibleName(tr("Response type"))
         self.kind.setToolTip(
-            tr("Recovered from the photographs where session.json names no curve; or taken as linear")
+            tr(
+                "From session.json: estimated from the photographs if session.json names no "
+                "curve. Linear camera: no curve"
+            )
         )
         self.kind.activated.connect(lambda _index: self.kind_chosen.emit(str(self.kind.currentData())))
         self.start = button(
-            tr("Find the Response"), tr("Find the curve from photographs of several positions")
+            tr("Find Response"), tr("Estimate the response curve from photographs of several positions")
         )
-        self.start.clicked.connect(lambda _=False: self.recover_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.recover_requested.emit())
         self.note = wrapped("")
         self.add_part("find", tr("Response"), self.kind, self.start, self.note)
-        self.facts = Facts(tr("How well the curve is known"))
-        self.known = self.add_part("known", tr("How Well It Is Known"), self.facts)
+        self.facts = Facts(tr("Quality of the response curve"))
+        self.known = self.add_part("known", tr("Quality"), self.facts)
         self.show_response(None)
 
     def show_response(self, state: ResponseState | None) -> None:
@@ -75,7 +77,7 @@ class ResponsePage(AcquirePage):
         self.note.setText(
             tr("The camera is linear.")
             if state.linear
-            else tr("Codes outside the thick lines are not trusted.")
+            else tr("Codes outside the thick lines are not reliable.")
         )
         channels, codes = state.exposure.shape
         code = np.arange(codes, dtype=float)
@@ -101,7 +103,7 @@ class ResponsePage(AcquirePage):
                 [
                     Curve(1e3 * stated, np.zeros_like(off), "", "faint", "dash"),
                     Curve(
-                        1e3 * stated, 100.0 * off, tr("found less stated"), "text", mark="points", width=3.0
+                        1e3 * stated, 100.0 * off, tr("estimated − stated"), "text", mark="points", width=3.0
                     ),
                 ]
             )

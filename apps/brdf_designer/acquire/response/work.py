@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from brdf_qt.program.translation import tr
 
+from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.states import ResponseState
-from brdf_designer.acquire.workbench import RoadRequest
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class ResponseFound:
     kept: bool = False
 
 
-def find_response(request: RoadRequest, progress: Progress) -> ResponseFound:
+def find_response(request: StepRequest, progress: Progress) -> ResponseFound:
     """Find the response of the camera."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
@@ -43,10 +43,10 @@ def response_found(road: Acquisition) -> ResponseFound:
     if response is None:
         return ResponseFound(None, None)
     facts = [
-        (tr("Bits"), f"{response.bit_depth}", tr("Of a code")),
-        (tr("Black"), _each(response.black, "{:.1f}"), tr("The code without light, per channel")),
+        (tr("Bits"), f"{response.bit_depth}", tr("Bits per code")),
+        (tr("Black"), _each(response.black, "{:.1f}"), tr("Code without light, per channel")),
         (
-            tr("Trusted"),
+            tr("Reliable"),
             tr("codes {low} to {high}").format(
                 low=int(response.lowest.max()), high=int(response.highest.min())
             ),
@@ -55,7 +55,7 @@ def response_found(road: Acquisition) -> ResponseFound:
         (
             tr("Read noise"),
             _each(100.0 * response.read, "{:.3f}", " %"),
-            tr("Standard deviation in the dark, of the full scale of a linear camera"),
+            tr("Standard deviation in the dark, relative to the full scale of a linear camera"),
         ),
     ]
     times: tuple[tuple[float, float], ...] = ()
@@ -67,15 +67,15 @@ def response_found(road: Acquisition) -> ResponseFound:
             (
                 tr("Times"),
                 tr("within {worst:.2f} %").format(worst=100.0 * float(np.abs(off).max())),
-                tr("Largest difference between a stated exposure time and what the photographs say"),
+                tr("Largest difference between a stated exposure time and its estimate from the photographs"),
             ),
             (
-                tr("From linear"),
+                tr("Nonlinearity"),
                 _each(100.0 * np.asarray(fit.linear_rms), "{:.1f}", " %"),
                 tr("RMS distance of the curve from a straight line, in the logarithm of the exposure"),
             ),
-            (tr("Pixels"), thousands(int(np.sum(fit.pixels))), tr("That took part")),
-            (tr("Iterations"), str(fit.iterations), tr("Until nothing changed any more")),
+            (tr("Pixels"), thousands(int(np.sum(fit.pixels))), tr("Photographs that were used")),
+            (tr("Iterations"), str(fit.iterations), tr("Iterations until convergence")),
         ]
     state = ResponseState(
         np.asarray(response.exposure, float),

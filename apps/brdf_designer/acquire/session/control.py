@@ -13,9 +13,9 @@ from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
 from brdf_designer.acquire.pictures.tone import drawn
+from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.states import Problem, Series, SessionState
-from brdf_designer.acquire.workbench import Workbench
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
 
@@ -41,7 +41,7 @@ class _Opened:
 class SessionControl(QObject):
     """Joins the session's page to the workbench."""
 
-    def __init__(self, bench: Workbench, page: SessionPage, dialogs: Dialogs) -> None:
+    def __init__(self, bench: ReconstructionSession, page: SessionPage, dialogs: Dialogs) -> None:
         super().__init__(bench)
         self._bench, self._page, self._dialogs = bench, page, dialogs
         self.problems: tuple[Problem, ...] | None = None
@@ -52,9 +52,9 @@ class SessionControl(QObject):
         self._pause.setSingleShot(True)
         self._pause.setInterval(_PAUSE_MS)
         self._pause.timeout.connect(self.write_pending)
-        page.open_asked.connect(self.ask)
-        page.template_asked.connect(self.ask_new)
-        page.check_asked.connect(self.check)
+        page.open_requested.connect(self.ask)
+        page.template_requested.connect(self.ask_new)
+        page.check_requested.connect(self.check)
         page.number_edited.connect(self._edited)
         bench.window.folder_dropped.connect(lambda name: self.open(Path(name)))
         bench.opened.connect(self._opened)
@@ -80,7 +80,7 @@ class SessionControl(QObject):
         """Make a folder from the template, and open it."""
 
         def refused(error: Exception) -> None:
-            self._bench.say(message_of(error, "open", todo=tr("Nothing was written.")))
+            self._bench.say(message_of(error, "open", todo=tr("No file was written.")))
 
         # On a thread: it looks into every photograph that lies there.
         self._bench.run("make", _make, folder, self.open, failed=refused)
@@ -89,7 +89,7 @@ class SessionControl(QObject):
         """Read a session by its folder or its session.json, and check it."""
         self.write_pending()
         folder = path if path.is_dir() else path.parent
-        todo = tr("The session that was open is unchanged.") if self._bench.session is not None else ""
+        todo = tr("The open session is unchanged.") if self._bench.session is not None else ""
         self._bench.run("open", _open, folder, self._taken, todo=todo)
 
     def check(self) -> None:
@@ -149,9 +149,9 @@ class SessionControl(QObject):
             return
         before = self._bench.session
         try:
-            after = edited(before, pending)
+            after = apply_edit(before, pending)
         except SuiteError as error:
-            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._bench.say(message_of(error, "edit", todo=tr("session.json is unchanged.")))
             self._show()
             return
         if after != before and self._write(after):
@@ -185,7 +185,7 @@ class SessionControl(QObject):
                     Message(
                         "edit",
                         tr("session.json was changed by another program since it was opened here."),
-                        todo=tr("Check Again reads it; then edit once more."),
+                        todo=tr("Click Check Again to read it, then repeat the edit."),
                         severity="warning",
                     )
                 )
@@ -193,7 +193,7 @@ class SessionControl(QObject):
                 return False
             write_session(session, self._bench.folder)
         except SuiteError as error:
-            self._bench.say(message_of(error, "edit", todo=tr("session.json keeps what it had.")))
+            self._bench.say(message_of(error, "edit", todo=tr("session.json is unchanged.")))
             self._show()
             return False
         self._bench.window.messages.dismiss("edit")
@@ -203,7 +203,7 @@ class SessionControl(QObject):
     def _last_folder(self) -> Path:
         if self._bench.folder is not None:
             return self._bench.folder
-        kept = Path(settings().value(_LAST, "", type=str) or Path.home())
+        kept = Path(str(settings().value(_LAST, "", type=str)) or Path.home())
         return kept if kept.is_dir() else Path.home()
 
 
@@ -251,7 +251,7 @@ def _value(session: Session, key: str) -> float:
     return float(getattr(getattr(session, part), name))
 
 
-def edited(session: Session, values: dict[str, float]) -> Session:
+def apply_edit(session: Session, values: dict[str, float]) -> Session:
     """Return the session with these numbers, in the units of the fields."""
     changed: dict[str, dict[str, Any]] = {}
     for key, value in values.items():

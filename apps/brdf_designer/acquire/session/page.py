@@ -35,7 +35,7 @@ NUMBERS = (
         100_000.0,
         1.0,
         1,
-        mark("From the centre of projection to the axis of the turntable, level"),
+        mark("Horizontal distance from the centre of projection to the axis of the turntable"),
     ),
     (
         "camera.height_m",
@@ -45,7 +45,7 @@ NUMBERS = (
         50_000.0,
         1.0,
         1,
-        mark("Above the centre of the sphere"),
+        mark("Height above the centre of the sphere"),
     ),
     (
         "camera.tilt_deg",
@@ -55,7 +55,7 @@ NUMBERS = (
         89.0,
         0.1,
         2,
-        mark("Of the optical axis, positive upwards"),
+        mark("Tilt of the optical axis, positive upwards"),
     ),
     (
         "light.distance_m",
@@ -65,7 +65,7 @@ NUMBERS = (
         100_000.0,
         1.0,
         1,
-        mark("From the lamp to the axis of the turntable, level"),
+        mark("Horizontal distance from the lamp to the axis of the turntable"),
     ),
     (
         "light.height_m",
@@ -75,7 +75,7 @@ NUMBERS = (
         50_000.0,
         1.0,
         1,
-        mark("Above the centre of the sphere"),
+        mark("Height above the centre of the sphere"),
     ),
     (
         "light.angle_offset_deg",
@@ -85,7 +85,7 @@ NUMBERS = (
         45.0,
         0.1,
         2,
-        mark("A known error of the turntable's zero, added to every stated angle"),
+        mark("Known zero error of the turntable; added to every stated angle"),
     ),
 )
 """Key in the session, name, unit, range, step, decimals and explanation; millimetres stand for metres there."""
@@ -97,19 +97,19 @@ _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note
 class SessionPage(AcquirePage):
     """The page of the session.
 
-    Intents: ``open_asked()``, ``template_asked()``, ``check_asked()``, ``number_edited(key, value)`` in the field's
-    unit.
+    Intents: ``open_requested()``, ``template_requested()``, ``check_requested()``, ``number_edited(key, value)`` in
+    the unit of the field.
     """
 
-    open_asked = Signal()
-    template_asked = Signal()
-    check_asked = Signal()
+    open_requested = Signal()
+    template_requested = Signal()
+    check_requested = Signal()
     number_edited = Signal(str, float)
 
     def __init__(self) -> None:
         super().__init__(
             "session",
-            tr("A folder with photographs of the painted sphere and a session.json that describes them."),
+            tr("Photographs of the painted sphere in a folder, described by a session.json."),
         )
         self.picture = PictureView(tr("A photograph of the session"))
         self.centre.addWidget(self.picture, 3)
@@ -117,16 +117,16 @@ class SessionPage(AcquirePage):
         self.verdict = wrapped("")
         self.centre.addWidget(self.verdict)
         self.centre.addWidget(self.problems, 2)
-        self.open_button = button(tr("Open Folder…"), tr("Open a folder that has a session.json"))
+        self.open_button = button(tr("Open Folder…"), tr("Open a folder with a session.json"))
         self.template_button = button(
-            tr("New Folder…"), tr("Make a folder with a session.json to fill in, for photographs to come")
+            tr("New Folder…"), tr("Create a folder with a session.json template for new photographs")
         )
-        self.open_button.clicked.connect(lambda _=False: self.open_asked.emit())
-        self.template_button.clicked.connect(lambda _=False: self.template_asked.emit())
+        self.open_button.clicked.connect(lambda _=False: self.open_requested.emit())
+        self.template_button.clicked.connect(lambda _=False: self.template_requested.emit())
         self.folder = wrapped("")
         self.folder.setAccessibleName(tr("Folder"))
-        self.check_button = button(tr("Check Again"), tr("Look at every photograph of the folder once more"))
-        self.check_button.clicked.connect(lambda _=False: self.check_asked.emit())
+        self.check_button = button(tr("Check Again"), tr("Check all photographs of the folder again"))
+        self.check_button.clicked.connect(lambda _=False: self.check_requested.emit())
         self.add_part(
             "folder",
             tr("Folder"),
@@ -141,11 +141,9 @@ class SessionPage(AcquirePage):
             field.edited.connect(lambda value, key=key: self.number_edited.emit(key, value))
             form.add_row(tr(name), field, tr(tip))
             self.fields[key] = field
-        self.kept = wrapped(
-            tr("What is changed here is written to session.json at once; Ctrl+Z takes it back.")
-        )
+        self.kept = wrapped(tr("Changes are saved immediately. Undo: Ctrl+Z."))
         self.rig = self.add_part("rig", tr("Rig"), form, self.kept)
-        self.facts = Facts(tr("What the session holds"))
+        self.facts = Facts(tr("Contents of the session"))
         self.about = self.add_part("photographs", tr("Photographs"), self.facts)
         self.show_session(None)
 
@@ -158,8 +156,8 @@ class SessionPage(AcquirePage):
             self.folder.setText(tr("No folder is open."))
             self.picture.show_empty(
                 tr(
-                    "Open a folder of photographs, or make a new one: its session.json tells what to "
-                    "photograph."
+                    "Open a folder of photographs, or create a new one. Its session.json lists the "
+                    "photographs to take."
                 )
             )
             self.show_problems(None)
@@ -170,32 +168,32 @@ class SessionPage(AcquirePage):
         first, last = state.angles_deg[0], state.angles_deg[-1]
         short, long = 1e3 * state.exposures_s[0], 1e3 * state.exposures_s[-1]
         rows = [
-            (tr("Name"), state.name, tr("As session.json has it")),
+            (tr("Name"), state.name, tr("Name in session.json")),
             (
                 tr("Positions"),
                 tr("{count}, {first:g} to {last:g}°").format(
                     count=len(state.angles_deg), first=first, last=last
                 ),
-                tr("Angles of the lamp; 0° is in front of the camera"),
+                tr("Lamp angles; 0° is at the camera"),
             ),
             (
                 tr("Exposures"),
                 tr("{count}, {short:g} to {long:g} ms").format(
                     count=len(state.exposures_s), short=short, long=long
                 ),
-                tr("Of every position, shortest first"),
+                tr("Exposures of each position, shortest first"),
             ),
             (
                 tr("Codes"),
                 tr("{bits} bits, response: {response}").format(bits=state.bit_depth, response=state.response),
-                tr("What the numbers of a pixel mean"),
+                tr("Encoding of the pixel values"),
             ),
         ]
         if state.date:
-            rows.append((tr("Date"), state.date, tr("As session.json has it")))
+            rows.append((tr("Date"), state.date, tr("Name in session.json")))
         rows += [("", extra, "") for extra in state.extras]
         if state.notes:
-            rows.append((tr("Notes"), state.notes, tr("As session.json has it")))
+            rows.append((tr("Notes"), state.notes, tr("Name in session.json")))
         self.facts.show_rows(rows)
 
     def keep_opened(self) -> None:
@@ -214,21 +212,19 @@ class SessionPage(AcquirePage):
         wrong = sum(problem.severity == "error" for problem in problems)
         if wrong:
             self.verdict.setText(
-                tr("Errors: {count}. What they name must be put right, or is left out.").format(count=wrong)
+                tr("Errors: {count}. Fix them, or the affected photographs are skipped.").format(count=wrong)
             )
         elif problems:
-            self.verdict.setText(tr("No errors. To know: {count}.").format(count=len(problems)))
+            self.verdict.setText(tr("No errors. Notes: {count}.").format(count=len(problems)))
         else:
-            self.verdict.setText(
-                tr("{count} photographs looked at; nothing is wrong.").format(count=photographs)
-            )
+            self.verdict.setText(tr("{count} photographs checked, no problems.").format(count=photographs))
 
 
 def problem_list(name: str) -> QTreeWidget:
     """Return an empty list of problems."""
     made = QTreeWidget()
     made.setAccessibleName(name)
-    made.setToolTip(tr("What a check found, the file it is about, and why"))
+    made.setToolTip(tr("Problems found by the check: file, kind and reason"))
     made.setHeaderLabels([tr("Kind"), tr("File"), tr("Reason")])
     made.setRootIsDecorated(False)
     made.setWordWrap(True)

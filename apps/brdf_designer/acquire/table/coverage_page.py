@@ -20,16 +20,16 @@ _TICKS_DEG = (0.0, 2.0, 10.0, 30.0, 60.0, 90.0)
 
 
 class CoveragePage(AcquirePage):
-    """The page of the coverage. Intents: ``save_asked()``."""
+    """The page of the coverage. Intents: ``save_requested()``."""
 
-    save_asked = Signal()
+    save_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
             "coverage",
             tr(
-                "The table over the half vector: θh from the normal, θd between light and half vector. "
-                "Hatched: filled from neighbours."
+                "Coverage over the half-vector angles: θh from the normal, θd between light "
+                "and half vector. Hatched cells are filled from neighbours."
             ),
         )
         self._state: CoverageState | None = None
@@ -38,12 +38,12 @@ class CoveragePage(AcquirePage):
         self.what = QuietComboBox()
         for key, name in (
             ("share", tr("Share of the φd bins measured")),
-            ("pixels", tr("Pixels in them")),
+            ("pixels", tr("Pixels per cell")),
             ("error", tr("Relative standard error")),
         ):
             self.what.addItem(name, key)
-        self.what.setAccessibleName(tr("What the map shows"))
-        self.what.setToolTip(tr("What the grey of a cell means"))
+        self.what.setAccessibleName(tr("Quantity on the map"))
+        self.what.setToolTip(tr("Quantity that the grey of a cell represents"))
         self.what.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.what.currentIndexChanged.connect(lambda _index: self._draw())
         self.cell = Facts(tr("The cell under the cursor"))
@@ -51,9 +51,9 @@ class CoveragePage(AcquirePage):
         self.facts = Facts(tr("The table"))
         self.known = self.add_part("table", tr("Table"), self.facts)
         self.save = button(
-            tr("Save Table…"), tr("As .brdftable with its coverage, or as .binary in the MERL layout")
+            tr("Save Table…"), tr("Save as .brdftable with the coverage, or as .binary in the MERL layout")
         )
-        self.save.clicked.connect(lambda _=False: self.save_asked.emit())
+        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
         self.kept = wrapped("")
         self.saving = self.add_part("save", tr("Save"), self.save, self.kept)
         self.map.hovered.connect(self._read)
@@ -65,7 +65,7 @@ class CoveragePage(AcquirePage):
         self.save.setEnabled(state is not None)
         self.known.setVisible(state is not None)
         if state is None:
-            self.map.clear(tr("There is no table yet: the step before makes it."))
+            self.map.clear(tr("No table yet. Run the previous step first."))
         else:
             self.facts.show_rows(state.facts)
         self._draw()
@@ -89,8 +89,16 @@ class CoveragePage(AcquirePage):
             known = np.isfinite(share) and share > 0.0
             rows = [
                 (tr("Cell"), where, tr("θh and θd under the cursor")),
-                (tr("Measured"), f"{100.0 * share:.0f} %" if known else tr("no"), tr("Share of its φd bins")),
-                (tr("Pixels"), f"{state.pixels[row, column]:.0f}" if known else "–", tr("That fell into it")),
+                (
+                    tr("Measured"),
+                    f"{100.0 * share:.0f} %" if known else tr("no"),
+                    tr("Share of measured φd bins"),
+                ),
+                (
+                    tr("Pixels"),
+                    f"{state.pixels[row, column]:.0f}" if known else "–",
+                    tr("Pixels in this cell"),
+                ),
                 (
                     tr("Error"),
                     f"{100.0 * error:.2g} %" if known and np.isfinite(error) else "–",
@@ -103,6 +111,7 @@ class CoveragePage(AcquirePage):
 def coverage_map(state: CoverageState, what: What) -> AngleMap:
     """Return the map of ``what``, θd over θh, as bins lie in the table (θh is finer towards the highlight)."""
     measured = np.isfinite(state.share) & (state.share > 0.0)
+    ticks: tuple[tuple[float, str], ...]
     if what == "share":
         values, low, high, scale = 100.0 * state.share, 0.0, 100.0, tr("φd bins measured (%)")
         ticks = ((0.0, "0"), (0.25, "25"), (0.5, "50"), (0.75, "75"), (1.0, "100"))

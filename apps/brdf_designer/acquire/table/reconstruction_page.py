@@ -37,20 +37,20 @@ class GreyBar(QProgressBar):
 class ReconstructionPage(AcquirePage):
     """The page of the reconstruction.
 
-    Intents: ``start_asked()``, ``cancel_asked()``, ``again_asked()``, ``grazing_edited(degrees)``.
+    Intents: ``start_requested()``, ``cancel_requested()``, ``again_requested()``, ``grazing_edited(degrees)``.
     """
 
-    start_asked = Signal()
-    cancel_asked = Signal()
-    again_asked = Signal()
+    start_requested = Signal()
+    cancel_requested = Signal()
+    again_requested = Signal()
     grazing_edited = Signal(float)
 
     def __init__(self) -> None:
         super().__init__(
             "reconstruction",
             tr(
-                "Every photograph becomes measurements of the paint. What is done is kept: it can be "
-                "stopped and resumed."
+                "Combines all photographs into one table of the reflectance. It can be stopped "
+                "and resumed; finished positions are kept."
             ),
         )
         self.bar = GreyBar()
@@ -59,31 +59,31 @@ class ReconstructionPage(AcquirePage):
         self.bar.setTextVisible(False)
         self.bar.setMaximumHeight(12)
         self.bar.setAccessibleName(tr("Progress of the reconstruction"))
-        self.telling = wrapped("")
-        self.map = MapPlot(tr("Covered so far"))
-        self.problems = problem_list(tr("Positions that could not be used"))
-        self.centre.addWidget(self.telling)
+        self.progress_text = wrapped("")
+        self.map = MapPlot(tr("Coverage so far"))
+        self.problems = problem_list(tr("Skipped positions"))
+        self.centre.addWidget(self.progress_text)
         self.centre.addWidget(self.bar)
         self.centre.addWidget(self.map, 3)
         self.centre.addWidget(self.problems, 1)
-        self.start = button(tr("Start"), tr("Turn all photographs into a table of the reflectance"))
-        self.cancel = button(tr("Stop"), tr("Stop; what is done is kept, and is gone on with later"))
+        self.start = button(tr("Start"), tr("Combine all photographs into a table of the reflectance"))
+        self.cancel = button(tr("Stop"), tr("Stop. Finished positions are kept; you can resume later."))
         self.again = button(
-            tr("Begin Again"), tr("Forget what is done, and start with the first position once more")
+            tr("Start Over"), tr("Discard the finished positions and start with the first one")
         )
-        self.start.clicked.connect(lambda _=False: self.start_asked.emit())
-        self.cancel.clicked.connect(lambda _=False: self.cancel_asked.emit())
-        self.again.clicked.connect(lambda _=False: self.again_asked.emit())
+        self.start.clicked.connect(lambda _=False: self.start_requested.emit())
+        self.cancel.clicked.connect(lambda _=False: self.cancel_requested.emit())
+        self.again.clicked.connect(lambda _=False: self.again_requested.emit())
         form = Form()
         self.grazing = NumberField(tr("Grazing cut-off"), "°", 45.0, 89.0, 1.0, 0, 80.0)
         self.grazing.edited.connect(self.grazing_edited)
         form.add_row(
             tr("Grazing cut-off"),
             self.grazing,
-            tr("Light or view farther from the normal than this is not measured"),
+            tr("Largest angle of light or view from the normal; pixels beyond it are skipped"),
         )
         self.add_part("run", tr("Reconstruction"), beside(self.start, self.cancel), self.again, form)
-        self.facts = Facts(tr("What is done"))
+        self.facts = Facts(tr("Progress"))
         self.add_part("done", tr("Done"), self.facts)
         self.show_progress(0.0, "", running=False)
         self.show_done(0, 0, ())
@@ -91,7 +91,7 @@ class ReconstructionPage(AcquirePage):
     def show_progress(self, fraction: float, text: str, *, running: bool) -> None:
         """Show how far it is; ``running`` says whether it can be stopped."""
         self.bar.setValue(round(1000 * fraction))
-        self.telling.setText(text or tr("Not started."))
+        self.progress_text.setText(text or tr("Not started."))
         self.start.setEnabled(not running)
         self.again.setEnabled(not running)
         self.cancel.setEnabled(running)
@@ -105,12 +105,12 @@ class ReconstructionPage(AcquirePage):
                 (
                     tr("Positions"),
                     tr("{done} of {total}").format(done=done, total=total),
-                    tr("Positions of the lamp that are in the table"),
+                    tr("Lamp positions included in the table"),
                 ),
                 (
-                    tr("Left out"),
+                    tr("Excluded"),
                     str(len(failed)),
-                    tr("Positions that could not be used; the list tells why"),
+                    tr("Lamp positions that could not be used; the list gives the reasons"),
                 ),
             )
         )
@@ -120,6 +120,6 @@ class ReconstructionPage(AcquirePage):
     def show_partial(self, state: CoverageState | None) -> None:
         """Show what is covered so far."""
         if state is None:
-            self.map.clear(tr("The map grows while positions are done."))
+            self.map.clear(tr("The map is updated after each position."))
         else:
             self.map.show_map(coverage_map(state, "share"))

@@ -1,4 +1,4 @@
-"""The table, made and gone on with on a thread, and what its pages show of it."""
+"""Builds and resumes the table on a thread, and prepares what its pages show."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, road_of
+from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, open_acquisition
+from brdf_designer.acquire.reconstruction_session import WORK_FILE, StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, response_found, thousands
 from brdf_designer.acquire.states import CoverageState
-from brdf_designer.acquire.workbench import WORK_FILE, RoadRequest
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress, report, subrange
 
@@ -41,7 +41,7 @@ class TableFound:
 class KeptWork:
     """What lies in the work file of a session: how many positions are done, and what they were calibrated with.
 
-    ``reason`` says why what lies there cannot be gone on with; empty where it can.
+    ``reason`` says why the earlier work cannot be resumed; empty where it can.
     """
 
     done: int = 0
@@ -54,7 +54,7 @@ class KeptWork:
 class TableRequest:
     """The road, whether to begin anew, and who hears of what is covered so far (from the thread)."""
 
-    road: RoadRequest
+    road: StepRequest
     restart: bool
     partial: Callable[[int, int, CoverageState | None], None]
 
@@ -67,7 +67,7 @@ class SaveTable:
     path: Path
 
 
-def find_kept(request: RoadRequest, _progress: Progress) -> KeptWork:
+def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
     """Look what an earlier run has left."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
     from brdf_suite.acquisition.reconstruction.table import kept_calibration
@@ -93,7 +93,7 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
     """Make the table; response and geometry first, where they are not known. What is done is kept in the folder."""
     from brdf_suite.acquisition.reconstruction.table import kept_calibration, reconstruct
 
-    road = road_of(request.road)
+    road = open_acquisition(request.road)
     work = request.road.folder / WORK_FILE
     response = geometry = None
     start = 0.0
@@ -144,17 +144,18 @@ def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState
                 tr("Measured"),
                 tr("{share:.1f} %").format(share=100.0 * covered_share(table, 75.0)),
                 tr(
-                    "Of the bins with light and view up to 75° from the normal; the others are filled from neighbours"
+                    "Share of the bins with light and view up to 75° from the normal; the others "
+                    "are filled from neighbours"
                 ),
             ),
-            (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels that went into the table")),
+            (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels used for the table")),
             (
                 tr("Positions"),
                 tr("{done} of {total}").format(
                     done=len(acquired.positions_done),
                     total=len(acquired.positions_done) + len(acquired.positions_failed),
                 ),
-                tr("Of the lamp"),
+                tr("Lamp positions"),
             ),
             *(("", notice, "") for notice in acquired.notices),
         ]

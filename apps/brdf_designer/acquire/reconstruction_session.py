@@ -36,7 +36,7 @@ _AFTER = {
 
 
 @dataclass(frozen=True)
-class RoadRequest:
+class StepRequest:
     """What a thread needs to take the road up: the folder, the choices, and what was found before.
 
     ``response`` is a :class:`brdf_designer.acquire.response.work.ResponseFound`, ``geometry`` a calibration with its
@@ -49,7 +49,7 @@ class RoadRequest:
     geometry: Any = None
 
 
-class Workbench(QObject):
+class ReconstructionSession(QObject):
     """The state of the assistant.
 
     Signals
@@ -59,7 +59,7 @@ class Workbench(QObject):
     edited()
         The open session has other values.
     found(str)
-        Something of :data:`ORDER` was found, or is forgotten: :attr:`have` says which.
+        Something of :data:`ORDER` was found, or is forgotten: :attr:`results` says which.
     busy_changed(str, bool)
         Work of that key has begun, or ended.
     ended(str, bool)
@@ -80,7 +80,7 @@ class Workbench(QObject):
         self.folder: Path | None = None
         self.session: Session | None = None
         self.options = AcquireOptions()
-        self.have: dict[str, Any] = {}
+        self.results: dict[str, Any] = {}
         # The road is long and takes all cores: one at a time. Pictures come beside it.
         self._road, self._beside = TaskRunner(self, threads=1), TaskRunner(self, threads=1)
         self._running: dict[str, tuple[TaskRunner, float, str]] = {}
@@ -93,7 +93,7 @@ class Workbench(QObject):
         """Make this the session."""
         self.stop_all()
         self.folder, self.session = folder, session
-        self.have.clear()
+        self.results.clear()
         self.opened.emit()
         for key in ORDER:
             self.found.emit(key)
@@ -102,10 +102,10 @@ class Workbench(QObject):
         """Take other values of the session; ``forget`` names what no longer holds, with all after it."""
         self.session = session
         if forget is not None:
-            self.forget(forget)
+            self.invalidate(forget)
         self.edited.emit()
 
-    def choose(self, **choices: Any) -> None:
+    def set_options(self, **choices: Any) -> None:
         """Choose other options of the road."""
         self.options = replace(self.options, **choices)
 
@@ -113,25 +113,28 @@ class Workbench(QObject):
         """Keep what was found; what hangs on it is forgotten."""
         for later in _AFTER[key]:
             self._drop(later)
-        self.have[key] = value
+        self.results[key] = value
         self.found.emit(key)
 
-    def forget(self, key: str) -> None:
+    def invalidate(self, key: str) -> None:
         """Forget what was found, and what hangs on it."""
         for later in (key, *_AFTER[key]):
             self._drop(later)
 
     def _drop(self, key: str) -> None:
         self.cancel(key)
-        if self.have.pop(key, None) is not None:
+        if self.results.pop(key, None) is not None:
             self.found.emit(key)
 
-    def request(self) -> RoadRequest:
+    def request(self) -> StepRequest:
         """Return what the road starts from."""
         assert self.folder is not None
-        geometry = self.have.get("geometry")
-        return RoadRequest(
-            self.folder, self.options, self.have.get("response"), None if geometry is None else geometry.found
+        geometry = self.results.get("geometry")
+        return StepRequest(
+            self.folder,
+            self.options,
+            self.results.get("response"),
+            None if geometry is None else geometry.found,
         )
 
     # Work.
@@ -154,7 +157,7 @@ class Workbench(QObject):
         *,
         beside: bool = False,
         todo: str = "",
-        told: Callable[[float, str], None] | None = None,
+        moved: Callable[[float, str], None] | None = None,
         shown: bool = True,
         failed: Callable[[Exception], None] | None = None,
     ) -> None:
@@ -166,12 +169,12 @@ class Workbench(QObject):
         self._running[key] = (runner, 0.0, "") if shown else (runner, -1.0, "")
         self.window.messages.dismiss(key)
 
-        def moved(fraction: float, what: str) -> None:
+        def report(fraction: float, what: str) -> None:
             if shown:
                 self._running[key] = (runner, fraction, what)
                 self._strip.set_job(key, fraction, what, lambda: self.cancel(key))
-            if told is not None:
-                told(fraction, what)
+            if moved is not None:
+                moved(fraction, what)
 
         def answered(answer: Any) -> None:
             self._end(key)
@@ -187,7 +190,7 @@ class Workbench(QObject):
             self.ended.emit(key, False)
 
         self.busy_changed.emit(key, True)
-        runner.submit(key, work, request, answered, refused, moved)
+        runner.submit(key, work, request, answered, refused, report)
 
     def cancel(self, key: str) -> None:
         """Stop work of that key; nothing where none runs."""

@@ -1,7 +1,7 @@
-"""The paint in front, for every part of the desk: read it, edit it by named steps, hear of what became of it.
+"""The paint in front, for every part of the desk: read it, edit it by named steps, follow its changes.
 
-A section is a widget (intents out, setters in) and a control that joins it to the :class:`Desk`. No section knows
-which tab is in front, or another section.
+A section is a widget (intents out, setters in) and a control that joins it to the :class:`PaintSession`. No section
+knows which tab is in front, or another section.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Fitter(Protocol):
         """Return the fit, or raise :class:`UnreachableError`."""
 
 
-class Desk(QObject):
+class PaintSession(QObject):
     """The document in front, whichever tab it is.
 
     Signals
@@ -56,7 +56,7 @@ class Desk(QObject):
         Another document is in front, or another value was put in its place; comes before ``paint_changed``.
     document_closed(int)
         The document of that ``document_key`` was closed: what was kept for it can go (it comes back with the
-        same key where its tab is had back).
+        same key where its tab is reopened).
     history_changed()
         Undo or Redo would do something else than before.
     gesture_ended()
@@ -85,13 +85,13 @@ class Desk(QObject):
         self._idle = IdleWork(self)
         self._fit: LobeFit | None = None
         self._gesture: str | None = None
-        self._told_history: tuple[str, str, bool, bool] | None = None
+        self._shown_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._take_exact)
         # The same fit again: it no longer says that an exact one follows.
         self._exact.failed.connect(lambda fit, _error: self._take_exact(fit))
-        # Several changes in one turn of the event loop are told to the other programs once, the newest.
+        # Several changes in one turn of the event loop are sent to the other programs once, the newest.
         self._publishing = QTimer(self)
         self._publishing.setSingleShot(True)
         self._publishing.setInterval(0)
@@ -182,7 +182,7 @@ class Desk(QObject):
         self.end_gesture()
         self.documents.add(replace(paint, name=title) if title else paint, clean=clean)
 
-    # Telling.
+    # Notifications.
 
     def show_message(self, message: Message) -> None:
         """Show a message in the window."""
@@ -206,11 +206,11 @@ class Desk(QObject):
         return not self._idle.waiting
 
     def refresh(self) -> None:
-        """Tell everything of the paint anew, and the other programs."""
+        """Notify all parts and the other programs of the paint."""
         paint = self.paint
         self.paint_changed.emit(paint)
         if paint is not self.paint:
-            # Who heard of it has changed it: what follows was told of the newer one.
+            # A listener has changed it, and the later ones were notified of the newer one.
             return
         try:
             fit = self._fitter.fit(paint)
@@ -232,7 +232,7 @@ class Desk(QObject):
 
     def _watch(self, document: OpenDocument) -> None:
         if document.key in self._watched:
-            return  # it was closed and had back
+            return  # it was closed and reopened
         self._watched.add(document.key)
         store = document.store
         store.changed.connect(lambda _old, _new: self._changed(document))
@@ -246,11 +246,11 @@ class Desk(QObject):
     def _history_changed(self, document: OpenDocument) -> None:
         if document is not self.documents.front:
             return
-        # The stack tells of every push by four signals, also where a drag goes on and nothing reads otherwise.
+        # The stack reports every push by four signals, also where a drag goes on and nothing reads otherwise.
         stack = document.store.stack
-        told = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
-        if told != self._told_history:
-            self._told_history = told
+        now = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
+        if now != self._shown_history:
+            self._shown_history = now
             self.history_changed.emit()
 
     def _replaced(self, document: OpenDocument) -> None:
@@ -259,7 +259,7 @@ class Desk(QObject):
 
     def _switched(self) -> None:
         self._gesture = None
-        self._told_history = None
+        self._shown_history = None
         self.document_switched.emit()
         self.refresh()
         self.history_changed.emit()
@@ -268,9 +268,9 @@ class Desk(QObject):
         try:
             self._publish("paint", paint_to_json(self._reachable))
         except BadMessageError as error:
-            what = tr("The paint cannot be told to the other programs: {reason}.").format(reason=error)
+            what = tr("The paint could not be sent to the other programs: {reason}.").format(reason=error)
             self.show_message(
-                Message("link", what, todo=tr("They keep the paint before."), severity="warning")
+                Message("link", what, todo=tr("They keep the previous paint."), severity="warning")
             )
         else:
             self.dismiss_message("link")
