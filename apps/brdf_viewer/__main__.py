@@ -42,8 +42,8 @@ def parser() -> argparse.ArgumentParser:
         "paint",
         nargs="?",
         metavar="PAINT",
-        help="a .brdfpaint file, a measured file, a .brdfpalette or a shipped paint's name; it stays, Designer is "
-        "offered and not followed",
+        help="a .brdfpaint file, a measured file, a .brdfpalette or a shipped paint's name; it stays until Designer "
+        "is followed by hand",
     )
     parser.add_argument(
         "--follow", action="store_true", help="show PAINT only until Designer has one, and follow it"
@@ -66,11 +66,11 @@ def parser() -> argparse.ArgumentParser:
         "--renderer",
         choices=RENDERERS,
         default="realtime",
-        help="what makes the picture; a screenshot is taken when it has become what it was asked to",
+        help="renderer of the picture; a screenshot is taken when the picture is finished",
     )
     parser.add_argument("--quality", choices=QUALITIES, help="preset of the ray tracer; remembered")
     parser.add_argument(
-        "--spp", metavar="N", type=int, help="samples a pixel at which the reference stops; remembered"
+        "--spp", metavar="N", type=int, help="samples per pixel at which the path tracer stops; remembered"
     )
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
     parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")

@@ -48,7 +48,7 @@ class ViewerCommands(QObject):
     figures_wanted(bool)
         The figures over the picture.
     renderer_wanted(key), quality_wanted(key), trace_stop_wanted(), trace_resume_wanted(), trace_save_wanted()
-        Which renderer makes the picture; what is traced is to stop, to go on, or to be saved.
+        Renderer of the picture; what is traced is to stop, to go on, or to be saved.
     undo_wanted(), redo_wanted()
         A step of the view.
     """
@@ -107,7 +107,7 @@ class ViewerCommands(QObject):
             self.copy_wanted.emit,
             QKeySequence.StandardKey.Copy,
             "copy",
-            "Put the picture on the clipboard, at its full number of pixels",
+            "Copy the picture to the clipboard at full resolution",
         )
         designer = window.add_action(
             window.window_menu, "Open &Designer", self.designer_wanted.emit, "Ctrl+D", "palette"
@@ -193,7 +193,7 @@ class ViewerCommands(QObject):
             self.picture_wanted.emit,
             "Ctrl+E",
             "floppy-disk",
-            "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
+            "Save the picture as PNG at full resolution, with paint and settings as metadata",
         )
         self._window.add_action(
             menu,
@@ -201,7 +201,7 @@ class ViewerCommands(QObject):
             self.trace_save_wanted.emit,
             "Ctrl+Shift+R",
             "floppy-disk",
-            tr("Save what the ray tracer or the reference has made, as EXR with the variance of each pixel"),
+            tr("Save the traced picture as EXR with the variance of each pixel"),
         )
         for text, kind, keys, tip in (
             ("E&xport Picture…", "picture", "Ctrl+Shift+X", "A picture of any size, as PNG or EXR"),
@@ -240,10 +240,10 @@ class ViewerCommands(QObject):
         self.presets = [
             self._window.add_action(
                 menu,
-                f"Look from: {title}",
+                f"View: {title}",
                 lambda key=key: self.preset_wanted.emit(key),
                 str(index + 1),
-                tip=f"Look from: {title}, framing the surface",
+                tip=f"View: {title}, framing the surface",
             )
             for index, (key, (title, _, _)) in enumerate(PRESETS.items())
         ]
@@ -256,7 +256,12 @@ class ViewerCommands(QObject):
             "Fill the picture with the surface",
         )
         self.turntable = self._window.add_action(
-            menu, "&Turntable", None, "Space", "arrows-clockwise", "Turn the surface before camera and light"
+            menu,
+            "&Turntable",
+            None,
+            "Space",
+            "arrows-clockwise",
+            "Rotate the surface in front of camera and light",
         )
         self.turntable.setCheckable(True)
         self.turntable.triggered.connect(self.turntable_wanted)
@@ -308,7 +313,7 @@ class ViewerCommands(QObject):
             "Ctrl+.",
             tip=tr("Keep the picture as it is"),
         )
-        add(menu, tr("&Go On Refining"), self.trace_resume_wanted.emit, "Ctrl+Shift+.")
+        add(menu, tr("&Resume Refining"), self.trace_resume_wanted.emit, "Ctrl+Shift+.")
 
     def show_renderer(self, renderer: str, quality: str) -> None:
         """Tick which renderer makes the picture, and the ray tracer's quality where it is that."""
@@ -326,17 +331,17 @@ class ViewerCommands(QObject):
             "Start or Stop &Blinking",
             self.blink_wanted.emit,
             "B",
-            tip="Show A and B one after the other; again for what was shown before",
+            tip="Alternate between A and B; again to return to the previous mode",
         )
         self._window.add_action(
-            menu, "Show the &Other and Stay", self.flip_wanted.emit, "Shift+B", tip="Blink by hand"
+            menu, "&Switch and Stay", self.flip_wanted.emit, "Shift+B", tip="Switch between A and B manually"
         )
         self._window.add_action(
             menu,
             "&Freeze A as B",
             self.freeze_wanted.emit,
             "Ctrl+B",
-            tip="Keep the paint on show as the second one",
+            tip="Keep the current paint as B",
         )
 
     def show_sparkle(self, mode: str) -> None:
@@ -361,7 +366,12 @@ class ViewerCommands(QObject):
     def _add_paint(self) -> None:
         menu = self._window.paint_menu
         self.follow = self._window.add_action(
-            menu, "&Follow Designer", None, "Ctrl+L", "link", "Show what is being edited in Designer"
+            menu,
+            "&Follow Designer",
+            None,
+            "Ctrl+L",
+            "link",
+            "Show the paint that is being edited in Designer",
         )
         self.follow.setCheckable(True)
         self.follow.triggered.connect(self.follow_wanted)
@@ -372,7 +382,7 @@ class ViewerCommands(QObject):
                 text,
                 lambda step=step: self.step_wanted.emit(step),
                 key,
-                tip="Of the palette, or as shipped",
+                tip="In the open palette or the shipped paints",
             )
             # Arrows move in lists and numbers; they are the paints' on the picture only.
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)

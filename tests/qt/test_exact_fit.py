@@ -115,7 +115,7 @@ def test_a_limited_fit_says_whether_the_exact_one_follows():
         assert fit_tips(worst, True, False) == FINAL_TIP
     for follows in (True, False):
         assert fit_tips(2.0, True, follows) == large_error_tip(True, follows)
-    assert "follows by itself" in LIMITED_TIP
-    assert "follows by itself" in large_error_tip(True, True)
+    assert "follows automatically" in LIMITED_TIP
+    assert "follows automatically" in large_error_tip(True, True)
     assert "no exact one" in FINAL_TIP
-    assert "no exact answer" in large_error_tip(True, False)
+    assert "no exact result" in large_error_tip(True, False)

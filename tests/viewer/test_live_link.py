@@ -69,7 +69,7 @@ def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     link_cell = viewer.window.status.cell("link")
     assert link_cell.text() == "Designer not open"
     other = designer()
-    qtbot.waitUntil(lambda: link_cell.text() == "linked: Designer")
+    qtbot.waitUntil(lambda: link_cell.text() == "Designer connected")
     other.tell("lab 45 60 40")
     qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
     red = colour(viewer)
@@ -121,7 +121,7 @@ def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(sta
     assert viewer.stage.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
-    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
     viewer.window.messages.findChild(QPushButton, "message_action_Follow Designer").click()
     assert viewer.stage.fit.paint.name == "test paint"
     assert viewer.window.paint.follow.isChecked()
@@ -136,7 +136,7 @@ def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer
     designer.opened[-1].process.kill()
     qtbot.waitUntil(lambda: "follow" not in viewer.messages())
     designer()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "linked: Designer, not followed")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer connected (not following)")
     assert "follow" not in viewer.messages()
 
 
@@ -150,7 +150,7 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     other.tell("lab 20 0 0")
     qtbot.waitUntil(lambda: viewer.controller.paint.source._of_designer.lab_at(45.0)[0] == 20.0)
     assert viewer.stage.fit is white
-    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
     viewer.window.paint.follow.click()
     assert viewer.stage.fit.paint.lab_at(45.0)[0] == 20.0
 
@@ -193,7 +193,7 @@ def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
     assert none.worst_delta_e is None
     viewer.controller.paint._show_fit(none, "file")
     assert "ΔE" not in viewer.window.paint.fit.text()
-    assert "no angle" in viewer.window.paint.fit.text()
+    assert "no measured angles" in viewer.window.paint.fit.text()
     assert "ΔE" not in viewer.window.status.cell("fit").text()
     viewer.controller.paint._show_fit(fit, "file")
     assert "ΔE00 at most" in viewer.window.paint.fit.text()

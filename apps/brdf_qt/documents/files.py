@@ -169,7 +169,7 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             self.format.save(self.store.value, path)
         except SuiteError as error:
-            todo = "Nothing was lost: the document is still open. Choose another place with Save As."
+            todo = "The document is still open with all changes. Choose another place with Save As."
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
         self.store.mark_clean(path, stamp_of(path))

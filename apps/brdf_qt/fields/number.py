@@ -187,8 +187,8 @@ class NumberField(QDoubleSpinBox):
         low = number < self.minimum()
         end = self.textFromValue(self.minimum() if low else self.maximum())
         unit = f" {self.unit}" if self.unit else ""
-        which = "less than the least" if low else "more than the most"
-        text = f"{number:g}{unit} is {which} that can be set; it is {end}{unit} now."
+        which = "below the minimum" if low else "above the maximum"
+        text = f"{number:g}{unit} is {which}; the value was set to {end}{unit}."
         QToolTip.showText(
             self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TOLD_MS
         )

@@ -25,13 +25,13 @@ from brdf_suite.realtime.gl.context import Context, adopt_context
 log = logging.getLogger(__name__)
 
 _NO_CONTEXT = (
-    "This computer gave no OpenGL 3.3 context, so the picture cannot be shown. Update the graphics driver, "
+    "OpenGL 3.3 is not available, so the picture cannot be shown. Update the graphics driver, "
     "or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software."
 )
 
 _LOST_AGAIN = (
-    "The graphics driver was reset several times within a minute. Close what else uses the graphics card, update its "
-    "driver, or choose a smaller environment or surface."
+    "The graphics driver was reset several times within a minute. Close other programs that use the graphics card, "
+    "update its driver, or choose a smaller environment or surface."
 )
 SLOW_MS = 100.0
 """A frame that takes longer, as of a software renderer, holds up what is painted with it: fields that come and go."""

@@ -49,12 +49,12 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     read = {"xcb": _x11_profile, "windows": _windows_profile}.get(platform)
     data = read(screen) if read is not None else None
     if data is None:
-        return Monitor(SRGB_SPACE, "sRGB assumed: the system tells no profile of this monitor", False)
+        return Monitor(SRGB_SPACE, "No monitor profile found; assuming sRGB", False)
     try:
         space = read_display_profile(data, "the monitor's profile")
     except FileError as error:
         log.warning("monitor: %s", error)
-        return Monitor(SRGB_SPACE, f"sRGB assumed: the monitor's profile {error.reason}", False)
+        return Monitor(SRGB_SPACE, f"The monitor's profile {error.reason}; assuming sRGB", False)
     return Monitor(space, f"Monitor profile: {space.title}", True)
 
 

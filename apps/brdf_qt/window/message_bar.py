@@ -58,8 +58,8 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
         return Message(key, str(error), todo=todo, severity="error")
     return Message(
         key,
-        tr("The program met a fault of its own: {fault}").format(fault=f"{type(error).__name__}: {error}"),
-        todo=todo or tr("Your document is untouched; save it. The log has the details."),
+        tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}"),
+        todo=todo or tr("Your document is unchanged; save it. The log has the details."),
         severity="error",
     )
 

@@ -211,14 +211,14 @@ class CompareControl(QObject):
         self._window.set_idle(KIND)
 
     def _tell(self, error: Exception) -> None:
-        todo = "Choose another paint as B, or freeze the one on show."
+        todo = "Choose another paint as B, or freeze the current one."
         self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _offer(self) -> None:
         message = Message(
             _OFFER,
-            "There is no second paint yet.",
-            todo="Choose one under Compare in the inspector, or keep the paint on show as it is now.",
+            "No second paint is selected.",
+            todo="Choose one under Compare in the inspector, or freeze the current paint as B.",
             actions=(("Freeze A as B", self.freeze),),
         )
         self._window.messages.show_message(message)
@@ -315,13 +315,13 @@ def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first:
 def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str]:
     """Return what there is to say of B."""
     if isinstance(value, RealTimePicture):
-        return [tr("B is this paint in real time: what differs is the renderer's doing")]
+        return [tr("B is the same paint in real time: all differences come from the renderer")]
     if isinstance(value, ComparedPicture):
         rows, columns = value.pixels.shape[:2]
-        what = "light (linear)" if value.is_light else "as shown, with a tone curve of its own"
+        what = "light (linear)" if value.is_light else "display colours, with its own tone curve"
         return [f"B is a picture of {columns} × {rows} pixels, {what}; it fits by its width"]
     worst = value.worst_delta_e
-    fit = [] if worst is None else [f"B: fit ΔE00 at most {worst:.2f} at the measured angles"]
+    fit = [] if worst is None else [f"B: fit: maximum ΔE00 {worst:.2f} at the measured angles"]
     return [*fit, *value.notices]
 
 

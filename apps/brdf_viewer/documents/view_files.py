@@ -66,7 +66,7 @@ class ViewFiles(QObject):
         try:
             view = load_view(file)
         except SuiteError as error:
-            self._tell(error, "The picture stays as it was. Choose another view.")
+            self._tell(error, "The picture is unchanged. Choose another view.")
             return False
         self._take(file, stamp)
         history = self._stage.history
@@ -104,10 +104,8 @@ class ViewFiles(QObject):
         self._take(path, stamp_of(path))
         self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
         if self._light_edited():
-            what = (
-                f"{path.name} names the light as it was before it was edited: what is on show is not saved."
-            )
-            todo = "Save the studio, and the view once more."
+            what = f"{path.name} refers to the light without its unsaved edits."
+            todo = "Save the studio, then the view again."
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
         return True
 

@@ -50,7 +50,7 @@ def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
 def ask_source(parent: QWidget) -> str:
     """Ask for a palette, or for a folder by any paint in it; empty where the user gives none."""
     folder = str(settings().value("folder/palette", ""))
-    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all of its folder (*.brdfpaint)"
+    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all paints of its folder (*.brdfpaint)"
     path, _ = QFileDialog.getOpenFileName(parent, "Paints of the Sheet", folder, forms)
     if not path:
         return ""
@@ -96,12 +96,12 @@ class ExportControl(QObject):
         messages = self._window.messages
         fit = self._stage.fit
         if fit is None or self._stage.surface is None or not self._stage.is_complete:
-            todo = "Wait until paint, surface and environment are there, and export then."
+            todo = "Wait until paint, surface and environment are loaded, then export."
             messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
             return
         if self._light_edited():
-            todo = "Save it with File ▸ Studio ▸ Save Studio, and export then."
-            what = "The light has been edited and is not saved: an export would show the old one."
+            todo = "Save it with File ▸ Studio ▸ Save Studio, then export."
+            what = "The light has unsaved changes, which an export would not include."
             messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         # As it is when the user asks: the paint may change while the dialog is open.

@@ -134,11 +134,13 @@ class ExportDialog(QDialog):
         self._add(form, "Size", self.preset)
         self._add(form, "", size)
         self._add(form, "Format", self.format)
-        self._add(form, "Colours", self.colour_space, tip="The ICC profile goes with the file")
-        self._add(form, "Samples", self.samples, tip="Per pixel, as many as the graphics card has at most")
+        self._add(
+            form, "Colours", self.colour_space, tip="Colour space; the ICC profile is embedded in the file"
+        )
+        self._add(form, "Samples", self.samples, tip="Per pixel, limited by the graphics card")
         self._add(form, "", self.transparent, "picture", "turntable")
-        self._add(form, "Frames", self.frames, "turntable", tip="Of one turn")
-        self._add(form, "Rate", self.rate, "turntable", tip="Frames a second of a video")
+        self._add(form, "Frames", self.frames, "turntable", tip="Frames per turn")
+        self._add(form, "Rate", self.rate, "turntable", tip="Frames per second of a video")
         self._add(form, "Columns", self.columns, "sheet")
         form.add_wide(self._told)
         box = QVBoxLayout(self)
@@ -188,7 +190,7 @@ class ExportDialog(QDialog):
         if not form.transparent:
             self.transparent.setChecked(False)
         told = {
-            ".exr": "Radiance before exposure and tone curve, in the primaries that the file states",
+            ".exr": "Radiance before exposure and tone curve, in the primaries stated in the file",
             ".mp4": "sRGB; an even width and height",
             ".webm": "sRGB; an even width and height",
         }

@@ -50,7 +50,7 @@ class PictureExport(QObject):
         )  # the picture's exposure, where it is measured for it
         made_by = {"Renderer": self._window.overlay.mark} if self._stage.traced is not None else {}
         if fit is None or not self._stage.is_complete or image.isNull():
-            todo = "Wait until paint, surface and environment are there, and save it then."
+            todo = "Wait until paint, surface and environment are loaded, then save."
             messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
             return
         chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.name).strip(" _") or "picture")

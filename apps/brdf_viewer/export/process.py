@@ -90,7 +90,9 @@ class ExportProcess(QObject):
         if not self._wanted or code == _CANCELLED:
             self.cancelled.emit()
         elif crashed or (code and words):
-            last = words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a word"
+            last = (
+                words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a message"
+            )
             self.failed.emit(last)
         else:
             self.done.emit(list(self._told))  # with 1, too: a sheet that says which paints it lacks

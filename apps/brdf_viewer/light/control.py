@@ -131,7 +131,7 @@ class LightingControl(DrawnPart):
         else:
             total = exposed(view, self._stage.metered_ev).exposure_ev
             cell.set(
-                f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
+                f"{total:+.1f} EV automatic", f"Exposure: automatic value plus {view.exposure_ev:+.1f} EV"
             )
 
 

@@ -16,13 +16,13 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, 
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
 from brdf_viewer.fields.choice_box import ChoiceBox
 
-SHADING_TITLES = {"each": "One by one, at each place", "ball": "Together, by a ball in their light"}
+SHADING_TITLES = {"each": "Exact, per pixel", "ball": "Together, by a ball"}
 SHADING_TIPS = {
-    "each": "Each lamp is looked up in the factors at every place: right for point lamps, and for any grain",
+    "each": "Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain",
     "ball": "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
     "number of lamps, as if they and the viewer were far away",
 }
-KIND_TITLES = {"point": "Point, at a place", "directional": "Directional, from far away"}
+KIND_TITLES = {"point": "Point", "directional": "Directional"}
 _NEW = Lamp()
 
 
@@ -43,7 +43,7 @@ class LampFields(QWidget):
         self.list = QuietComboBox()
         self.list.setAccessibleName("Lamps")
         self.list.activated.connect(lambda _index: self._show())
-        self.add_button = _button("plus", "Add a lamp beside the environment", self._add)
+        self.add_button = _button("plus", "Add a lamp to the environment", self._add)
         self.remove_button = _button("trash", "Remove this lamp", self._remove)
         row = QWidget()
         inside = QHBoxLayout(row)
@@ -68,23 +68,23 @@ class LampFields(QWidget):
         self.temperature = NumberField("Colour", "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self.moving = QCheckBox("Moves round")
-        self.moving.setToolTip(
-            "Let the lamps go round the surface, to see flakes light up and go out, and highlights wander"
-        )
+        self.moving.setToolTip("Rotate the lamps around the surface to see flakes and highlights move")
         self.moving.clicked.connect(self.move_edited)
         self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
         self.shading.picked.connect(self.shading_edited)
         form = Form()
-        form.add_row("Lamps", row, "Small lamps beside the environment, in whose light flakes glint")
+        form.add_row(
+            "Lamps", row, "Small lamps in addition to the environment; flakes sparkle in their light"
+        )
         self._fields = Form()
         self._fields.add_row("Kind", self.kind)
         self._fields.add_row("Azimuth", self.azimuth, PARAMETERS["lamp.azimuth_deg"].meaning)
         self._fields.add_row("Elevation", self.elevation, PARAMETERS["lamp.elevation_deg"].meaning)
-        self._distance_label = self._fields.add_row("Distance", self.distance, "From the middle of the scene")
+        self._distance_label = self._fields.add_row("Distance", self.distance, "From the centre of the scene")
         self._fields.add_row("Strength", self.strength, strength.meaning)
         self._fields.add_row("Colour", self.temperature, kelvin.meaning)
         self._fields.add_row("", self.moving)
-        self._fields.add_row("Factored", self.shading, "How factored paints are lit by the lamps")
+        self._fields.add_row("Factored", self.shading, "Shading of factored paints by the lamps")
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)

@@ -45,6 +45,6 @@ class FrameMeter(QObject):
 
     def _show(self) -> None:
         typical, slowest = median(self._frames), max(self._frames)
-        tip = f"Time to draw a frame: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
+        tip = f"Frame time: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
         self._cell.set(f"{typical:.1f} ms", tip)
         self.shown.emit()

@@ -93,6 +93,6 @@ class Readout(DrawnPart):
         if reading is None:
             cell.set("")
         else:
-            light = "no light: none stands out" if reading.light is None else reading.light.words
+            light = "no dominant light source" if reading.light is None else reading.light.words
             cell.set(short_words(reading), f"{_TIP}{light}.\n" + "\n".join(long_lines(reading)))
         self.changed.emit(reading)

@@ -282,9 +282,9 @@ class PaintControl(QObject):
         )
         large = worst is not None and is_large(worst)
         told = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
-        tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
+        tips = ["Duration of the lobe fit, and its maximum ΔE00 at the measured angles"]
         if worst is None:
-            tips = ["Time of the lobe fit; there is no angle to compare colours at"]
+            tips = ["Duration of the lobe fit; no measured angles to compare with"]
         if more := fit_tips(worst, fit.time_limited, follows):
             tips.append(more)
         self._window.status.cell("fit").set(
@@ -300,7 +300,7 @@ class PaintControl(QObject):
 
     def _show_place(self, key: str) -> None:
         words = "" if self._palette is None else self._palette.words(key)
-        tip = "The open palette; the arrow keys go through it"
+        tip = "Open palette; the arrow keys select its paints"
         self._window.status.cell("palette").set(words, tip)
 
     def _designer_title(self) -> str:
@@ -319,11 +319,11 @@ class PaintControl(QObject):
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
-        text = "linked: Designer" if linked else "Designer not open"
+        text = "Designer not open"
+        if linked:
+            text = "Designer connected" if following else "Designer connected (not following)"
         others = ", ".join(self._link.peers) or "none"
-        self._window.status.cell("link", right=True).set(
-            text if following else f"{text}, not followed", f"Other programs on the link: {others}"
-        )
+        self._window.status.cell("link", right=True).set(text, f"Other programs on the link: {others}")
 
     def _offer(self, linked: bool, following: bool) -> None:
         """Say once that a Designer is open, where the Viewer was told to show another paint at its start."""
@@ -333,8 +333,8 @@ class PaintControl(QObject):
             self._offers = False
             message = Message(
                 _OFFER,
-                "Designer is open; follow it to see its paint at every change.",
-                todo="Until then the Viewer shows the paint that it was started with.",
+                "Designer is open. Follow it to see its paint at every change.",
+                todo="Until then Viewer shows the paint that it was started with.",
                 actions=(("Follow Designer", lambda: self.source.set_following(True)),),
             )
             self._window.messages.show_message(message)
@@ -357,7 +357,7 @@ def _ways_of_light(fit: LobeFit) -> tuple[str, ...]:
     """Say of a factored paint what is drawn by its factors."""
     if fit.material.paint is not None or not is_factored(fit.reflectance):
         return ()
-    return (tr("Factored: lamps are shaded by its maps, the environment by lobes that are fitted to it."),)
+    return (tr("Factored paint: lamps use its maps, the environment uses fitted lobes."),)
 
 
 def _load_and_fit(key: str, progress: Progress) -> LobeFit | None:

@@ -165,6 +165,6 @@ def _words(patch: Patch) -> str:
         large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
     light = f"Light {patch.illumination_deg:g}°, aspecular"
     return (
-        f"{light} {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
+        f"{light} {patch.aspecular_deg:g}°\ntarget {lab(patch.asked)}\nfit    {lab(patch.fitted)}\n"
         f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
     )

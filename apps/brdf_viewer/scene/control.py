@@ -252,7 +252,7 @@ class SceneControl(QObject):
 
     def tell_unknown(self, path: str, known: str) -> None:
         """A file was dropped that the Viewer does not open."""
-        what = f"The Viewer opens files that end in {known}."
+        what = f"Viewer opens files that end in {known}."
         self._window.messages.show_message(
             Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
         )
@@ -323,14 +323,14 @@ class SceneControl(QObject):
         title = title_of(loading or self._edited or self._stage.view.environment, SHIPPED_TITLES)
         cell, present = self._window.status.cell("environment"), self._stage.environment
         if present is None or present.value.is_final:
-            cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
+            cell.set(title, "Loading" if loading else "Environment", "stale" if loading else "fresh")
             return
         title = title_of(present.key, SHIPPED_TITLES)
         if present.value.draft:
-            cell.set(f"{title}, draft", "The light as it will be follows when the hand rests", "stale")
+            cell.set(f"{title}, draft", "Full quality follows after editing", "stale")
             return
         counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
-        tip = "Sharp reflections follow" if loading else "Stopped; choose the light again to finish it"
+        tip = "Refining reflections" if loading else "Stopped; select the light again to finish"
         cell.set(f"{title}, {counts}", tip, "stale")
 
 

@@ -176,7 +176,7 @@ class SurfaceControl(QObject):
     def _failed(self, error: Exception) -> None:
         self._declined = self._baking
         self._end()
-        todo = "The surface is shown without occlusion."
+        todo = "The surface is shown without ambient occlusion."
         self._window.messages.show_message(message_of(error, OCCLUSION, todo=todo))
         self._show_state()
 
@@ -202,6 +202,8 @@ class SurfaceControl(QObject):
             and self._declined is surface.value
             and wants_baking(self._stage.view.surface_look)
         )
-        text = "Occlusion is being baked." if self._baking is not None else ""
-        set_note(self._section.baking, "Not baked: shown without occlusion." if declined else text)
+        text = "Computing ambient occlusion…" if self._baking is not None else ""
+        if declined:
+            text = "Shown without ambient occlusion; it has not been computed."
+        set_note(self._section.baking, text)
         self._section.again.setVisible(declined)

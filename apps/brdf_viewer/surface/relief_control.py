@@ -108,7 +108,7 @@ class ReliefControl(QObject):
         self._tell(error)
 
     def _tell(self, error: Exception) -> None:
-        todo = "The picture stays as it was. Open another file in the inspector."
+        todo = "The picture is unchanged. Open another file in the inspector."
         self._window.messages.show_message(message_of(error, IMAGES, todo=todo))
 
     def _cancelled(self, kind: str) -> None:

@@ -20,10 +20,10 @@ from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.fields.source_chooser import SourceChooser, title_of
 
 PROJECTION_TITLES = {
-    "uv": "Tiled on the surface",
-    "side": "Over the box, from the side",
-    "front": "Over the box, from the front",
-    "top": "Over the box, from above",
+    "uv": "Tiled",
+    "side": "Projected from the side",
+    "front": "Projected from the front",
+    "top": "Projected from above",
 }
 
 
@@ -44,8 +44,8 @@ class FileChoice(QWidget):
         self.open.clicked.connect(self.browse)
         self.clear = QToolButton()
         self.clear.setIcon(icon("x"))
-        self.clear.setToolTip(plain_tip(f"Take {what} away"))
-        self.clear.setAccessibleName(f"Take {what} away")
+        self.clear.setToolTip(plain_tip(f"Remove {what}"))
+        self.clear.setAccessibleName(f"Remove {what}")
         self.clear.clicked.connect(self.cleared)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -111,9 +111,9 @@ class ReliefSection(Section):
         )
         form.add_row("Strength", self.normal_strength, PARAMETERS["relief.normal_strength"].meaning)
         form.add_row("Tile width", self.normal_width_mm, PARAMETERS["relief.normal_width_mm"].meaning)
-        form.add_row("Second paint", self.paint, "Stands where the mask is white")
+        form.add_row("Second paint", self.paint, "Shown where the mask is white")
         form.add_row("Mask", self.mask, "An image: black is the first paint, white the second")
-        form.add_row("Lies", self.projection, "How the mask is laid on the surface")
+        form.add_row("Mapping", self.projection, "Mapping of the mask onto the surface")
         form.add_row("Mask width", self.mask_width_mm, PARAMETERS["two_tone.mask_width_mm"].meaning)
         form.add_wide(self.two_tone_facts)
         self.add(form)
@@ -138,10 +138,10 @@ class ReliefSection(Section):
             height = height_rms_um(relief.orange_peel, relief.orange_peel_mm)
             text = tr("Waves of {height:.2g} µm (RMS height)").format(height=height)
             if own is not None:
-                text = tr("{waves}, in place of the paint's own").format(waves=text)
+                text = tr("{waves}, instead of the paint's own").format(waves=text)
         elif own is not None:
             text = tr(
-                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope that is set here takes its place."
+                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope set here replaces it."
             ).format(height=own.amplitude_um, length=own.wavelength_mm)
         set_note(self.peel_facts, text)
 

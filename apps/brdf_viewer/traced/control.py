@@ -191,7 +191,7 @@ class TracedControl(QObject):
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         name = f"{fit.name} {self.renderer}"
-        chosen = self._ask(self._window, name, tr("EXR, radiance with its variance"), ".exr")
+        chosen = self._ask(self._window, name, tr("EXR, radiance with variance"), ".exr")
         if not chosen:
             return
         path = Path(chosen)
@@ -329,7 +329,7 @@ class TracedControl(QObject):
         message = Message(
             KIND,
             text,
-            todo=tr("The real-time picture goes on."),
+            todo=tr("The real-time picture continues."),
             severity="error",
             actions=((tr("Try Again"), lambda: self.set_renderer(wanted)),),
         )
@@ -372,7 +372,7 @@ class TracedControl(QObject):
         window.overlay.show_mark(words)
         window.status.cell("renderer").set(
             words,
-            tr("Which renderer made the picture, and how far it is"),
+            tr("Renderer of the picture, and its progress"),
             "fresh" if picture is not None else "stale",
         )
         self.changed.emit()
@@ -382,7 +382,9 @@ class TracedControl(QObject):
         if picture is None:
             if self._stopped:
                 return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
-            step = self._step or (tr("waits for things to rest") if self._asked is None else tr("begins"))
+            step = self._step or (
+                tr("waiting for changes to end") if self._asked is None else tr("starting…")
+            )
             return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
         words = picture_words(self.renderer, self.quality, picture)
         if self.renderer == "raytraced":

@@ -48,7 +48,7 @@ class HandOver:
 def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
     """Write what is not written yet and return the request; FileError where the disk does not take it."""
     wanted, folder = pieces.wanted, pieces.folder
-    report(progress, 0.0, "handing the scene over")
+    report(progress, 0.0, "preparing the scene")
     environment = write_environment(wanted.environment, folder)
     surface = write_surface(wanted.surface, folder, pieces.surface)
     paint = wanted.paint_key

@@ -169,7 +169,7 @@ class TraceProcess(QObject):
         # Where Python tells the places of a crash, what was said of its cause stands before them.
         words = self._words.partition("Fatal Python error:")[0] or self._words
         lines = [line for line in words.splitlines() if line.strip()]
-        last = lines[-1].strip() if lines else tr("it left no word; the computer may be out of memory")
+        last = lines[-1].strip() if lines else tr("no message; the computer may be out of memory")
         if status == QProcess.ExitStatus.CrashExit:
             text = tr("The renderer crashed (signal {code}): {words}.")
         else:

@@ -1,4 +1,4 @@
-"""Which renderer makes the picture, how good it is to become, and how far it is."""
+"""Renderer of the picture, how good it is to become, and how far it is."""
 
 from __future__ import annotations
 
@@ -39,16 +39,16 @@ class RendererSection(Section):
         self.quality.picked.connect(self.quality_edited)
         self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
         self.samples.edited.connect(lambda value: self.samples_edited.emit(round(value)))
-        self.denoised = QCheckBox(tr("Without its noise"))
+        self.denoised = QCheckBox(tr("Denoise"))
         self.denoised.clicked.connect(self.denoised_edited)
         self.stop = QPushButton(tr("Stop"))
-        self.stop.setToolTip(tr("Keep the picture as it is, and leave the processors to others"))
+        self.stop.setToolTip(tr("Stop refining and free the processors"))
         self.stop.clicked.connect(lambda: self.stop_wanted.emit())
-        self.resume = QPushButton(tr("Go On"))
+        self.resume = QPushButton(tr("Resume"))
         self.resume.setToolTip(tr("Refine the picture further"))
         self.resume.clicked.connect(lambda: self.resume_wanted.emit())
         self.save = QPushButton(tr("Save EXR…"))
-        self.save.setToolTip(tr("Radiance of the picture as it is now, with the variance of each pixel"))
+        self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
         self.save.clicked.connect(lambda: self.save_wanted.emit())
         buttons = QWidget()
         row = QGridLayout(buttons)
@@ -59,9 +59,9 @@ class RendererSection(Section):
         self.state = note()
         self.facts = note()
         form = Form()
-        form.add_row(tr("Picture"), self.renderer, tr("Which renderer makes the picture"))
+        form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
-        samples_tip = tr("Samples a pixel at which the path tracer stops; 0: it goes on without end")
+        samples_tip = tr("Samples per pixel at which the path tracer stops; 0: unlimited")
         self._rows = {
             "raytraced": [(form.add_row(tr("Quality"), self.quality, tip), self.quality)],
             "reference": [
@@ -95,7 +95,7 @@ class RendererSection(Section):
         self.denoised.setEnabled(not missing)
         self.denoised.setToolTip(
             plain_tip(
-                missing or tr("A denoiser guesses what the noise hides: good to look at, nothing to measure")
+                missing or tr("A denoiser estimates detail hidden by noise: for viewing, not for measuring")
             )
         )
 

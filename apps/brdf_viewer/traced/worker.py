@@ -186,7 +186,7 @@ class Worker:
             step()
         except Exception as error:  # whatever went wrong, the user must hear of it
             if not isinstance(error, SuiteError | MemoryError | OSError):
-                log.exception("the tracer met a fault of its own")
+                log.exception("internal error of the tracer")
             generation = -1 if self._request is None else self._request.generation
             self._request = self._job = self._frames = self._newest = self._untold = None
             self._say({"say": "failed", "generation": generation, "text": _words(error)})
@@ -197,7 +197,7 @@ def _words(error: BaseException) -> str:
         return "There is not enough memory for a picture of this size; make the window smaller."
     if isinstance(error, SuiteError | OSError):
         return str(error)
-    return f"The renderer met a fault of its own: {type(error).__name__}: {error}"
+    return f"Internal error of the renderer: {type(error).__name__}: {error}"
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -154,7 +154,7 @@ def test_a_frozen_paint_stays_while_the_first_changes(viewer, tmp_path) -> None:
 
 def test_without_a_second_paint_it_says_how_to_get_one(viewer) -> None:
     pick(viewer, "swipe")
-    assert "There is no second paint yet." in viewer.messages()["no second paint"]
+    assert "No second paint is selected." in viewer.messages()["no second paint"]
     assert viewer.window.overlay.labels == ()
     viewer.window.findChild(QWidget, "message_action_Freeze A as B").click()
     wait_second(viewer, viewer.view.compare.paint)

@@ -78,7 +78,7 @@ def test_the_first_picture_comes_early_and_is_near_the_last(start, held, light, 
     cell = viewer.window.status.cell("environment")
     wanted = part.value.wanted
     assert cell.text() == f"(light1.exr, maps {wanted - 1} of {wanted})"
-    assert "sharp reflections follow" in viewer.window.environment.facts.text()
+    assert "Refining reflections" in viewer.window.environment.facts.text()
     qtbot.waitUntil(viewer.window.progress.isVisible, timeout=5000)
     assert not viewer.stage.is_complete
     assert complete == []
@@ -87,7 +87,7 @@ def test_the_first_picture_comes_early_and_is_near_the_last(start, held, light, 
     qtbot.waitUntil(lambda: complete == [True], timeout=20_000)
     assert not is_partial(viewer)
     assert cell.text() == "light1.exr"
-    assert "maps are there" not in viewer.window.environment.facts.text()
+    assert "Refining reflections" not in viewer.window.environment.facts.text()
     whole = viewer.pixels().astype(int)
     viewer.stage.set_environment(part.key, part.value)  # again, in a picture of the same size
     assert np.abs(viewer.pixels() - whole).mean() < 1.0
@@ -116,7 +116,7 @@ def test_cancel_of_the_first_keeps_what_is_there_and_says_so(start, held, light,
     qtbot.waitUntil(lambda: is_partial(viewer), timeout=60_000)
     viewer.controller.scene.cancel("environment")
     assert is_partial(viewer)
-    assert "Choose the light again" in viewer.window.environment.facts.text()
+    assert "Select the light again" in viewer.window.environment.facts.text()
     assert "light4.exr, maps" in viewer.window.status.cell("environment").text()
     held.go_on.set()
     with qtbot.waitSignal(viewer.controller.picture_complete, timeout=60_000):

@@ -67,7 +67,7 @@ def test_the_pixel_under_the_cursor(viewer) -> None:
 def test_past_the_surface_there_is_a_colour_and_no_angle(viewer) -> None:
     reading = hover(viewer, QPoint(3, 3))
     assert reading.angles is None
-    assert "past the surface" in viewer.controller.readout.lines
+    assert "background" in viewer.controller.readout.lines
     QApplication.sendEvent(viewer.canvas, QEvent(QEvent.Type.Leave))
     assert viewer.controller.readout.reading is None
     assert viewer.window.status.cell("readout").text() == ""

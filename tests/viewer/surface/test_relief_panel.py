@@ -74,7 +74,7 @@ def test_a_paint_brings_its_own_orange_peel(ball, qtbot) -> None:
     # What the view sets takes its place.
     section(ball).orange_peel.edited.emit(1.0)
     assert not np.array_equal(ball.pixels(), own)
-    assert "in place of the paint's own" in section(ball).peel_facts.text()
+    assert "instead of the paint's own" in section(ball).peel_facts.text()
     section(ball).orange_peel.edited.emit(0.0)
     assert np.array_equal(ball.pixels(), own)
 

@@ -113,10 +113,10 @@ def test_baking_is_told_cancelled_and_offered_again(balls, qtbot, monkeypatch) -
     monkeypatch.setattr(surface_control, "baked_occlusion", slow)
     section(balls).occlusion.click()
     qtbot.waitUntil(started.is_set)
-    assert section(balls).baking.text() == "Occlusion is being baked."
+    assert section(balls).baking.text() == "Computing ambient occlusion…"
     balls.window.busy_cancelled.emit(surface_control.OCCLUSION)
     assert not balls.controller.surface.baking
-    assert "Not baked" in section(balls).baking.text()
+    assert "Shown without ambient occlusion" in section(balls).baking.text()
     assert balls.stage.surface.baked is None
     hold.set()
     section(balls).again.click()

@@ -73,8 +73,8 @@ def test_marks_and_count(viewer) -> None:
 
 
 def test_words_of_the_count() -> None:
-    assert told(Unshowable(0, 0, 0)) == "The object is not in the picture"
-    assert told(Unshowable(1000, 0, 0)) == "Too bright for the screen: none; out of its gamut: none"
+    assert told(Unshowable(0, 0, 0)) == "The object is outside the picture"
+    assert told(Unshowable(1000, 0, 0)) == "Clipped highlights: none; out of gamut: none"
     assert "less than 0.1 % of the object" in told(Unshowable(100_000, 3, 70_000))
     assert "70.0 %" in told(Unshowable(100_000, 3, 70_000))
 
@@ -132,7 +132,7 @@ def test_without_a_profile_or_with_a_bad_one_srgb_is_assumed_and_said(qapp) -> N
     screen = qapp.primaryScreen()
     monitor = monitor_of(screen)
     assert monitor.space is SRGB_SPACE
-    assert monitor.told == "sRGB assumed: the system tells no profile of this monitor"
+    assert monitor.told == "No monitor profile found; assuming sRGB"
     with RootProperty("_ICC_PROFILE", b"not a profile"):
         bad = monitor_of(screen)
     assert bad.space is SRGB_SPACE

@@ -176,7 +176,7 @@ def test_what_fails_is_told_with_its_generation_and_the_next_request_is_taken(tm
     engines = Engines(ReferenceUnavailableError("install this"))
     said = answers(tmp_path, engines, [request_in(tmp_path, 7).to_json()], [], [])
     assert said == [{"say": "failed", "generation": 7, "text": "install this"}]
-    for error, words in ((MemoryError(), "not enough memory"), (ZeroDivisionError("x"), "fault of its own")):
+    for error, words in ((MemoryError(), "not enough memory"), (ZeroDivisionError("x"), "nternal error")):
         (told,) = answers(tmp_path, Engines(error), [request_in(tmp_path, 7).to_json()], [])
         assert words in told["text"]
 

@@ -99,7 +99,7 @@ def test_the_reference_refines_restarts_is_compared_saved_and_survived(saved, st
     os.kill(viewer.controller.traced.process_id, signal.SIGKILL)
     qtbot.waitUntil(lambda: "traced" in viewer.messages())
     assert "crashed (signal 9)" in viewer.messages()["traced"]
-    assert "The real-time picture goes on." in viewer.messages()["traced"]
+    assert "The real-time picture continues." in viewer.messages()["traced"]
     assert viewer.stage.renderer == "realtime"
     assert viewer.stage.traced is None
     assert viewer.window.overlay.mark == ""

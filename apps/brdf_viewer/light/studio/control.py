@@ -83,8 +83,8 @@ class StudioControl(QObject):
             self._window.messages.show_message(
                 Message(
                     _BUSY,
-                    "The light of the picture is an image, which has no lamps to edit.",
-                    todo="Begin a studio with File ▸ Studio ▸ New, or take the light booth.",
+                    "The current light is an image, which has no lamps to edit.",
+                    todo="Create a studio with File ▸ Studio ▸ New, or choose the light booth.",
                     severity="error",
                 )
             )
@@ -196,7 +196,7 @@ class StudioControl(QObject):
         for key, (title, _) in TEMPLATES.items():
             window.add_action(menu, f"New Studio: {title}", lambda key=key: self.new(key))
         menu.addSeparator()
-        window.add_action(menu, "&Edit the Picture's Light", self.edit, icon="pencil-simple")
+        window.add_action(menu, "&Edit Current Light", self.edit, icon="pencil-simple")
         self._save = window.add_action(menu, "&Save Studio", self.files.save, icon="floppy-disk")
         self._save_as = window.add_action(menu, "Save Studio &As…", self.files.save_as)
 
@@ -205,7 +205,7 @@ class StudioControl(QObject):
         try:
             value = edit(self.store.value)
         except ValueRangeError as error:
-            self._panel.set_mistake(f"Not taken: {error.place}: {error.reason}")
+            self._panel.set_mistake(f"Not applied: {error.place}: {error.reason}")
             self._show()
             return
         self._panel.set_mistake("")
@@ -248,7 +248,7 @@ class StudioControl(QObject):
     def _double(self) -> None:
         index = self._index
         self._index = index + 1
-        self._do("Double Lamp", lambda light: edits.doubled(_studio(light), index))
+        self._do("Duplicate Lamp", lambda light: edits.doubled(_studio(light), index))
 
     def _remove(self) -> None:
         index = self._index
@@ -279,7 +279,7 @@ class StudioControl(QObject):
     def _not_drawn(self, error: Exception) -> None:
         if not isinstance(error, SuiteError):
             raise error
-        todo = "The picture shows what could be drawn last."
+        todo = "The picture shows the last valid light."
         self._window.messages.show_message(message_of(error, _BUSY, todo=todo))
 
     def _cancelled(self, kind: str) -> None:
@@ -316,7 +316,7 @@ class StudioControl(QObject):
         self._show_state()
 
     def _show_state(self) -> None:
-        where = "Not saved in a file yet" if self.store.path is None else self.store.path.name
+        where = "Not saved to a file yet" if self.store.path is None else self.store.path.name
         changed = "" if self.store.is_clean else ", changed" if self.store.path is not None else ""
         stack = self.store.stack
         self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())

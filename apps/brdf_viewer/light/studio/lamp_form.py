@@ -34,7 +34,7 @@ class LampForm(QWidget):
         self.first = edits.number("first", "Width", "°", 0.05, 170.0, 1.0, 2, 30.0)
         self.second = edits.number("second", "Height", "°", 0.05, 170.0, 1.0, 2, 30.0)
         self.roll = edits.of_document("roll_deg", 1.0, 1)
-        self.aimed = edits.tick("aimed", "Faces the middle", "Off: it shines where the two angles say")
+        self.aimed = edits.tick("aimed", "Face the centre", "Off: the direction is set by the two angles")
         self.facing_azimuth = edits.number("facing_azimuth", "Facing", "°", -180.0, 180.0, 1.0, 1, 180.0)
         self.facing_azimuth.setWrapping(True)
         self.facing_elevation = edits.number("facing_elevation", "Up", "°", -90.0, 90.0, 1.0, 1, -45.0)
@@ -43,21 +43,23 @@ class LampForm(QWidget):
         self.softness = edits.number("softness_cm", "Soft edge", "cm", 0.01, 1000.0, 0.5, 2, 6.0)
         form = Form()
         form.add_row("Shape", self.shape, "A box is brightest in its middle; strips and rings are even")
-        form.add_row("Azimuth", self.azimuth, "Where it is: from the front (+z) towards the right (+x)")
-        form.add_row("Elevation", self.elevation, "Above the horizon of the scene's middle")
-        form.add_row("Distance", self.distance, "From the middle of the scene; its size in metres stays")
-        size = "The angle that it takes up, seen squarely from the middle of the scene"
+        form.add_row("Azimuth", self.azimuth, "Position: from the front (+z) towards the right (+x)")
+        form.add_row("Elevation", self.elevation, "Above the horizon at the centre of the scene")
+        form.add_row(
+            "Distance", self.distance, "Distance from the centre of the scene; the size in metres stays"
+        )
+        size = "Angular size, seen face-on from the centre of the scene"
         self._first_label = form.add_row("Width", self.first, size)
         self._second_label = form.add_row("Height", self.second, size)
         form.add_row("Roll", self.roll, PARAMETERS["roll_deg"].meaning)
         form.add_row("", self.aimed)
         self._facing_labels = [
-            form.add_row("Shines to", self.facing_azimuth, "Azimuth towards which it shines"),
-            form.add_row("and up", self.facing_elevation, "Elevation towards which it shines"),
+            form.add_row("Shines to", self.facing_azimuth, "Azimuth of the direction of emission"),
+            form.add_row("and up", self.facing_elevation, "Elevation of the direction of emission"),
         ]
-        self._luminance_label = form.add_row("Luminance", self.luminance, "In its middle")
-        form.add_row("Colour", self.colour, "Planck's below 4,000 K, daylight from there on")
-        form.add_row("Soft edge", self.softness, "Width over which its edge fades in")
+        self._luminance_label = form.add_row("Luminance", self.luminance, "At its centre")
+        form.add_row("Colour", self.colour, "Planckian below 4,000 K, daylight above")
+        form.add_row("Soft edge", self.softness, "Width of the fade at its edge")
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(form)
@@ -79,7 +81,7 @@ class LampForm(QWidget):
             field.set_value(angle_of(size, distance))
             label.setText(text)
             metres = f"{size:.3g} m"
-            field.setToolTip(plain_tip(f"{text}: {metres}, as the angle that it takes up seen squarely"))
+            field.setToolTip(plain_tip(f"{text}: {metres}; the angle is its face-on angular size"))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
         facing_azimuth, facing_elevation = facing_deg(lamp)

@@ -74,8 +74,8 @@ class StudioPreview(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName("Panorama of the studio")
         self.setToolTip(
-            "All around, in front in the middle. Click a lamp to choose it, drag it to move it, turn the wheel over "
-            "it to size it, arrow keys move it by 1°"
+            "Full panorama, front at the centre. Click a lamp to select it, drag it to move it, turn the wheel "
+            "over it to resize it, arrow keys move it by 1°"
         )
 
     def set_light(self, light: LightDocument) -> None:

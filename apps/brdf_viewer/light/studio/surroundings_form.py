@@ -45,13 +45,11 @@ class SurroundingsForm(QWidget):
             for name, (_, parameter, step) in _ROOM.items()
         }
         form = Form()
-        form.add_row(
-            "Unit", self.unit, "What luminances are counted in; the picture is exposed for a white card"
-        )
-        form.add_row("Around", self.around, "What is seen where there is no lamp")
+        form.add_row("Unit", self.unit, "Unit of luminances; the exposure is set for a white card")
+        form.add_row("Surroundings", self.around, "Visible where there is no lamp")
         self._backdrop, self._room = Form(), Form()
-        self._backdrop.add_row("Luminance", self.backdrop_luminance, "The same from everywhere; 0 is black")
-        self._backdrop.add_row("Colour", self.backdrop_colour, "Of the backdrop")
+        self._backdrop.add_row("Luminance", self.backdrop_luminance, "Uniform; 0 is black")
+        self._backdrop.add_row("Colour", self.backdrop_colour, "Colour of the backdrop")
         for name, (label, parameter, _) in _ROOM.items():
             self._room.add_row(label, self.room[name], PARAMETERS[parameter].meaning)
         box = QVBoxLayout(self)
@@ -98,9 +96,9 @@ class SkyForm(QWidget):
         self.elevation = edits.of_document("sun_elevation_deg", 1.0, 1)
         self.azimuth = edits.of_document("sun_azimuth_deg", 1.0, 1)
         self.ground = edits.of_document("ground_albedo", 0.01, 2)
-        self.disc = edits.tick("sun_disc", "Sun in the picture", "The sun itself, 0.53° across")
+        self.disc = edits.tick("sun_disc", "Sun in the picture", "The solar disc, 0.53° in diameter")
         form = Form()
-        form.add_row("Model", self.model, "Which published sky")
+        form.add_row("Model", self.model, "Published sky model")
         self._clear = [
             form.add_row("Turbidity", self.turbidity, PARAMETERS["turbidity"].meaning),
             form.add_row("Elevation", self.elevation, PARAMETERS["sun_elevation_deg"].meaning),

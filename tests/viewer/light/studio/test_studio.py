@@ -89,7 +89,7 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     assert viewer.controller.studio.new("three")
     panel = viewer.window.studio
     assert panel.list.count() == 3
-    assert panel.state.text() == "Not saved in a file yet"
+    assert panel.state.text() == "Not saved to a file yet"
     seen = []
     viewer.stage.contents_changed.emit()  # as of a paint or a surface: the light goes on being drawn
     viewer.stage.contents_changed.connect(lambda: seen.append(viewer.stage.environment.value))
@@ -254,10 +254,10 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     settle(viewer)
     form = FORMATS["picture"][0]
     viewer.controller.export.export(ExportSettings("picture", form, (64, 48)))
-    assert "is not saved" in viewer.messages()["export"]  # an export would read another light
+    assert "unsaved changes" in viewer.messages()["export"]  # an export would read another light
     script.save_to = tmp_path / "mine.brdfview"
     assert viewer.controller.views.save()
-    assert "is not saved" in viewer.messages()["view"]  # a view cannot name it
+    assert "unsaved edits" in viewer.messages()["view"]  # a view cannot name it
     script.save_to = tmp_path / "mine.brdfstudio"
     viewer.window.studio.save.click()
     assert not viewer.controller.scene.edited
