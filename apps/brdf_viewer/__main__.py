@@ -8,7 +8,7 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.program.application import create_application, process_age_s, run
 from brdf_qt.program.arguments import window_size
@@ -114,7 +114,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _first_view(options: argparse.Namespace) -> View:
     from brdf_viewer.documents.remembered import recall
 
-    wanted = {
+    wanted: dict[str, Any] = {
         "environment": options.environment and name_in_view(options.environment, environment_names()),
         "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
@@ -181,7 +181,7 @@ def _screenshot(controller: ViewerController, path: Path) -> Outcome:
 
     def failed(kind: str, text: str) -> None:
         print(f"brdf-viewer: {text}", file=sys.stderr)
-        if kind == "picture" or not controller.stage.is_complete:
+        if kind == "picture" or not controller.state.is_complete:
             window.close()
 
     single_shot = Qt.ConnectionType.SingleShotConnection

@@ -30,7 +30,7 @@ _KEY = "language"
 def tr(text: str, comment: str | None = None) -> str:
     """Return ``text`` in the language of the program; as it is where no translation is installed.
 
-    ``comment`` tells two meanings of one English word apart. A drag asks for the same forty texts a hundred times a
+    ``comment`` distinguishes two meanings of one English word. A drag asks for the same forty texts a hundred times a
     second, so they are kept.
     """
     return QCoreApplication.translate("", text, comment)

@@ -108,7 +108,7 @@ class CommandPalette(QFrame):
         self._empty.setVisible(not kept)
 
     def _run(self, item: QListWidgetItem) -> None:
-        if not self.isVisible():  # One click may be told twice, as a click and as an activation.
+        if not self.isVisible():  # One click may be reported twice, as a click and as an activation.
             return
         self.close()
         action: QAction = item.data(_ACTION)

@@ -101,8 +101,10 @@ class QtDialogs:
         box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
         without_icons(box)
         box.exec()
-        answers = {overwrite: Overwrite.OVERWRITE, save_as: Overwrite.SAVE_AS}
-        return answers.get(box.clickedButton(), Overwrite.CANCEL)
+        clicked = box.clickedButton()
+        if clicked is overwrite:
+            return Overwrite.OVERWRITE
+        return Overwrite.SAVE_AS if clicked is save_as else Overwrite.CANCEL
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.open_path`."""

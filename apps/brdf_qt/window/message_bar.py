@@ -47,7 +47,7 @@ class Message:
 
 
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
-    """Return the message that tells ``error``; a bug of ours is named as such, with where the log is."""
+    """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
         where = (
             tr("{file}, at {place}").format(file=error.path, place=error.place) if error.place else error.path

@@ -1,4 +1,4 @@
-"""When the error of a fit is large, and how that is told: the same in every program."""
+"""When the error of a fit is large, and how that is reported: the same in every program."""
 
 from __future__ import annotations
 

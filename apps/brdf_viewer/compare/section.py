@@ -42,7 +42,7 @@ class CompareSection(Section):
     divider_edited = Signal(float)
     rate_edited = Signal(float)
     scale_edited = Signal(float)
-    freeze_wanted = Signal()
+    freeze_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Compare", "compare", parent)
@@ -51,7 +51,7 @@ class CompareSection(Section):
         self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
         self.freeze = QPushButton("Freeze A as B")
         self.freeze.setToolTip("Keep the current paint as B while A changes (Ctrl+B)")
-        self.freeze.clicked.connect(lambda: self.freeze_wanted.emit())
+        self.freeze.clicked.connect(lambda: self.freeze_requested.emit())
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
         self.divider = NumberField("Divider", "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
         self.divider.edited.connect(lambda percent: self.divider_edited.emit(percent / 100.0))
@@ -66,7 +66,7 @@ class CompareSection(Section):
         form.add_row("Show", self.mode, "Comparison of A and B; press B to blink")
         form.add_row("Second (B)", self.chooser, "Paint or picture that the current paint is compared with")
         form.add_row("", self.freeze)
-        self._rows = {
+        self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
             "swipe": [(form.add_row("Divider", self.divider, divider.meaning), self.divider)],
             "blink": [(form.add_row("Rate", self.rate, rate.meaning), self.rate)],
             "difference": [

@@ -1,4 +1,4 @@
-"""The light that aspecular angles are told of: the strongest one there is."""
+"""The light that aspecular angles refer to: the strongest one there is."""
 
 from __future__ import annotations
 

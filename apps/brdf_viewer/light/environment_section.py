@@ -43,7 +43,7 @@ class EnvironmentSection(Section):
     background_edited = Signal(str)
     background_colour_edited = Signal(object)
     layout_edited = Signal(str)
-    edit_wanted = Signal()
+    edit_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Environment", "environment", parent)
@@ -61,7 +61,7 @@ class EnvironmentSection(Section):
         self.edit = QToolButton()
         self.edit.setText("Edit Light")
         self.edit.setToolTip("Edit this studio or sky in its own panel")
-        self.edit.clicked.connect(lambda _=False: self.edit_wanted.emit())
+        self.edit.clicked.connect(lambda _=False: self.edit_requested.emit())
         self.facts = note()
         self.figures = EnvironmentFigures()
         form = Form()

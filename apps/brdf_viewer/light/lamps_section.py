@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from math import atan2, cos, degrees, hypot, radians, sin
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
@@ -39,7 +41,7 @@ class LampFields(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lamps: tuple[Lamp, ...] = ()
+        self.lamps: tuple[Lamp, ...] = ()
         self.list = QuietComboBox()
         self.list.setAccessibleName("Lamps")
         self.list.activated.connect(lambda _index: self._show())
@@ -95,11 +97,11 @@ class LampFields(QWidget):
     def set_lamps(self, lamps: tuple[Lamp, ...]) -> None:
         """Show lamps, without a signal; the one that was chosen stays so."""
         chosen = max(0, self.list.currentIndex())
-        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self._lamps] or not lamps:
+        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self.lamps] or not lamps:
             self.list.clear()
             self.list.addItems([f"{i + 1}: {lamp.kind}" for i, lamp in enumerate(lamps)] or ["None"])
             self.list.setCurrentIndex(min(chosen, self.list.count() - 1))
-        self._lamps = lamps
+        self.lamps = lamps
         self._show()
 
     def set_shading(self, key: str) -> None:
@@ -114,7 +116,7 @@ class LampFields(QWidget):
         lamp = self._chosen()
         self._fields.setVisible(lamp is not None)
         self.list.setEnabled(lamp is not None)
-        self.add_button.setEnabled(len(self._lamps) < MOST_LAMPS)
+        self.add_button.setEnabled(len(self.lamps) < MOST_LAMPS)
         self.remove_button.setEnabled(lamp is not None)
         if lamp is None:
             return
@@ -130,18 +132,18 @@ class LampFields(QWidget):
 
     def _chosen(self) -> Lamp | None:
         index = self.list.currentIndex()
-        return self._lamps[index] if 0 <= index < len(self._lamps) else None
+        return self.lamps[index] if 0 <= index < len(self.lamps) else None
 
     def _add(self) -> None:
-        self.set_lamps((*self._lamps, _NEW))
-        self.list.setCurrentIndex(len(self._lamps) - 1)
+        self.set_lamps((*self.lamps, _NEW))
+        self.list.setCurrentIndex(len(self.lamps) - 1)
         self._show()
-        self.edited.emit(self._lamps)
+        self.edited.emit(self.lamps)
 
     def _remove(self) -> None:
         index = self.list.currentIndex()
-        self.set_lamps(self._lamps[:index] + self._lamps[index + 1 :])
-        self.edited.emit(self._lamps)
+        self.set_lamps(self.lamps[:index] + self.lamps[index + 1 :])
+        self.edited.emit(self.lamps)
 
     def _placed(self, _value: float) -> None:
         lamp = self._chosen()
@@ -149,15 +151,15 @@ class LampFields(QWidget):
             place = (self.azimuth.value(), self.elevation.value(), self.distance.value())
             self._replace(placed(lamp, *place))
 
-    def _change(self, **fields: object) -> None:
+    def _change(self, **fields: Any) -> None:
         lamp = self._chosen()
         if lamp is not None:
             self._replace(dataclasses.replace(lamp, **fields))
 
     def _replace(self, lamp: Lamp) -> None:
         index = self.list.currentIndex()
-        self.set_lamps((*self._lamps[:index], lamp, *self._lamps[index + 1 :]))
-        self.edited.emit(self._lamps)
+        self.set_lamps((*self.lamps[:index], lamp, *self.lamps[index + 1 :]))
+        self.edited.emit(self.lamps)
 
 
 def polar(lamp: Lamp) -> tuple[float, float, float]:
@@ -181,7 +183,7 @@ def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float
     return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
 
-def _button(name: str, tip: str, slot: object) -> QToolButton:
+def _button(name: str, tip: str, slot: Callable[[], object]) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
     button.setToolTip(plain_tip(tip))

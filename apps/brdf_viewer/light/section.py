@@ -50,7 +50,7 @@ class LightingSection(Section):
         self.presets = QButtonGroup(self)
         # None is pressed where the light is another.
         self.presets.setExclusive(False)
-        self._buttons: dict[str, QToolButton] = {}
+        self.preset_buttons: dict[str, QToolButton] = {}
         self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
         self.illuminant.activated.connect(
             lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
@@ -101,20 +101,20 @@ class LightingSection(Section):
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(lambda _=False, key=key: self._pressed(key))
             self.presets.addButton(button)
-            self._buttons[key] = button
+            self.preset_buttons[key] = button
             grid.addWidget(button, index // _COLUMNS, index % _COLUMNS)
         return inside
 
     def _pressed(self, key: str) -> None:
-        self._buttons[key].setChecked(True)  # a second press leaves it pressed
+        self.preset_buttons[key].setChecked(True)  # a second press leaves it pressed
         self.preset_chosen.emit(key)
 
     def show_preset(self, key: str) -> None:
         """Press the button of the present light; none where the key is empty."""
-        for name, button in self._buttons.items():
+        for name, button in self.preset_buttons.items():
             button.setChecked(name == key)
             font = button.font()
-            font.setBold(name == key)  # what is chosen is told by more than a shade of grey
+            font.setBold(name == key)  # the choice is shown by more than a shade of grey
             button.setFont(font)
 
     def show_colour(self, colour: LightColour, spectra: Spectra) -> None:

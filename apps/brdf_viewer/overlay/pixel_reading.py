@@ -1,4 +1,4 @@
-"""What is told of the pixel under the cursor: values, and their words."""
+"""The readout of the pixel under the cursor: values, and their words."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px,
 from brdf_suite.realtime.pictures.probe import PixelProbe, RadianceProbe, SurfacePoint
 from brdf_suite.realtime.pictures.traced_light import TracedLight
 from brdf_viewer.light.dominant import DominantLight
-from brdf_viewer.scene.stage import RealTimePicture
+from brdf_viewer.scene.viewer_state import RealTimePicture
 
 _SECOND = {PAINT_MATERIAL: SECOND_MATERIAL}
 Lab = tuple[float, float, float]

@@ -17,7 +17,7 @@ FRESNEL_TITLES = {
 FRESNEL_TIPS = {
     "raised": "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations",
     "multi_angle": "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
-    "which have no coat to be told apart, are raised",
+    "which have no separate coat, are raised",
     "off": "The lobes of 45° at every angle",
 }
 LOOK_UP_TITLES = {"shifted": "Shifted (exact horizon)", "paper": "Mirror direction (paper)"}

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.work.fit_error import is_large, large_error_tip, marked
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
@@ -123,8 +123,8 @@ class PaintPatches(QWidget):
     def _line(self) -> int:
         return self.fontMetrics().height() + 3
 
-    def event(self, event: QHelpEvent) -> bool:
-        if event.type() == QHelpEvent.Type.ToolTip:
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             for patch, box in zip(self._patches, self._boxes(), strict=True):
                 if box.contains(QPointF(event.pos())):
                     QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)

@@ -71,7 +71,7 @@ class ToneSection(Section):
         self.profile = QCheckBox("Monitor profile")
         self.profile.setToolTip("Convert colours with the system's profile of this monitor")
         self.profile.clicked.connect(self.profile_edited)
-        self.profile_told = note()
+        self.profile_note = note()
         form = Form()
         form.add_row("Tone curve", self.curve, "Mapping of radiance to the screen, before its transfer curve")
         form.add_row("Show clipping", self.clipping)
@@ -81,7 +81,7 @@ class ToneSection(Section):
         )
         form.add_wide(self.counted)
         form.add_row("Screen", self.profile)
-        form.add_wide(self.profile_told)
+        form.add_wide(self.profile_note)
         self.add(form)
 
     def set_curve(self, key: str) -> None:
@@ -97,19 +97,19 @@ class ToneSection(Section):
 
     def set_counted(self, counted: Unshowable | None) -> None:
         """Show how much of the object the screen cannot show; None while nothing has been counted."""
-        set_note(self.counted, "" if counted is None else told(counted))
+        set_note(self.counted, "" if counted is None else describe_clipping(counted))
 
     def set_profile(self, text: str, usable: bool, used: bool) -> None:
         """Say whose colours are shown; ``usable``: the monitor has a profile that can be turned on and off."""
         self.profile.setEnabled(usable)
         self.profile.setChecked(used)
-        set_note(self.profile_told, text)
+        set_note(self.profile_note, text)
 
 
-def told(counted: Unshowable) -> str:
+def describe_clipping(counted: Unshowable) -> str:
     """Return in words how much of the object a screen cannot show.
 
-    >>> told(Unshowable(1000, 12, 0))
+    >>> describe_clipping(Unshowable(1000, 12, 0))
     'Clipped highlights: 1.2 % of the object; out of gamut: none'
     """
     if counted.pixels == 0:

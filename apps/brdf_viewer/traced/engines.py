@@ -1,4 +1,4 @@
-"""The renderers that trace, behind one face: a scene is opened, and gives ever better pictures until nobody asks.
+"""The renderers that trace, behind one face: a scene is opened, and gives ever better pictures until it is closed.
 
 Only the process that traces imports this: Mitsuba can end a process, and holds the interpreter while it renders.
 """
@@ -182,10 +182,10 @@ class ReferenceJob:
         if estimate is None:
             raise SuiteError("There is no picture yet.")
         scene = replace(self._live.scene, view=replace(view, camera=self._live.scene.view.camera))
-        told = (
+        comments = (
             f"{scene.name} on {scene.surface} in {scene.environment}, path-traced, {estimate.samples} samples"
         )
-        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told})
+        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": comments})
 
 
 class RaytracedJob:

@@ -1,4 +1,4 @@
-"""A scene from the stage to files that another process reads; what has been written already is named again."""
+"""A scene from the viewer state to files that another process reads; what has been written already is named again."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import write_environment, write_surface
-from brdf_viewer.traced.wanted import Wanted
+from brdf_viewer.traced.trace_input import TraceInput
 
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
     """What a thread is to write; ``surface`` and ``paint`` are numbered, each number is one content."""
 
-    wanted: Wanted
+    wanted: TraceInput
     generation: int
     folder: Path
     surface: int
@@ -35,7 +35,7 @@ class HandOver:
         self._paint: tuple[AnyPaint | None, int] = (None, 0)
 
     def pieces(
-        self, wanted: Wanted, generation: int, folder: Path, samples: int, *, denoised: bool = False
+        self, wanted: TraceInput, generation: int, folder: Path, samples: int, *, denoised: bool = False
     ) -> Pieces:
         """Return what is to be written for a scene."""
         if wanted.surface is not self._surface[0]:

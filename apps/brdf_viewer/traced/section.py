@@ -19,16 +19,16 @@ DEFAULT_SAMPLES = 1024
 
 class RendererSection(Section):
     """Signals: ``renderer_edited(key)``, ``quality_edited(key)``, ``samples_edited(count)``,
-    ``denoised_edited(on)``, ``stop_wanted()``, ``resume_wanted()``, ``save_wanted()``.
+    ``denoised_edited(on)``, ``stop_requested()``, ``resume_requested()``, ``save_requested()``.
     """
 
     renderer_edited = Signal(str)
     quality_edited = Signal(str)
     samples_edited = Signal(int)
     denoised_edited = Signal(bool)
-    stop_wanted = Signal()
-    resume_wanted = Signal()
-    save_wanted = Signal()
+    stop_requested = Signal()
+    resume_requested = Signal()
+    save_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Renderer"), "renderer", parent)
@@ -43,13 +43,13 @@ class RendererSection(Section):
         self.denoised.clicked.connect(self.denoised_edited)
         self.stop = QPushButton(tr("Stop"))
         self.stop.setToolTip(tr("Stop refining and free the processors"))
-        self.stop.clicked.connect(lambda: self.stop_wanted.emit())
+        self.stop.clicked.connect(lambda: self.stop_requested.emit())
         self.resume = QPushButton(tr("Resume"))
         self.resume.setToolTip(tr("Refine the picture further"))
-        self.resume.clicked.connect(lambda: self.resume_wanted.emit())
+        self.resume.clicked.connect(lambda: self.resume_requested.emit())
         self.save = QPushButton(tr("Save EXR…"))
         self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
-        self.save.clicked.connect(lambda: self.save_wanted.emit())
+        self.save.clicked.connect(lambda: self.save_requested.emit())
         buttons = QWidget()
         row = QGridLayout(buttons)
         row.setContentsMargins(0, 0, 0, 0)
@@ -62,7 +62,7 @@ class RendererSection(Section):
         form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
         samples_tip = tr("Samples per pixel at which the path tracer stops; 0: unlimited")
-        self._rows = {
+        self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
             "raytraced": [(form.add_row(tr("Quality"), self.quality, tip), self.quality)],
             "reference": [
                 (form.add_row(tr("Samples"), self.samples, samples_tip), self.samples),

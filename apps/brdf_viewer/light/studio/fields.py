@@ -1,4 +1,4 @@
-"""Fields of a studio that tell of edits as changes of one value, with the gestures around them."""
+"""Fields of a studio that report edits as changes of one value, with the gestures around them."""
 
 from __future__ import annotations
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_suite.documents.studio import PARAMETERS, Point, StudioLamp
+from brdf_suite.documents.studio import PARAMETERS, Point, Shape, StudioLamp
 from brdf_viewer.light.studio.fields import Edits, TemperatureField, show_choice
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 
@@ -21,7 +22,7 @@ _SIZE_LABELS = {
 
 
 class LampForm(QWidget):
-    """Shows a lamp; ``edits`` tells what was changed, :func:`changed_lamp` makes a lamp of it."""
+    """Shows a lamp; ``edits`` reports what was changed, :func:`changed_lamp` makes a lamp of it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -95,7 +96,7 @@ class LampForm(QWidget):
         self.softness.set_value(100.0 * lamp.softness_m)
 
 
-def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
+def changed_lamp(lamp: StudioLamp, name: str, value: Any) -> StudioLamp:
     """Return the lamp after an edit of a field of :class:`LampForm`; :class:`ValueRangeError` where it cannot be."""
     azimuth, elevation, distance = polar(lamp.position_m)
     if name in ("azimuth", "elevation", "distance"):
@@ -106,7 +107,7 @@ def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
         both = (size, lamp.size_m[1]) if name == "first" else (lamp.size_m[0], size)
         return dataclasses.replace(lamp, size_m=both)
     if name == "shape":
-        return _shaped(lamp, str(value))
+        return _shaped(lamp, value)
     if name == "aimed":
         x, y, z = lamp.position_m
         return dataclasses.replace(lamp, facing=None if value else (-x, -y, -z))
@@ -120,7 +121,7 @@ def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
     return dataclasses.replace(lamp, **{name: value})
 
 
-def _shaped(lamp: StudioLamp, shape: str) -> StudioLamp:
+def _shaped(lamp: StudioLamp, shape: Shape) -> StudioLamp:
     """Return the lamp in another shape, its sides brought to what that can have."""
     first, second = lamp.size_m
     if shape == "strip":

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
@@ -73,7 +74,7 @@ class SurroundingsForm(QWidget):
                 field.set_value(getattr(studio.room, name))
 
 
-def changed_surroundings(studio: Studio, name: str, value: object) -> Studio:
+def changed_surroundings(studio: Studio, name: str, value: Any) -> Studio:
     """Return the studio after an edit of a field; :class:`ValueRangeError` where it cannot be so."""
     if name == "around":
         return with_room(studio, value == "room")
@@ -86,7 +87,7 @@ def changed_surroundings(studio: Studio, name: str, value: object) -> Studio:
 
 
 class SkyForm(QWidget):
-    """The fields of a sky; ``edits`` tells them by the names of :class:`Sky`."""
+    """The fields of a sky; ``edits`` reports them by the names of :class:`Sky`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
