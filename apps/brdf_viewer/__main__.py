@@ -8,7 +8,7 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.program.application import create_application, process_age_s, run
 from brdf_qt.program.arguments import window_size
@@ -42,8 +42,8 @@ def parser() -> argparse.ArgumentParser:
         "paint",
         nargs="?",
         metavar="PAINT",
-        help="a .brdfpaint file, a measured file, a .brdfpalette or a shipped paint's name; it stays, Designer is "
-        "offered and not followed",
+        help="a .brdfpaint file, a measured file, a .brdfpalette or a shipped paint's name; it stays until Designer "
+        "is followed by hand",
     )
     parser.add_argument(
         "--follow", action="store_true", help="show PAINT only until Designer has one, and follow it"
@@ -66,11 +66,11 @@ def parser() -> argparse.ArgumentParser:
         "--renderer",
         choices=RENDERERS,
         default="realtime",
-        help="what makes the picture; a screenshot is taken when it has become what it was asked to",
+        help="renderer of the picture; a screenshot is taken when the picture is finished",
     )
     parser.add_argument("--quality", choices=QUALITIES, help="preset of the ray tracer; remembered")
     parser.add_argument(
-        "--spp", metavar="N", type=int, help="samples a pixel at which the reference stops; remembered"
+        "--spp", metavar="N", type=int, help="samples per pixel at which the path tracer stops; remembered"
     )
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
     parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")
@@ -114,7 +114,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _first_view(options: argparse.Namespace) -> View:
     from brdf_viewer.documents.remembered import recall
 
-    wanted = {
+    wanted: dict[str, Any] = {
         "environment": options.environment and name_in_view(options.environment, environment_names()),
         "surface": options.surface and name_in_view(options.surface, surface_names()),
     }
@@ -181,7 +181,7 @@ def _screenshot(controller: ViewerController, path: Path) -> Outcome:
 
     def failed(kind: str, text: str) -> None:
         print(f"brdf-viewer: {text}", file=sys.stderr)
-        if kind == "picture" or not controller.stage.is_complete:
+        if kind == "picture" or not controller.state.is_complete:
             window.close()
 
     single_shot = Qt.ConnectionType.SingleShotConnection

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from brdf_qt.window.main_window import SuiteWindow
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu
 
@@ -22,70 +23,47 @@ from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TIT
 
 
 class ViewerCommands(QObject):
-    """Makes the actions in the window's menus.
+    """Makes the actions in the window's menus; each ``*_requested`` signal is a command of the user.
 
-    Signals
-    -------
-    open_wanted(kind), recent_wanted(kind, path)
-        A file of kind ``paint``, ``environment`` or ``surface`` is to be opened.
-    paint_wanted(name), follow_wanted(bool), designer_wanted()
-        A shipped paint; Designer is to be followed or not; Designer is to be started.
-    preset_wanted(key), frame_wanted(), turntable_wanted(bool)
-        The camera.
-    tone_curve_wanted(key), background_wanted(key), fresnel_wanted(key), look_up_wanted(key),
-    sparkle_wanted(key)
-        How the picture is shown.
-    copy_wanted(), picture_wanted(), export_wanted(kind)
-        The picture goes to the clipboard, or to a file; a ``picture``, ``turntable`` or ``sheet`` is to be exported.
-    source_wanted(kind, key)
-        A shipped environment or surface.
-    compare_wanted(mode), blink_wanted(), flip_wanted(), freeze_wanted()
-        Two paints: how they are shown; to begin or end a blink; the other one, by hand; keep the paint as the second.
-    step_wanted(step), palette_close_wanted()
-        The next paint (1) or the one before (-1); the palette is to be closed.
-    view_save_wanted(), view_save_as_wanted()
-        The view goes to its file, or to another one.
-    figures_wanted(bool)
-        The figures over the picture.
-    renderer_wanted(key), quality_wanted(key), trace_stop_wanted(), trace_resume_wanted(), trace_save_wanted()
-        Which renderer makes the picture; what is traced is to stop, to go on, or to be saved.
-    undo_wanted(), redo_wanted()
-        A step of the view.
+    A kind is ``paint``, ``palette``, ``view``, ``environment`` or ``surface`` in ``open_requested`` and
+    ``recent_requested``, and ``picture``, ``turntable`` or ``sheet`` in ``export_requested``. ``step_requested(step)``
+    is 1 for the next paint, -1 for the one before. ``blink_requested`` starts or stops blinking, ``flip_requested``
+    switches to the other paint by hand, ``freeze_requested`` keeps the current paint as the second one.
     """
 
-    open_wanted = Signal(str)
-    recent_wanted = Signal(str, str)
-    paint_wanted = Signal(str)
-    follow_wanted = Signal(bool)
-    designer_wanted = Signal()
-    preset_wanted = Signal(str)
-    frame_wanted = Signal()
-    turntable_wanted = Signal(bool)
-    tone_curve_wanted = Signal(str)
-    background_wanted = Signal(str)
-    fresnel_wanted = Signal(str)
-    look_up_wanted = Signal(str)
-    sparkle_wanted = Signal(str)
-    copy_wanted = Signal()
-    picture_wanted = Signal()
-    export_wanted = Signal(str)
-    source_wanted = Signal(str, str)
-    compare_wanted = Signal(str)
-    blink_wanted = Signal()
-    flip_wanted = Signal()
-    freeze_wanted = Signal()
-    figures_wanted = Signal(bool)
-    step_wanted = Signal(int)
-    palette_close_wanted = Signal()
-    view_save_wanted = Signal()
-    view_save_as_wanted = Signal()
-    renderer_wanted = Signal(str)
-    quality_wanted = Signal(str)
-    trace_stop_wanted = Signal()
-    trace_resume_wanted = Signal()
-    trace_save_wanted = Signal()
-    undo_wanted = Signal()
-    redo_wanted = Signal()
+    open_requested = Signal(str)
+    recent_requested = Signal(str, str)
+    paint_requested = Signal(str)
+    follow_requested = Signal(bool)
+    designer_requested = Signal()
+    preset_requested = Signal(str)
+    frame_requested = Signal()
+    turntable_requested = Signal(bool)
+    tone_curve_requested = Signal(str)
+    background_requested = Signal(str)
+    fresnel_requested = Signal(str)
+    look_up_requested = Signal(str)
+    sparkle_requested = Signal(str)
+    copy_requested = Signal()
+    picture_requested = Signal()
+    export_requested = Signal(str)
+    source_requested = Signal(str, str)
+    compare_requested = Signal(str)
+    blink_requested = Signal()
+    flip_requested = Signal()
+    freeze_requested = Signal()
+    figures_requested = Signal(bool)
+    step_requested = Signal(int)
+    palette_close_requested = Signal()
+    view_save_requested = Signal()
+    view_save_as_requested = Signal()
+    renderer_requested = Signal(str)
+    quality_requested = Signal(str)
+    trace_stop_requested = Signal()
+    trace_resume_requested = Signal()
+    trace_save_requested = Signal()
+    undo_requested = Signal()
+    redo_requested = Signal()
 
     def __init__(self, window: SuiteWindow) -> None:
         super().__init__(window)
@@ -94,42 +72,42 @@ class ViewerCommands(QObject):
         self._add_view()
         self._add_paint()
         self.undo = window.add_action(
-            window.edit_menu, "&Undo", self.undo_wanted.emit, QKeySequence.StandardKey.Undo
+            window.edit_menu, "&Undo", self.undo_requested.emit, QKeySequence.StandardKey.Undo
         )
         self.redo = window.add_action(
-            window.edit_menu, "&Redo", self.redo_wanted.emit, QKeySequence.StandardKey.Redo
+            window.edit_menu, "&Redo", self.redo_requested.emit, QKeySequence.StandardKey.Redo
         )
         self.show_history("", "")
         window.edit_menu.addSeparator()
         window.add_action(
             window.edit_menu,
             "&Copy Picture",
-            self.copy_wanted.emit,
+            self.copy_requested.emit,
             QKeySequence.StandardKey.Copy,
             "copy",
-            "Put the picture on the clipboard, at its full number of pixels",
+            "Copy the picture to the clipboard at full resolution",
         )
         designer = window.add_action(
-            window.window_menu, "Open &Designer", self.designer_wanted.emit, "Ctrl+D", "palette"
+            window.window_menu, "Open &Designer", self.designer_requested.emit, "Ctrl+D", "palette"
         )
         window.window_menu.insertAction(window.window_menu.actions()[0], designer)
         self._add_toolbar()
 
     def set_recent(self, kind: str, paths: Iterable[str]) -> None:
         """List the recent files of a kind in the File menu."""
-        menu = self._recent[kind]
+        menu = self.recent_menus[kind]
         menu.clear()
         for path in paths:
             action = menu.addAction(path)
             action.setToolTip(plain_tip(path))
-            action.triggered.connect(lambda _=False, path=path: self.recent_wanted.emit(kind, path))
+            action.triggered.connect(lambda _=False, path=path: self.recent_requested.emit(kind, path))
         menu.setEnabled(not menu.isEmpty())
 
     def set_paints(self, paints: Iterable[Source]) -> None:
         """List the shipped paints in the Paint menu."""
         for source in paints:
             self._window.add_action(
-                self._paints, source.title, lambda key=source.key: self.paint_wanted.emit(key)
+                self._paints, source.title, partial(self.paint_requested.emit, source.key)
             )
 
     def set_sources(self, kind: str, sources: Iterable[Source]) -> None:
@@ -138,7 +116,7 @@ class ViewerCommands(QObject):
             action = self._window.add_action(
                 self._sources[kind],
                 source.title,
-                lambda key=source.key: self.source_wanted.emit(kind, key),
+                partial(self.source_requested.emit, kind, source.key),
             )
             action.setCheckable(True)
             action.setData(source.key)
@@ -180,28 +158,28 @@ class ViewerCommands(QObject):
         add(
             menu,
             "&Save View",
-            self.view_save_wanted.emit,
+            self.view_save_requested.emit,
             save,
             "floppy-disk",
             "Camera, light and all settings",
         )
-        add(menu, "Save View &As…", self.view_save_as_wanted.emit, "Ctrl+Shift+S")
+        add(menu, "Save View &As…", self.view_save_as_requested.emit, "Ctrl+Shift+S")
         menu.addSeparator()
         self._window.add_action(
             menu,
             "Save &Picture…",
-            self.picture_wanted.emit,
+            self.picture_requested.emit,
             "Ctrl+E",
             "floppy-disk",
-            "Save the picture as PNG, at its full number of pixels, with paint and settings noted in it",
+            "Save the picture as PNG at full resolution, with paint and settings as metadata",
         )
         self._window.add_action(
             menu,
             tr("Save T&raced Picture…"),
-            self.trace_save_wanted.emit,
+            self.trace_save_requested.emit,
             "Ctrl+Shift+R",
             "floppy-disk",
-            tr("Save what the ray tracer or the reference has made, as EXR with the variance of each pixel"),
+            tr("Save the traced picture as EXR with the variance of each pixel"),
         )
         for text, kind, keys, tip in (
             ("E&xport Picture…", "picture", "Ctrl+Shift+X", "A picture of any size, as PNG or EXR"),
@@ -214,12 +192,12 @@ class ViewerCommands(QObject):
             ("Export &Contact Sheet…", "sheet", None, "All paints of a palette or a folder in this light"),
         ):
             self._window.add_action(
-                menu, text, lambda kind=kind: self.export_wanted.emit(kind), keys, "export", tip
+                menu, text, partial(self.export_requested.emit, kind), keys, "export", tip
             )
         menu.addSeparator()
         self.studio = menu.addMenu("S&tudio")
         menu.addSeparator()
-        self._recent = {
+        self.recent_menus = {
             kind: menu.addMenu(title)
             for kind, title in (
                 ("paint", "Recent &Paints"),
@@ -232,7 +210,9 @@ class ViewerCommands(QObject):
         self._window.add_quit()
 
     def _open(self, menu: QMenu, text: str, kind: str, keys: str | QKeySequence.StandardKey) -> QAction:
-        return self._window.add_action(menu, text, lambda: self.open_wanted.emit(kind), keys, "folder-open")
+        return self._window.add_action(
+            menu, text, lambda: self.open_requested.emit(kind), keys, "folder-open"
+        )
 
     def _add_view(self) -> None:
         menu = self._window.view_menu
@@ -240,26 +220,31 @@ class ViewerCommands(QObject):
         self.presets = [
             self._window.add_action(
                 menu,
-                f"Look from: {title}",
-                lambda key=key: self.preset_wanted.emit(key),
+                f"View: {title}",
+                partial(self.preset_requested.emit, key),
                 str(index + 1),
-                tip=f"Look from: {title}, framing the surface",
+                tip=f"View: {title}, framing the surface",
             )
             for index, (key, (title, _, _)) in enumerate(PRESETS.items())
         ]
         self.frame = self._window.add_action(
             menu,
             "&Frame Surface",
-            self.frame_wanted.emit,
+            self.frame_requested.emit,
             "F",
             "frame-corners",
             "Fill the picture with the surface",
         )
         self.turntable = self._window.add_action(
-            menu, "&Turntable", None, "Space", "arrows-clockwise", "Turn the surface before camera and light"
+            menu,
+            "&Turntable",
+            None,
+            "Space",
+            "arrows-clockwise",
+            "Rotate the surface in front of camera and light",
         )
         self.turntable.setCheckable(True)
-        self.turntable.triggered.connect(self.turntable_wanted)
+        self.turntable.triggered.connect(self.turntable_requested)
         # Space presses a button that has the focus; it is the turntable's on the picture only.
         self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self.on_picture = [self.turntable]
@@ -273,24 +258,24 @@ class ViewerCommands(QObject):
             # A file of the user's is none of them, and a choice that fails goes back.
             group.setExclusionPolicy(QActionGroup.ExclusionPolicy.ExclusiveOptional)
         self._add_renderers()
-        self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_wanted)
+        self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_requested)
         self._background = self._choices(
-            menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_wanted
+            menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_requested
         )
         self._add_compare()
         self.figures = self._window.add_action(
             menu, "Figures over the &Picture", None, "H", tip="Frame time, lobes, tone curve and readout"
         )
         self.figures.setCheckable(True)
-        self.figures.triggered.connect(self.figures_wanted)
-        self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_wanted)
-        self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_wanted)
-        self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_wanted)
+        self.figures.triggered.connect(self.figures_requested)
+        self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_requested)
+        self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_requested)
+        self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_requested)
 
     def _add_renderers(self) -> None:
         menu = self._window.view_menu.addMenu(tr("&Renderer"))
         titles = {key: tr(title) for key, title in RENDERER_TITLES.items()}
-        self._renderers = self._choices(menu, titles, self.renderer_wanted)
+        self._renderers = self._choices(menu, titles, self.renderer_requested)
         for number, action in enumerate(self._renderers.actions(), 1):
             action.setShortcut(QKeySequence(f"Ctrl+{number}"))
             action.setToolTip(plain_tip(tr(RENDERER_TIPS[action.data()]) + f" (Ctrl+{number})"))
@@ -298,17 +283,17 @@ class ViewerCommands(QObject):
         qualities = {
             key: tr("Ray-traced: {quality}").format(quality=tr(QUALITY_TITLES[key])) for key in QUALITY_TITLES
         }
-        self._qualities = self._choices(menu, qualities, self.quality_wanted)
+        self._qualities = self._choices(menu, qualities, self.quality_requested)
         menu.addSeparator()
         add = self._window.add_action
         add(
             menu,
             tr("&Stop Refining"),
-            self.trace_stop_wanted.emit,
+            self.trace_stop_requested.emit,
             "Ctrl+.",
             tip=tr("Keep the picture as it is"),
         )
-        add(menu, tr("&Go On Refining"), self.trace_resume_wanted.emit, "Ctrl+Shift+.")
+        add(menu, tr("&Resume Refining"), self.trace_resume_requested.emit, "Ctrl+Shift+.")
 
     def show_renderer(self, renderer: str, quality: str) -> None:
         """Tick which renderer makes the picture, and the ray tracer's quality where it is that."""
@@ -319,24 +304,28 @@ class ViewerCommands(QObject):
 
     def _add_compare(self) -> None:
         menu = self._window.view_menu.addMenu("&Compare")
-        self._compare = self._choices(menu, MODE_TITLES, self.compare_wanted)
+        self._compare = self._choices(menu, MODE_TITLES, self.compare_requested)
         menu.addSeparator()
         self._window.add_action(
             menu,
             "Start or Stop &Blinking",
-            self.blink_wanted.emit,
+            self.blink_requested.emit,
             "B",
-            tip="Show A and B one after the other; again for what was shown before",
+            tip="Alternate between A and B; again to return to the previous mode",
         )
         self._window.add_action(
-            menu, "Show the &Other and Stay", self.flip_wanted.emit, "Shift+B", tip="Blink by hand"
+            menu,
+            "&Switch and Stay",
+            self.flip_requested.emit,
+            "Shift+B",
+            tip="Switch between A and B manually",
         )
         self._window.add_action(
             menu,
             "&Freeze A as B",
-            self.freeze_wanted.emit,
+            self.freeze_requested.emit,
             "Ctrl+B",
-            tip="Keep the paint on show as the second one",
+            tip="Keep the current paint as B",
         )
 
     def show_sparkle(self, mode: str) -> None:
@@ -349,10 +338,10 @@ class ViewerCommands(QObject):
         for action in self._compare.actions():
             action.setChecked(action.data() == mode)
 
-    def _choices(self, menu: QMenu, titles: dict[str, str], signal: object) -> QActionGroup:
+    def _choices(self, menu: QMenu, titles: dict[str, str], signal: SignalInstance) -> QActionGroup:
         group = QActionGroup(menu)
         for key, title in titles.items():
-            action = self._window.add_action(menu, title, lambda key=key: signal.emit(key))
+            action = self._window.add_action(menu, title, partial(signal.emit, key))
             action.setCheckable(True)
             action.setData(key)
             group.addAction(action)
@@ -361,23 +350,30 @@ class ViewerCommands(QObject):
     def _add_paint(self) -> None:
         menu = self._window.paint_menu
         self.follow = self._window.add_action(
-            menu, "&Follow Designer", None, "Ctrl+L", "link", "Show what is being edited in Designer"
+            menu,
+            "&Follow Designer",
+            None,
+            "Ctrl+L",
+            "link",
+            "Show the paint that is being edited in Designer",
         )
         self.follow.setCheckable(True)
-        self.follow.triggered.connect(self.follow_wanted)
+        self.follow.triggered.connect(self.follow_requested)
         menu.addSeparator()
         for text, step, key in (("&Next Paint", 1, "Right"), ("&Previous Paint", -1, "Left")):
             action = self._window.add_action(
                 menu,
                 text,
-                lambda step=step: self.step_wanted.emit(step),
+                partial(self.step_requested.emit, step),
                 key,
-                tip="Of the palette, or as shipped",
+                tip="In the open palette or the shipped paints",
             )
             # Arrows move in lists and numbers; they are the paints' on the picture only.
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             self.on_picture.append(action)
-        self.palette_close = self._window.add_action(menu, "&Close Palette", self.palette_close_wanted.emit)
+        self.palette_close = self._window.add_action(
+            menu, "&Close Palette", self.palette_close_requested.emit
+        )
         menu.addSeparator()
         self._paints = menu.addMenu("Open &Shipped Paint")
 

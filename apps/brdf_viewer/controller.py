@@ -1,7 +1,8 @@
-"""Puts stage, window, link and background work together: the Viewer without its command line."""
+"""Puts state, window, link and background work together: the Viewer without its command line."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 
 from brdf_qt.link.link import LiveLink
@@ -9,6 +10,7 @@ from brdf_qt.program.settings import settings
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
+from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
@@ -34,9 +36,9 @@ from brdf_viewer.overlay.readout import Readout
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
 from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
-from brdf_viewer.scene.drawing import StageDrawer
+from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.scene.loading import SceneLoader
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
 from brdf_viewer.surface.relief_control import IMAGES, ReliefControl
 from brdf_viewer.tone.control import ToneControl
@@ -82,37 +84,37 @@ class ViewerController(QObject):
         dialogs: Dialogs | None = None,
     ) -> None:
         super().__init__()
-        self.stage = Stage(view, self)
-        self.drawer: StageDrawer | None = None
+        self.state = ViewerState(view, self)
+        self.drawer: SceneDrawer | None = None
         self.window = ViewerWindow(self._make_drawer)
         self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
         self._tasks = TaskRunner(self)
-        self._loader = SceneLoader(self._tasks, self)
+        self.loader = SceneLoader(self._tasks, self)
         self._ask = ask
         self._complete = self._finished = False
-        self._publish = QTimer(self, singleShot=True, interval=_PUBLISH_MS, timeout=self._publish_view)
-        self.camera = CameraControl(self.stage, self.window, self)
-        self.scene = SceneControl(self.stage, self.window, self._loader, self)
-        self.paint = PaintControl(self.stage, self.window, self.link, PaintFitter(), self._tasks, self)
-        self.surface = SurfaceControl(self.stage, self.window, self.scene, self)
-        self.relief = ReliefControl(self.stage, self.window, ask, self)
+        self._publish = make_timer(self, self._publish_view, _PUBLISH_MS)
+        self.camera = CameraControl(self.state, self.window, self)
+        self.scene = SceneControl(self.state, self.window, self.loader, self)
+        self.paint = PaintControl(self.state, self.window, self.link, PaintFitter(), self._tasks, self)
+        self.surface = SurfaceControl(self.state, self.window, self.scene, self)
+        self.relief = ReliefControl(self.state, self.window, ask, self)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self._settle)
-        self.tone = ToneControl(self.stage, self.window, lambda: self.drawer, self)
-        self.save = PictureExport(self.stage, self.window, ask_picture, self.tone.grab_srgb, self)
-        self.export = ExportControl(self.stage, self.window, self, light_edited=lambda: self.scene.edited)
+        self.tone = ToneControl(self.state, self.window, lambda: self.drawer, self)
+        self.save = PictureExport(self.state, self.window, ask_picture, self.tone.grab_srgb, self)
+        self.export = ExportControl(self.state, self.window, self, light_edited=lambda: self.scene.edited)
         dialogs = dialogs or QtDialogs(self.window)
-        self.views = ViewFiles(self.stage, self.window, dialogs, self, light_edited=lambda: self.scene.edited)
+        self.views = ViewFiles(self.state, self.window, dialogs, self, light_edited=lambda: self.scene.edited)
         self._connect()
         self._show_view(None, view)
-        self.studio = StudioControl(self.stage, self.window, self.scene, dialogs, self)
-        self.lighting = LightingControl(self.stage, self.window, lambda: self.drawer, self)
-        self.sparkle = SparkleControl(self.stage, self.window, self)
-        self.traced = TracedControl(self.stage, self.window, self._tasks, ask_target, self)
-        self.compare = CompareControl(self.stage, self.window, self._tasks, ask, self)
-        self.readout = Readout(self.stage, self.window, lambda: self.drawer, self)
-        self.figures = FiguresOverlay(self.stage, self.window, self._meter, self.readout, self)
+        self.studio = StudioControl(self.state, self.window, self.scene, dialogs, self)
+        self.lighting = LightingControl(self.state, self.window, lambda: self.drawer, self)
+        self.sparkle = SparkleControl(self.state, self.window, self)
+        self.traced = TracedControl(self.state, self.window, self._tasks, ask_target, self)
+        self.compare = CompareControl(self.state, self.window, self._tasks, ask, self)
+        self.readout = Readout(self.state, self.window, lambda: self.drawer, self)
+        self.figures = FiguresOverlay(self.state, self.window, self._meter, self.readout, self)
         self.window.picture.set_view(view)
         self.paint.start_with(paint, follow=follow)
         self.scene.load_first()
@@ -123,60 +125,68 @@ class ViewerController(QObject):
         """Open a file of any kind that the Viewer knows."""
         kind = kind_of(path)
         if kind is None:
-            self.scene.tell_unknown(path, all_endings())
+            self.scene.report_unknown(path, all_endings())
         else:
             self._open(kind, path)
 
+    def _open_files(self, paths: list[str]) -> None:
+        for path in paths:
+            self.open_file(path)
+
     def _open(self, kind: str, path: str) -> None:
-        own = {"paint": self.paint.open, "palette": self.paint.open_palette, "view": self.views.open}
+        own: dict[str, Callable[[str], object]] = {
+            "paint": self.paint.open,
+            "palette": self.paint.open_palette,
+            "view": self.views.open,
+        }
         own.get(kind, partial(self.scene.open, kind))(path)
 
     def _connect(self) -> None:
-        window, stage = self.window, self.stage
-        stage.view_changed.connect(self._show_view)
-        stage.contents_changed.connect(window.picture.redraw)
-        stage.contents_changed.connect(self._show_title)
+        window, state = self.window, self.state
+        state.view_changed.connect(self._show_view)
+        state.contents_changed.connect(window.picture.redraw)
+        state.contents_changed.connect(self._show_title)
         self.scene.failed.connect(self.failed)
         picture = window.picture
         picture.frame_drawn.connect(self._frame_drawn)
         picture.failed.connect(self._picture_failed)
-        window.files_dropped.connect(lambda paths: [self.open_file(path) for path in paths])
+        window.files_dropped.connect(self._open_files)
         window.closing.connect(self._close)
         environment, commands = window.environment, window.commands
-        environment.rotation_edited.connect(lambda value: stage.change_view(rotation_deg=value))
-        environment.exposure_edited.connect(lambda value: stage.change_view(exposure_ev=value))
-        for signal in (environment.background_edited, commands.background_wanted):
-            signal.connect(lambda key: stage.change_view(background=key))
+        environment.rotation_edited.connect(lambda value: state.change_view(rotation_deg=value))
+        environment.exposure_edited.connect(lambda value: state.change_view(exposure_ev=value))
+        for signal in (environment.background_edited, commands.background_requested):
+            signal.connect(lambda key: state.change_view(background=key))
         environment.background_colour_edited.connect(
-            lambda colour: stage.change_view(background_colour=colour)
+            lambda colour: state.change_view(background_colour=colour)
         )
-        for signal in (window.fresnel.fresnel_edited, commands.fresnel_wanted):
-            signal.connect(lambda key: stage.change_view(fresnel=key))
-        for signal in (window.fresnel.look_up_edited, commands.look_up_wanted):
-            signal.connect(lambda key: stage.change_view(look_up=key))
+        for signal in (window.fresnel.fresnel_edited, commands.fresnel_requested):
+            signal.connect(lambda key: state.change_view(fresnel=key))
+        for signal in (window.fresnel.look_up_edited, commands.look_up_requested):
+            signal.connect(lambda key: state.change_view(look_up=key))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
-            chooser.browse.connect(lambda kind=kind: self._browse(kind))
-        commands.open_wanted.connect(self._browse)
-        commands.recent_wanted.connect(self._open)
-        commands.copy_wanted.connect(self._copy_picture)
-        commands.designer_wanted.connect(self._open_designer)
-        commands.undo_wanted.connect(self._undo)
-        commands.redo_wanted.connect(self._redo)
-        stage.history.steps_changed.connect(self._show_history)
+            chooser.browse_requested.connect(lambda kind=kind: self._browse(kind))
+        commands.open_requested.connect(self._browse)
+        commands.recent_requested.connect(self._open)
+        commands.copy_requested.connect(self._copy_picture)
+        commands.designer_requested.connect(self._open_designer)
+        commands.undo_requested.connect(self.undo)
+        commands.redo_requested.connect(self._redo)
+        state.history.steps_changed.connect(self._show_history)
 
-    def _make_drawer(self, context: Context) -> StageDrawer:
-        self.drawer = StageDrawer(context, self.stage, self.window.surround, self._refused)
+    def _make_drawer(self, context: Context) -> SceneDrawer:
+        self.drawer = SceneDrawer(context, self.state, self.window.surround, self._refused)
         self.tone.prepare(self.drawer)
         if self._finished:  # in place of a context that was lost
             QTimer.singleShot(0, self, self._prepare_edits)
         return self.drawer
 
     def _refused(self, kind: str, error: SuiteError) -> None:
-        """Told later: the message changes the window, and this comes from within a paint of it."""
+        """Reported later: the message changes the window, and this comes from within a paint of it."""
         own = {KIND: self.compare.refused, IMAGES: self.relief.refused}
-        tell = own.get(kind) or partial(self.scene.refused, kind)
-        QTimer.singleShot(0, self, lambda: tell(error))
+        show = own.get(kind) or partial(self.scene.refused, kind)
+        QTimer.singleShot(0, self, lambda: show(error))
 
     def _show_view(self, _old: View | None, new: View) -> None:
         window = self.window
@@ -197,19 +207,19 @@ class ViewerController(QObject):
 
     def _show_title(self) -> None:
         """Name what is on show, for the task bar and for a screenshot."""
-        stage = self.stage
-        names = [] if stage.fit is None else [stage.fit.name]
-        props = (stage.surface, stage.environment)
-        names += [title_of(prop.key, SHIPPED_TITLES) for prop in props if prop is not None]
+        state = self.state
+        names = [] if state.fit is None else [state.fit.name]
+        assets = (state.surface, state.environment)
+        names += [title_of(asset.key, SHIPPED_TITLES) for asset in assets if asset is not None]
         title = ", ".join(names)
         if title != self.window.windowTitle():
             self.window.setWindowTitle(title)
 
     def _publish_view(self) -> None:
-        self.link.publish("view", view_to_json(self.stage.view))
+        self.link.publish("view", view_to_json(self.state.view))
 
     def _frame_drawn(self, milliseconds: float, typical: bool) -> None:
-        if not self.stage.is_complete:
+        if not self.state.is_complete:
             return
         if typical:
             self._meter.add(milliseconds)
@@ -251,16 +261,17 @@ class ViewerController(QObject):
         if not image.isNull():
             QGuiApplication.clipboard().setImage(image)
 
-    def _undo(self) -> None:
+    def undo(self) -> None:
+        """Stop the turntable and undo the last step of the view."""
         self.camera.stop_turntable()
-        self.stage.history.undo()
+        self.state.history.undo()
 
     def _redo(self) -> None:
         self.camera.stop_turntable()
-        self.stage.history.redo()
+        self.state.history.redo()
 
     def _show_history(self) -> None:
-        history = self.stage.history
+        history = self.state.history
         self.window.commands.show_history(history.undo_text, history.redo_text)
 
     def _open_designer(self) -> None:
@@ -271,7 +282,7 @@ class ViewerController(QObject):
             self.window.messages.show_message(message)
 
     def _close(self) -> None:
-        remember(settings(), self.stage.view)
+        remember(settings(), self.state.view)
         self.link.close()
         self.paint.close()
         self.studio.close()
@@ -279,7 +290,7 @@ class ViewerController(QObject):
         self.compare.close()
         self.traced.close()
         self.export.close()
-        self._loader.stop()
+        self.loader.stop()
         self.surface.close()
         self.relief.close()
         self.window.picture.release()

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.gl.surface import Drawer, GlSurface
 from brdf_qt.window.main_window import SuiteWindow
-from PySide6.QtCore import Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
@@ -31,7 +33,7 @@ from brdf_viewer.traced.section import RendererSection
 _BUSY_AFTER_MS = 200
 """Work that is done sooner shows no progress: a strip that flashes up says nothing."""
 _BUSY_EVERY_MS = 60
-"""Work may tell of every hundredth of a second; each time that it is shown is a frame of a slow picture."""
+"""Work may report every hundredth of a second; each time that it is shown is a frame of a slow picture."""
 
 
 class ViewerWindow(SuiteWindow):
@@ -85,8 +87,8 @@ class ViewerWindow(SuiteWindow):
         self.close_guards: list[Callable[[], bool]] = []
         for action in self.commands.on_picture:
             self.picture.addAction(action)
-        self._busy: dict[str, tuple[float, str]] = {}
-        self._busy_delay = QTimer(self, singleShot=True, timeout=self._show_busy)
+        self.busy: dict[str, tuple[float, str]] = {}
+        self._busy_delay = make_timer(self, self._show_busy)
         for name in ("frame", "renderer", "lobes", "fit", "exposure", "environment", "palette"):
             self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
         for name in ("readout", "link"):
@@ -106,20 +108,20 @@ class ViewerWindow(SuiteWindow):
 
     def set_busy(self, kind: str, fraction: float, what: str) -> None:
         """Show how far the work of a kind is, once there has been work for a moment."""
-        self._busy[kind] = (fraction, what)
+        self.busy[kind] = (fraction, what)
         if not self._busy_delay.isActive():
             self._busy_delay.start(_BUSY_EVERY_MS if self.progress.jobs else _BUSY_AFTER_MS)
 
     def set_idle(self, kind: str) -> None:
         """The work of a kind has ended."""
-        self._busy.pop(kind, None)
+        self.busy.pop(kind, None)
         self.progress.end_job(kind)
-        if not self._busy:
+        if not self.busy:
             self._busy_delay.stop()
 
     def _show_busy(self) -> None:
-        for kind, (fraction, what) in self._busy.items():
-            self.progress.set_job(kind, fraction, what, lambda kind=kind: self.busy_cancelled.emit(kind))
+        for kind, (fraction, what) in self.busy.items():
+            self.progress.set_job(kind, fraction, what, partial(self.busy_cancelled.emit, kind))
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

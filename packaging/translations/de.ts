@@ -8,12 +8,12 @@
         <translation>&amp;Sprache</translation>
     </message>
     <message>
-        <source>As the system has it</source>
-        <translation>Wie das System</translation>
+        <source>System Default</source>
+        <translation>Systemvorgabe</translation>
     </message>
     <message>
-        <source>From the next start of the program on</source>
-        <translation>Ab dem nächsten Start des Programms</translation>
+        <source>Takes effect at the next start</source>
+        <translation>Gilt ab dem nächsten Start</translation>
     </message>
     <message>
         <source>Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped.</source>
@@ -412,7 +412,7 @@
         <translation>Befehl nach Namen suchen</translation>
     </message>
     <message>
-        <source>Commands that were found</source>
+        <source>Matching commands</source>
         <translation>Gefundene Befehle</translation>
     </message>
     <message>
@@ -420,20 +420,20 @@
         <translation>Eingabe oder Klick führt den Befehl aus; die Pfeiltasten wählen einen anderen</translation>
     </message>
     <message>
-        <source>No command has this name.</source>
-        <translation>Kein Befehl heißt so.</translation>
+        <source>No matching command.</source>
+        <translation>Kein passender Befehl.</translation>
     </message>
     <message>
         <source>Unsaved Changes</source>
         <translation>Ungesicherte Änderungen</translation>
     </message>
     <message>
-        <source>Save the changes to “{name}”?</source>
+        <source>Save changes to “{name}”?</source>
         <translation>Änderungen an „{name}“ sichern?</translation>
     </message>
     <message>
-        <source>Without saving, they are lost.</source>
-        <translation>Ohne Sichern gehen sie verloren.</translation>
+        <source>Your changes will be lost if you don&apos;t save them.</source>
+        <translation>Ohne Sichern gehen die Änderungen verloren.</translation>
     </message>
     <message>
         <source>File Changed</source>
@@ -444,8 +444,8 @@
         <translation>„{name}“ wurde von einem anderen Programm geändert, seit sie hier geöffnet oder gesichert wurde.</translation>
     </message>
     <message>
-        <source>Overwriting it loses what it holds now.</source>
-        <translation>Beim Überschreiben geht ihr jetziger Inhalt verloren.</translation>
+        <source>Overwriting discards the changes of the other program.</source>
+        <translation>Beim Überschreiben gehen die Änderungen des anderen Programms verloren.</translation>
     </message>
     <message>
         <source>Overwrite</source>
@@ -464,20 +464,20 @@
         <translation>Sichern unter</translation>
     </message>
     <message>
-        <source>The time limit came first: this is the best answer at hand, and the exact one follows by itself.</source>
-        <translation>Das Zeitlimit kam zuvor: Dies ist die beste vorliegende Antwort, die genaue folgt von selbst.</translation>
+        <source>The fit reached its time limit. This is the best result so far; the exact one follows automatically.</source>
+        <translation>Die Anpassung hat ihr Zeitlimit erreicht. Dies ist das bisher beste Ergebnis; das genaue folgt automatisch.</translation>
     </message>
     <message>
-        <source>The time limit came first: this is the best answer that was found. There is no exact one to follow.</source>
-        <translation>Das Zeitlimit kam zuvor: Dies ist die beste gefundene Antwort. Eine genaue folgt nicht.</translation>
+        <source>The fit reached its time limit. This is the best result that was found; no exact one will follow.</source>
+        <translation>Die Anpassung hat ihr Zeitlimit erreicht. Dies ist das beste gefundene Ergebnis; ein genaues folgt nicht.</translation>
     </message>
     <message>
-        <source>ΔE00 above {limit}: the fit ended at its time limit; the exact answer follows by itself.</source>
-        <translation>ΔE00 über {limit}: Die Anpassung endete am Zeitlimit; die genaue Antwort folgt von selbst.</translation>
+        <source>ΔE00 above {limit}: the fit reached its time limit; the exact result follows automatically.</source>
+        <translation>ΔE00 über {limit}: Die Anpassung hat ihr Zeitlimit erreicht; das genaue Ergebnis folgt automatisch.</translation>
     </message>
     <message>
-        <source>ΔE00 above {limit}: the fit ended at its time limit; there is no exact answer to follow.</source>
-        <translation>ΔE00 über {limit}: Die Anpassung endete am Zeitlimit; eine genaue Antwort folgt nicht.</translation>
+        <source>ΔE00 above {limit}: the fit reached its time limit; no exact result will follow.</source>
+        <translation>ΔE00 über {limit}: Die Anpassung hat ihr Zeitlimit erreicht; ein genaues Ergebnis folgt nicht.</translation>
     </message>
     <message>
         <source>ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they do give.</source>
@@ -536,16 +536,16 @@
         <translation>Rechts oder mit Alt im Bild ziehen</translation>
     </message>
     <message>
-        <source>Turn the light</source>
+        <source>Rotate the light</source>
         <translation>Licht drehen</translation>
     </message>
     <message>
-        <source>Ctrl with any of these</source>
-        <translation>Strg zu jedem davon</translation>
+        <source>Hold Ctrl</source>
+        <translation>Strg gedrückt halten</translation>
     </message>
     <message>
-        <source>Ten times as fine</source>
-        <translation>Zehnmal so fein</translation>
+        <source>Ten times finer</source>
+        <translation>Zehnmal feiner</translation>
     </message>
     <message>
         <source>Keyboard Shortcuts</source>
@@ -652,12 +652,12 @@
         <translation>{file}, bei {place}</translation>
     </message>
     <message>
-        <source>The program met a fault of its own: {fault}</source>
-        <translation>Das Programm hat einen eigenen Fehler: {fault}</translation>
+        <source>Internal error: {fault}</source>
+        <translation>Interner Fehler: {fault}</translation>
     </message>
     <message>
-        <source>Your document is untouched; save it. The log has the details.</source>
-        <translation>Das Dokument ist unberührt; es sollte gesichert werden. Das Protokoll nennt die Einzelheiten.</translation>
+        <source>Your document is unchanged; save it. The log has the details.</source>
+        <translation>Das Dokument ist unverändert; es sollte gesichert werden. Das Protokoll nennt die Einzelheiten.</translation>
     </message>
     <message>
         <source>Show the whole message</source>
@@ -685,7 +685,7 @@
     </message>
     <message>
         <source>Follow the system</source>
-        <translation>Wie das System</translation>
+        <translation>Systemvorgabe</translation>
     </message>
     <message>
         <source>&amp;Theme</source>

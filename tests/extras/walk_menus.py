@@ -132,7 +132,7 @@ def viewer(folder: Path) -> Walk:
     messages = program.window.messages
 
     def more() -> Iterator[Step]:
-        yield lambda: program.stage.is_complete
+        yield lambda: program.state.is_complete
         for renderer in ("reference", "raytraced"):
             program.traced.set_renderer(renderer)
             yield lambda: program.traced.renderer == "realtime" and bool(messages.shown())

@@ -1,4 +1,4 @@
-"""Every test here has settings of its own; widgets are shown on Qt's offscreen platform unless told otherwise."""
+"""Every test here has settings of its own; widgets are shown on Qt's offscreen platform by default."""
 
 from __future__ import annotations
 

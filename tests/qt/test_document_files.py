@@ -48,7 +48,7 @@ NOTE = DocumentFormat(
 
 
 class ScriptedDialogs:
-    """Answers as told, and notes what was asked."""
+    """Answers as scripted, and notes what was asked."""
 
     def __init__(self) -> None:
         self.answer = Answer.CANCEL
@@ -121,7 +121,7 @@ def test_nothing_is_asked_about_a_saved_document(files, dialogs):
     assert dialogs.asked == []
 
 
-def test_a_bad_file_is_told_with_its_place_and_changes_nothing(files, tmp_path):
+def test_a_bad_file_is_reported_with_its_place_and_changes_nothing(files, tmp_path):
     heard: list[Message] = []
     files.failed.connect(heard.append)
     bad = tmp_path / "bad.note"
@@ -174,7 +174,9 @@ def opened(files, path: Path) -> Path:
 
 
 @pytest.mark.parametrize("answer", list(Overwrite))
-def test_a_file_that_another_program_changed_is_written_over_only_when_told(files, dialogs, tmp_path, answer):
+def test_a_file_that_another_program_changed_is_written_over_only_when_reported(
+    files, dialogs, tmp_path, answer
+):
     path = opened(files, tmp_path / "a.note")
     save("by another program", path)
     dialogs.overwrite, dialogs.path = answer, tmp_path / "b.note"
@@ -274,14 +276,14 @@ def test_the_save_dialog_adds_the_ending_itself_so_that_it_asks_about_the_right_
     assert found == tmp_path / "mine.note"
 
 
-def test_an_autosave_that_works_again_is_told(files, qtbot):
+def test_an_autosave_that_works_again_is_reported(files, qtbot):
     heard = []
     recovery = Recovery(files.store, NOTE, heard.append)
     files.store.set("edited", "Edit")
-    recovery._file.mkdir()  # as on a full disk: the file cannot be written
+    recovery.file.mkdir()  # as on a full disk: the file cannot be written
     assert not recovery.write()
     assert len(heard) == 1
-    recovery._file.rmdir()
+    recovery.file.rmdir()
     with qtbot.waitSignal(recovery.written_again):
         assert recovery.write()
     with qtbot.assertNotEmitted(recovery.written_again):
@@ -322,10 +324,10 @@ def test_work_of_a_run_that_lives_is_not_offered(files):
     other.close(keep=False)
 
 
-def test_damaged_recovery_is_told_and_put_aside(files, own_settings):
+def test_damaged_recovery_is_reported_and_put_aside(files, own_settings):
     heard = []
     recovery = Recovery(files.store, NOTE, heard.append)
-    bad = recovery._folder / "x.recovery.json"
+    bad = recovery.folder / "x.recovery.json"
     bad.write_text("{")
     assert recovery.found() == []
     assert "cannot be read" in str(heard[0])
@@ -341,19 +343,19 @@ def test_recovered_work_stays_on_disk_where_it_cannot_be_written_anew(files, own
     recovery = Recovery(files.store, NOTE, heard.append)
     (item,) = recovery.found()
     # Its own file cannot be made, as on a full disk: a folder stands in its place.
-    recovery._file.mkdir()
+    recovery.file.mkdir()
     recovery.take(item)
     assert files.store.value == "edited"
     assert "cannot be written" in str(heard[0])
     assert json.loads(item.file.read_text())["document"] == {"text": "edited"}
-    recovery._file.rmdir()
+    recovery.file.rmdir()
     recovery.close(keep=False)
 
 
-def test_recovered_work_that_cannot_be_removed_is_told(files):
+def test_recovered_work_that_cannot_be_removed_is_reported(files):
     heard = []
     recovery = Recovery(files.store, NOTE, heard.append)
-    stuck = recovery._folder / "stuck.recovery.json"
+    stuck = recovery.folder / "stuck.recovery.json"
     stuck.mkdir()
     recovery.drop(Recovered("text", None, datetime.now(), stuck))
     assert "cannot be removed" in str(heard[0])

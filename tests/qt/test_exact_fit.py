@@ -45,38 +45,38 @@ def test_the_optimum_of_the_paint_on_show_arrives_on_the_main_thread(hurried, ex
     assert better.worst_delta_e < fit.worst_delta_e
 
 
-def test_of_an_earlier_paint_nothing_is_told(hurried, exact, qtbot):
+def test_of_an_earlier_paint_nothing_is_reported(hurried, exact, qtbot):
     first = hurried.fit(load_shipped_paint("copper"))
     first.exact.result(timeout=120)
     second = hurried.fit(load_shipped_paint("blue"))
-    told = []
-    exact.arrived.connect(told.append)
+    reported = []
+    exact.arrived.connect(reported.append)
     exact.watch(first)
     exact.watch(second)
-    qtbot.waitUntil(lambda: bool(told))
+    qtbot.waitUntil(lambda: bool(reported))
     qtbot.wait(50)
-    assert [fit.paint.name for fit in told] == ["Blue"]
+    assert [fit.paint.name for fit in reported] == ["Blue"]
     third = hurried.fit(load_shipped_paint("copper"))
     exact.watch(third)
     exact.forget()
     third.exact.result(timeout=120)
     qtbot.wait(50)
-    assert len(told) == 1
+    assert len(reported) == 1
 
 
 def test_a_fit_that_is_exact_already_is_not_waited_for(exact, qtbot):
-    told = []
-    exact.arrived.connect(told.append)
+    reported = []
+    exact.arrived.connect(reported.append)
     exact.watch(PaintFitter(time_limit_s=60.0).fit(load_shipped_paint("blue")))
     qtbot.wait(50)
-    assert not told
+    assert not reported
 
 
 @pytest.mark.parametrize("watched_first", [True, False])
 def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
-    told = []
-    exact.arrived.connect(told.append)
-    exact.failed.connect(lambda *what: told.append(what))
+    reported = []
+    exact.arrived.connect(reported.append)
+    exact.failed.connect(lambda *what: reported.append(what))
     with (
         hurried._fitter._solver._background.lock
     ):  # its thread cannot come to the optimum before it is closed
@@ -91,20 +91,20 @@ def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
     if not watched_first:
         exact.watch(fit)
     qtbot.wait(50)
-    assert not told
+    assert not reported
     assert not fit.exact_follows
 
 
-def test_a_solver_that_gives_up_is_told(hurried, exact, qtbot):
+def test_a_solver_that_gives_up_is_reported(hurried, exact, qtbot):
     future: Future[object] = Future()
     fit = hurried.fit(load_shipped_paint("blue"))
     fit = replace(fit, exact=future)
     assert fit.exact_follows
-    with qtbot.waitSignal(exact.failed) as told:
+    with qtbot.waitSignal(exact.failed) as reported:
         exact.watch(fit)
         future.set_exception(FittingError("no optimum"))
-    assert told.args[0] is fit
-    assert str(told.args[1]) == "no optimum"
+    assert reported.args[0] is fit
+    assert str(reported.args[1]) == "no optimum"
     assert not fit.exact_follows
 
 
@@ -115,7 +115,7 @@ def test_a_limited_fit_says_whether_the_exact_one_follows():
         assert fit_tips(worst, True, False) == FINAL_TIP
     for follows in (True, False):
         assert fit_tips(2.0, True, follows) == large_error_tip(True, follows)
-    assert "follows by itself" in LIMITED_TIP
-    assert "follows by itself" in large_error_tip(True, True)
+    assert "follows automatically" in LIMITED_TIP
+    assert "follows automatically" in large_error_tip(True, True)
     assert "no exact one" in FINAL_TIP
-    assert "no exact answer" in large_error_tip(True, False)
+    assert "no exact result" in large_error_tip(True, False)

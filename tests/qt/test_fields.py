@@ -60,22 +60,22 @@ def test_a_typed_value_is_one_edit_without_a_gesture(field):
 
 
 @pytest.mark.parametrize(
-    ("text", "value", "told"),
+    ("text", "value", "reported"),
     [
-        ("999", 200.0, ["999 GU is more than the most that can be set; it is 200.0 GU now."]),
-        ("-3", 0.0, ["-3 GU is less than the least that can be set; it is 0.0 GU now."]),
+        ("999", 200.0, ["999 GU is above the maximum; the value was set to 200.0 GU."]),
+        ("-3", 0.0, ["-3 GU is below the minimum; the value was set to 0.0 GU."]),
         ("200", 200.0, []),
         ("200.04", 200.0, []),
         ("12", 12.0, []),
     ],
 )
-def test_a_typed_value_beyond_the_range_goes_to_its_end_and_says_so(field, text, value, told):
+def test_a_typed_value_beyond_the_range_goes_to_its_end_and_says_so(field, text, value, reported):
     heard = []
     field.limited.connect(heard.append)
     type_in(field, text)
-    assert (field.value(), heard) == (value, told)
-    if told:
-        assert QToolTip.text() == told[0]
+    assert (field.value(), heard) == (value, reported)
+    if reported:
+        assert QToolTip.text() == reported[0]
     QToolTip.hideText()
 
 

@@ -65,7 +65,7 @@ def test_a_kill_at_any_moment_of_a_drag_loses_less_than_a_second(qapp, own_setti
         store.set(number, "Drag")
         made.append(clock.now)
         clock.wait(pause)
-        kept = json.loads(recovery._file.read_text())["document"]["number"] if recovery._file.exists() else 0
+        kept = json.loads(recovery.file.read_text())["document"]["number"] if recovery.file.exists() else 0
         # A kill now loses what was done after ``kept``: the first of that must be younger than a second.
         lost = made[kept + 1 :]
         assert not lost or clock.now - lost[0] < 1000

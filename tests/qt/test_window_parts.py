@@ -97,7 +97,7 @@ def test_several_messages_leave_the_picture_its_room(window, qtbot):
         "/a/folder/with/a/long/name/and/a/file.brdfpaint",
         "Choose another file; or do without. " * 4,
     )
-    one = Message("0", "What happened is told in a sentence that is long. " * 3, where, todo, "error")
+    one = Message("0", "What happened is described in a sentence that is long. " * 3, where, todo, "error")
     window.resize(720, 520)
     window.messages.show_message(one)
     alone = window.messages.sizeHint().height()
@@ -222,7 +222,7 @@ def test_search_takes_words_before_parts_and_letters_only_where_nothing_else_fit
     assert search(query, COMMANDS) == found
 
 
-def test_a_large_fit_error_is_marked_and_its_reason_told():
+def test_a_large_fit_error_is_marked_and_its_reason_reported():
     assert [is_large(value) for value in (0.0, 1.0, 1.01, 30.0)] == [False, False, True, True]
     assert marked("ΔE", 1.0) == "ΔE"
     assert marked("ΔE", 1.5) == "! ΔE"
@@ -271,7 +271,7 @@ def test_elastic_cells_give_way_in_a_short_status_line_and_no_other_does(qtbot):
     qtbot.addWidget(line)
     fixed, elastic = line.cell("frame"), line.cell("link", right=True, elastic=True)
     fixed.set("12.4 ms", "Time to draw a frame")
-    elastic.set("Designer is not open, not followed", "Nobody else is there")
+    elastic.set("Designer is not open, not followed", "No other program")
     line.resize(600, 30)
     with qtbot.waitExposed(line):
         line.show()
@@ -280,7 +280,7 @@ def test_elastic_cells_give_way_in_a_short_status_line_and_no_other_does(qtbot):
     qtbot.waitUntil(lambda: elastic.shown_text.endswith("…"))
     assert elastic.geometry().right() <= line.width()
     assert fixed.width() >= fixed.sizeHint().width()
-    assert elastic.toolTip().splitlines() == ["Designer is not open, not followed", "Nobody else is there"]
+    assert elastic.toolTip().splitlines() == ["Designer is not open, not followed", "No other program"]
     assert not line.grab().isNull()
 
 

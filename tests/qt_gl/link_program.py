@@ -1,4 +1,4 @@
-"""A program on the live link, for tests: publishes what it is told on stdin, prints what it receives.
+"""A program on the live link, for tests: publishes what it reads from stdin, prints what it receives.
 
 Lines in: ``publish TOPIC JSON``, ``flood TOPIC COUNT``, ``quit``. Lines out, one JSON object each:
 ``{"event": "received" | "peers" | "ready", ...}``.

@@ -99,7 +99,7 @@ def test_a_slow_picture_lets_the_fields_that_changed_with_it_go_first(surface, d
     drawers[0].drawn = lambda: order.append("frame")
     qtbot.wait(50)  # what showing the field has asked for is painted
     PaintNote(field, order)
-    surface._frame_ms = 2.0 * SLOW_MS if slow else 1.0
+    surface.frame_ms = 2.0 * SLOW_MS if slow else 1.0
     surface.redraw()
     field.setText("new")
     qtbot.waitUntil(lambda: {"frame", "field"} <= set(order))
@@ -160,7 +160,7 @@ def test_an_opengl_error_is_not_a_black_picture(surface, drawers, qtbot, monkeyp
     assert "GL_INVALID_ENUM" in failed.args[0]
 
 
-def test_a_failed_upload_is_told(surface, drawers, qtbot) -> None:
+def test_a_failed_upload_is_reported(surface, drawers, qtbot) -> None:
     def upload() -> None:
         raise GraphicsError("the mesh needs more memory than the graphics card has.")
 
@@ -169,7 +169,7 @@ def test_a_failed_upload_is_told(surface, drawers, qtbot) -> None:
     assert "memory" in surface.failure
 
 
-def test_a_factory_that_fails_is_told(qtbot) -> None:
+def test_a_factory_that_fails_is_reported(qtbot) -> None:
     def make(context: moderngl.Context) -> Triangle:
         context.program(vertex_shader="#version 330 core\nvoid main() { nonsense }", fragment_shader=FRAGMENT)
 
@@ -199,7 +199,7 @@ def test_another_window_is_another_context_and_the_picture_stays(surface, drawer
 
 
 def lose(surface, monkeypatch) -> None:
-    """What Qt tells after a reset of the driver, which no test can make: the context is not valid any more."""
+    """What Qt reports after a reset of the driver, which no test can make: the context is not valid any more."""
     canvas = surface.canvas
     monkeypatch.setattr(canvas, "is_lost", lambda: canvas.drawer is not None)
 
@@ -240,7 +240,7 @@ def test_a_context_that_is_lost_again_and_again_is_a_message(surface, drawers, q
     assert surface.failure == ""
 
 
-def test_a_reset_of_the_driver_is_asked_to_be_told() -> None:
+def test_a_reset_of_the_driver_is_asked_to_be_reported() -> None:
     assert surface_format().testOption(QSurfaceFormat.FormatOption.ResetNotification)
 
 

@@ -51,12 +51,12 @@ class Program:
         for line in self.process.stderr:
             self.log.append(line)
 
-    def tell(self, line: str) -> None:
+    def send_line(self, line: str) -> None:
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
 
     def publish(self, n: int, topic: str = "paint", **more: object) -> None:
-        self.tell(f"publish {topic} {json.dumps({'n': n, **more})}")
+        self.send_line(f"publish {topic} {json.dumps({'n': n, **more})}")
 
     def wait(self, wanted: Callable[[dict[str, Any]], bool], seconds: float = 120) -> dict[str, Any]:
         """Return the first event from now on that is wanted."""
@@ -136,7 +136,7 @@ def test_a_paint_reaches_all_others_through_the_hub(start: Callable[..., Program
     assert not [e for e in designer.events if e["event"] == "received" and e["value"]["n"] == 7]
 
 
-def test_a_newcomer_is_told_the_newest_of_each_topic(start: Callable[..., Program]) -> None:
+def test_a_newcomer_is_reported_the_newest_of_each_topic(start: Callable[..., Program]) -> None:
     hub, designer = start("viewer"), start("designer")
     for n in (1, 2, 3):
         designer.publish(n)
@@ -145,8 +145,10 @@ def test_a_newcomer_is_told_the_newest_of_each_topic(start: Callable[..., Progra
     designer.wait_n(9, "view")
     newcomer = start("viewer")
     # Of two topics either may come first; both come, and nothing older.
-    told = [newcomer.wait(lambda e: e["event"] == "received")["value"]["n"] for _topic in ("paint", "view")]
-    assert sorted(told) == [3, 9]
+    reported = [
+        newcomer.wait(lambda e: e["event"] == "received")["value"]["n"] for _topic in ("paint", "view")
+    ]
+    assert sorted(reported) == [3, 9]
 
 
 def test_another_takes_over_when_the_hub_is_killed(start: Callable[..., Program]) -> None:
@@ -248,7 +250,7 @@ def sends_until_cut_off(stranger: socket.socket, block: bytes) -> int:
 def test_a_flood_ends_with_the_newest_and_few_deliveries(start: Callable[..., Program]) -> None:
     hub, designer, viewer = start("viewer"), start("designer"), start("viewer")
     viewer.wait_peers(2)
-    designer.tell("flood paint 10000")
+    designer.send_line("flood paint 10000")
     viewer.wait_n(9999)
     hub.wait_n(9999)
     seen = [e["value"]["n"] for e in viewer.events if e["event"] == "received"]

@@ -105,7 +105,7 @@ PICTURE = (200, 160)
 
 def is_idle(controller) -> bool:
     """Whether nothing is loaded or baked, and no strip of progress is shown or about to be."""
-    busy = controller.scene.loading or controller.surface.baking or controller.window._busy
+    busy = controller.scene.loading or controller.surface.baking or controller.window.busy
     return not busy and not controller.window.progress.isVisible()
 
 
@@ -115,12 +115,12 @@ class Viewer:
     def __init__(self, controller, qtbot) -> None:
         self.controller = controller
         self.window = controller.window
-        self.stage = controller.stage
+        self.state = controller.state
         self.qtbot = qtbot
 
     @property
     def view(self):
-        return self.stage.view
+        return self.state.view
 
     @property
     def canvas(self):

@@ -1,4 +1,4 @@
-"""Stands for Designer in tests: a process of its own that publishes paints on the live link as it is told.
+"""Stands for Designer in tests: a process of its own that publishes paints on the live link on request.
 
 Lines in: ``lab L a b`` (a paint of that colour at all angles), ``gloss GU``, ``drag COUNT`` (that many paints, as
 a slider gives them), ``quit``.

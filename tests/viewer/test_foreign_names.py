@@ -53,7 +53,7 @@ def test_names_are_plain_text_in_the_whole_window(start, lights, walks, qtbot, t
     Image.fromarray(np.full((4, 4, 3), (128, 128, 255), np.uint8)).save(normals)
     chosen.append(str(normals))
     viewer.window.relief.normal_map.open.click()
-    for missing in ("none.brdfpaint", "none.exr", "none.obj"):  # told in messages, with their names
+    for missing in ("none.brdfpaint", "none.exr", "none.obj"):  # reported in messages, with their names
         viewer.controller.open_file(str(tmp_path / f"{walks.HOSTILE_FILE} {missing}"))
     viewer.wait_idle()
     viewer.controller.export.dialog.open_for("picture")

@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.program.application import surface_format
-from brdf_viewer.scene.drawing import StageDrawer
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.drawing import SceneDrawer
+from brdf_viewer.scene.viewer_state import ViewerState
 from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QApplication
 
@@ -42,7 +42,7 @@ def sheet() -> Mesh:
 
 
 class Desk:
-    """A stage and what draws it, off screen and small."""
+    """A state and what draws it, off screen and small."""
 
     def __init__(self, lights) -> None:
         # Qt's own, like the window's: a second kind of context in one process disturbs the windows of later tests.
@@ -56,19 +56,19 @@ class Desk:
         self.context = adopt_context(lambda name: int(self.qt_context.getProcAddress(name.encode()) or 0))
         self.environments = {name: load_environment(path) for name, path in lights.items()}
         self.view = View(Camera(azimuth_deg=0.0, elevation_deg=5.0))
-        self.stage = Stage(self.view)
-        self.drawer = StageDrawer(self.context, self.stage, lambda: (0.1, 0.1, 0.1), self.refused)
+        self.state = ViewerState(self.view)
+        self.drawer = SceneDrawer(self.context, self.state, lambda: (0.1, 0.1, 0.1), self.refused)
         self.fitter = PaintFitter()
         self.target = self.context.simple_framebuffer(SIZE, 4)
-        self.stage.set_environment("dim", self.environments["dim"])
-        self.stage.set_surface("sheet", sheet())
+        self.state.set_environment("dim", self.environments["dim"])
+        self.state.set_surface("sheet", sheet())
 
     def refused(self, kind: str, error: Exception) -> None:
         raise AssertionError(f"{kind}: {error}")
 
     def show(self, number: int) -> None:
         lab = (30.0 + number % 60, 20.0 * np.sin(number), 20.0 * np.cos(number))
-        self.stage.set_fit(self.fitter.fit(solid_paint(f"paint {number}", lab)))
+        self.state.set_fit(self.fitter.fit(solid_paint(f"paint {number}", lab)))
         self.draw()
 
     def draw(self) -> None:
@@ -126,7 +126,7 @@ def test_fifty_environments(desk) -> None:
 
     def change(number: int) -> None:
         name = ("bright", "dim")[number % 2]
-        desk.stage.set_environment(name, replace(desk.environments[name]))
+        desk.state.set_environment(name, replace(desk.environments[name]))
         desk.draw()
 
     for number in range(10):
@@ -146,7 +146,7 @@ def test_fifty_environments(desk) -> None:
 @needs_proc
 def test_modes_of_comparison_that_come_and_go(desk) -> None:
     desk.show(1)
-    desk.stage.set_second("b", desk.fitter.fit(solid_paint("b", (50.0, 40.0, 20.0))))
+    desk.state.set_second("b", desk.fitter.fit(solid_paint("b", (50.0, 40.0, 20.0))))
     modes = ("off", "side", "swipe", "blink", "difference")
 
     def round_of_modes() -> None:
@@ -169,11 +169,11 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
     def work(number: int) -> None:
         viewer.controller.paint.open(("solid_red", "blue")[number % 2])
         viewer.window.commands.figures.trigger()
-        viewer.window.commands.compare_wanted.emit(("swipe", "off")[number % 2])
-        viewer.stage.change_view(exposure_ev=float(number % 3))
+        viewer.window.commands.compare_requested.emit(("swipe", "off")[number % 2])
+        viewer.state.change_view(exposure_ev=float(number % 3))
 
     viewer.controller.compare.choose("solid_white")
-    qtbot.waitUntil(lambda: viewer.stage.second is not None)
+    qtbot.waitUntil(lambda: viewer.state.second is not None)
     for number in range(4):
         work(number)
     viewer.pixels()

@@ -34,7 +34,7 @@ class Designer:
         )
         assert self.process.stdout.readline().strip() == "ready"
 
-    def tell(self, line: str) -> None:
+    def send_line(self, line: str) -> None:
         self.process.stdin.write(line + "\n")
         self.process.stdin.flush()
 
@@ -69,13 +69,13 @@ def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
     link_cell = viewer.window.status.cell("link")
     assert link_cell.text() == "Designer not open"
     other = designer()
-    qtbot.waitUntil(lambda: link_cell.text() == "linked: Designer")
-    other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
+    qtbot.waitUntil(lambda: link_cell.text() == "Designer connected")
+    other.send_line("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     red = colour(viewer)
     assert red[0] > red[2] + 30
-    other.tell("lab 45 -40 -30")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0)
+    other.send_line("lab 45 -40 -30")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.lab_at(45.0)[1] == -40.0)
     blue = colour(viewer)
     assert blue[2] > blue[0] + 30
     assert viewer.window.paint.chooser.list.currentData() == DESIGNER
@@ -84,46 +84,46 @@ def test_a_paint_of_another_process_is_drawn(viewer, designer, qtbot) -> None:
 
 def test_a_viewer_that_comes_later_shows_the_present_paint(start, designer, qtbot) -> None:
     other = designer()
-    other.tell("lab 45 60 40")
+    other.send_line("lab 45 60 40")
     viewer = start()
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
 
 
 def test_a_drag_ends_with_the_last_paint(viewer, designer, qtbot) -> None:
     other = designer()
-    other.tell("drag 400")
+    other.send_line("drag 400")
     last = 20.0 + 60.0 * 399 / 400
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[0] == pytest.approx(last))
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.lab_at(45.0)[0] == pytest.approx(last))
 
 
 def test_designer_ends_and_the_paint_stays(viewer, designer, qtbot) -> None:
     other = designer()
-    other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
+    other.send_line("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     other.process.kill()
     qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer not open")
-    assert viewer.stage.fit.paint.name == "test paint"
+    assert viewer.state.fit.paint.name == "test paint"
     assert "not open" in viewer.window.paint.follow.text()
     assert viewer.window.paint.chooser.list.currentText() == "test paint (closed)"
     again = designer()
-    again.tell("lab 45 -40 -30")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.lab_at(45.0)[1] == -40.0)
+    again.send_line("lab 45 -40 -30")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.lab_at(45.0)[1] == -40.0)
     assert viewer.window.paint.chooser.list.currentText() == "test paint (Designer)"
 
 
 def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(start, designer, qtbot) -> None:
     other = designer()
-    other.tell("lab 45 60 40")
+    other.send_line("lab 45 60 40")
     viewer = start(paint="copper", follow=False)
     qtbot.waitUntil(lambda: "follow" in viewer.messages())
-    assert "Designer is open; follow it" in viewer.messages()["follow"]
+    assert "Designer is open. Follow it" in viewer.messages()["follow"]
     qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None)
-    assert viewer.stage.fit.paint.name == "Copper"
+    assert viewer.state.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
-    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
     viewer.window.messages.findChild(QPushButton, "message_action_Follow Designer").click()
-    assert viewer.stage.fit.paint.name == "test paint"
+    assert viewer.state.fit.paint.name == "test paint"
     assert viewer.window.paint.follow.isChecked()
     assert "follow" not in viewer.messages()
 
@@ -136,49 +136,49 @@ def test_the_offer_to_follow_leaves_with_designer_and_comes_once(start, designer
     designer.opened[-1].process.kill()
     qtbot.waitUntil(lambda: "follow" not in viewer.messages())
     designer()
-    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "linked: Designer, not followed")
+    qtbot.waitUntil(lambda: viewer.window.status.cell("link").text() == "Designer connected (not following)")
     assert "follow" not in viewer.messages()
 
 
 def test_another_paint_ends_following_and_following_brings_designer_back(viewer, designer, qtbot) -> None:
     other = designer()
-    other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
+    other.send_line("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
     viewer.controller.paint.open("solid_white")
     assert not viewer.window.paint.follow.isChecked()
-    white = viewer.stage.fit
-    other.tell("lab 20 0 0")
-    qtbot.waitUntil(lambda: viewer.controller.paint.source._of_designer.lab_at(45.0)[0] == 20.0)
-    assert viewer.stage.fit is white
-    assert viewer.window.status.cell("link").text() == "linked: Designer, not followed"
+    white = viewer.state.fit
+    other.send_line("lab 20 0 0")
+    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer.lab_at(45.0)[0] == 20.0)
+    assert viewer.state.fit is white
+    assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
     viewer.window.paint.follow.click()
-    assert viewer.stage.fit.paint.lab_at(45.0)[0] == 20.0
+    assert viewer.state.fit.paint.lab_at(45.0)[0] == 20.0
 
 
 def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbot) -> None:
     hurried = PaintFitter(time_limit_s=1e-6)
-    viewer.controller.paint._fitter = hurried
+    viewer.controller.paint.fitter = hurried
     cell, shown = viewer.window.status.cell("fit"), []
-    viewer.stage.contents_changed.connect(lambda: shown.append((viewer.stage.fit.time_limited, cell.text())))
+    viewer.state.contents_changed.connect(lambda: shown.append((viewer.state.fit.time_limited, cell.text())))
     viewer.controller.paint.open("copper")
     qtbot.waitUntil(lambda: len(shown) >= 2)
     assert [limited for limited, _ in shown] == [True, False]
     assert "time-limited" in shown[1][1]  # what stood there until then
     assert "time-limited" not in cell.text()
     assert "time-limited" not in viewer.window.paint.fit.text()
-    assert viewer.stage.fit.worst_delta_e < 0.5
+    assert viewer.state.fit.worst_delta_e < 0.5
     hurried.close()
 
 
 def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> None:
     hurried = PaintFitter(time_limit_s=1e-6)
-    viewer.controller.paint._fitter = hurried
+    viewer.controller.paint.fitter = hurried
     cell, section = viewer.window.status.cell("fit"), viewer.window.paint
     with hurried._fitter._solver._background.lock:
         hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
         viewer.controller.paint.open("copper")
         for tip in (cell.toolTip(), section.fit.toolTip()):
-            assert "follows by itself" in tip
+            assert "follows automatically" in tip
         assert all(patch.exact_follows for patch in section.patches.patches)
     qtbot.waitUntil(lambda: "no exact" in cell.toolTip())
     assert "no exact" in section.fit.toolTip()
@@ -191,12 +191,12 @@ def test_a_fit_without_an_angle_to_compare_at_claims_no_bound(viewer) -> None:
     fit = fit_material(load_material("table1_2k_acrylack"), errors=True)
     none = replace(fit, angles=tuple(replace(row, fitted=False) for row in fit.angles))
     assert none.worst_delta_e is None
-    viewer.controller.paint._show_fit(none, "file")
+    viewer.controller.paint.show_fit(none, "file")
     assert "ΔE" not in viewer.window.paint.fit.text()
-    assert "no angle" in viewer.window.paint.fit.text()
+    assert "no measured angles" in viewer.window.paint.fit.text()
     assert "ΔE" not in viewer.window.status.cell("fit").text()
-    viewer.controller.paint._show_fit(fit, "file")
-    assert "ΔE00 at most" in viewer.window.paint.fit.text()
+    viewer.controller.paint.show_fit(fit, "file")
+    assert "maximum ΔE00" in viewer.window.paint.fit.text()
     assert "ΔE 0." in viewer.window.status.cell("fit").text()
 
 
@@ -205,7 +205,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
 
     def show(paint) -> None:
         viewer.controller.link.received.emit("paint", paint_to_json(paint))
-        qtbot.waitUntil(lambda: viewer.stage.fit.paint == paint)
+        qtbot.waitUntil(lambda: viewer.state.fit.paint == paint)
 
     solid = solid_paint("p", (50.0, 0.0, 0.0))
     show(solid)
@@ -214,7 +214,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     assert not section.fit.font().bold()
     # Darker towards the mirror direction than away from it: lobes around the mirror direction cannot do that.
     show(solid.with_lab(45.0, (90.0, 0.0, 0.0)))
-    assert section.fit.text().startswith("! Fit: ΔE00 at most 3")
+    assert section.fit.text().startswith("! Fit: maximum ΔE00 3")
     assert section.fit.font().bold()
     assert "no non-negative sum of the lobes" in section.fit.toolTip()
     assert "! ΔE 3" in cell.text()
@@ -228,18 +228,18 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(viewer, qtbot) -> None:
     assert not cell.font().bold()
 
 
-def test_a_paint_that_cannot_be_is_told_and_leaves_when_the_next_can(viewer, designer, qtbot) -> None:
+def test_a_paint_that_cannot_be_is_reported_and_leaves_when_the_next_can(viewer, designer, qtbot) -> None:
     other = designer()
-    other.tell("lab 45 60 40")
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "test paint")
-    first = viewer.stage.fit
-    other.tell("gloss 195")
+    other.send_line("lab 45 60 40")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "test paint")
+    first = viewer.state.fit
+    other.send_line("gloss 195")
     qtbot.waitUntil(lambda: "paint" in viewer.messages())
     assert "test paint" in viewer.messages()["paint"]
-    assert viewer.stage.fit is first
-    other.tell("gloss 85")
+    assert viewer.state.fit is first
+    other.send_line("gloss 85")
     qtbot.waitUntil(lambda: "paint" not in viewer.messages())
-    assert viewer.stage.fit.paint.gloss == Gloss(85.0)
+    assert viewer.state.fit.paint.gloss == Gloss(85.0)
 
 
 def test_the_view_is_published(viewer, qtbot) -> None:
@@ -248,7 +248,7 @@ def test_the_view_is_published(viewer, qtbot) -> None:
     listener.received.connect(lambda topic, value: heard.append(value) if topic == "view" else None)
     listener.start()
     qtbot.waitUntil(lambda: bool(heard))
-    viewer.stage.change_view(exposure_ev=1.5)
+    viewer.state.change_view(exposure_ev=1.5)
     qtbot.waitUntil(lambda: view_from_json(heard[-1], "test") == viewer.view)
     listener.close()
 
@@ -260,7 +260,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
     or the first picture at rest makes once, at a time that depends on the load of the machine, does not.
     """
     viewer = start(size=(640, 420))
-    viewer.stage.change_view(
+    viewer.state.change_view(
         background="grey", camera=Camera(distance=6.0)
     )  # a small sphere: frames cost less
 
@@ -270,7 +270,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
         with qtbot.waitSignal(viewer.window.picture.frame_drawn):
             pass
 
-    fitter = viewer.controller.paint._fitter._fitter
+    fitter = viewer.controller.paint.fitter._fitter
     counters = viewer.controller.drawer.counters
     programs = [id(program) for program in fitter.programs]
     for step in range(20):
@@ -310,7 +310,7 @@ def test_an_edit_opens_no_file_and_imports_nothing(start, qtbot) -> None:
         if watching[0] and ours and event in ("open", "import"):
             seen.append((event, arguments[0]))
 
-    sys.addaudithook(hook)  # stays until the process ends, and does nothing unless it is told to watch
+    sys.addaudithook(hook)  # stays until the process ends, and does nothing unless it is set to watch
     for step in range(6):
         value = paint_to_json(solid_paint("p", (30.0 + step, 5.0, -5.0)))
         watching[0] = step > 0  # the first of all may still load something
@@ -324,13 +324,13 @@ def test_a_paint_that_breaks_the_schema_never_arrives(viewer, qtbot, caplog) -> 
     other = LiveLink("designer")
     other.start()
     qtbot.waitUntil(lambda: "viewer" in other.peers)
-    first = viewer.stage.fit
+    first = viewer.state.fit
     good = paint_to_json(solid_paint("good", (60.0, 0.0, 0.0)))
     for bad in ({}, {**good, "gloss": {"gu_20": "shiny"}}, {**good, "version": 99}, {**good, "extra": 1}):
         other.publish("paint", bad)
         qtbot.waitUntil(lambda: "dropped a paint" in caplog.text)
         caplog.clear()
-    assert viewer.stage.fit is first
+    assert viewer.state.fit is first
     other.publish("paint", good)
-    qtbot.waitUntil(lambda: viewer.stage.fit.paint.name == "good")
+    qtbot.waitUntil(lambda: viewer.state.fit.paint.name == "good")
     other.close()

@@ -17,7 +17,7 @@ from brdf_viewer.fields.slider import SliderField
 from brdf_viewer.fields.source_chooser import Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches, Patch
 from brdf_viewer.paint.source import DESIGNER, PaintSource
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -76,12 +76,12 @@ def test_a_files_kind(path, kind) -> None:
     assert kind_of(path) == kind
 
 
-def test_the_stage_tells_only_of_changes(qtbot) -> None:
-    stage = Stage(View())
+def test_the_state_reports_only_changes(qtbot) -> None:
+    state = ViewerState(View())
     seen = []
-    stage.view_changed.connect(lambda old, new: seen.append((old.exposure_ev, new.exposure_ev)))
-    stage.change_view(exposure_ev=0.0)
-    stage.change_view(exposure_ev=1.0)
+    state.view_changed.connect(lambda old, new: seen.append((old.exposure_ev, new.exposure_ev)))
+    state.change_view(exposure_ev=0.0)
+    state.change_view(exposure_ev=1.0)
     assert seen == [(0.0, 1.0)]
 
 

@@ -141,7 +141,7 @@ def test_what_is_remembered_comes_back_and_what_is_gone_does_not(tmp_path, qapp)
 
 def test_closing_remembers_the_view(start, lights) -> None:
     viewer = start()
-    viewer.stage.change_view(tone_curve="characteristic", exposure_ev=3.0)
+    viewer.state.change_view(tone_curve="characteristic", exposure_ev=3.0)
     viewer.close()
     view = recall(settings())
     assert view.tone_curve == "characteristic"
@@ -167,17 +167,17 @@ def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
     from brdf_viewer import __main__ as program
     from brdf_viewer import controller
 
-    told = []
+    reported = []
 
     def made(_view, paint, *, follow):
-        told.append((paint, follow))
+        reported.append((paint, follow))
         raise SystemExit
 
     monkeypatch.setattr(program, "create_application", lambda *_, **__: None)
     monkeypatch.setattr(controller, "ViewerController", made)
     with pytest.raises(SystemExit):
         program.main(arguments)
-    assert told == [("red" if "red" in arguments else "blue", follows)]
+    assert reported == [("red" if "red" in arguments else "blue", follows)]
 
 
 def test_no_file_of_the_program_is_long(checkout) -> None:

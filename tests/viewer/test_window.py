@@ -38,9 +38,9 @@ def test_everything_that_is_dropped_is_opened(viewer, lights, tmp_path) -> None:
     save_view(View(environment=str(lights["bright"]), surface="sphere", exposure_ev=-2.0), view)
     assert drop(viewer.window, paint, view)
     viewer.wait_idle()
-    assert viewer.stage.fit.name == "brick"
+    assert viewer.state.fit.name == "brick"
     assert viewer.view.exposure_ev == -2.0
-    assert viewer.stage.environment.key == str(lights["bright"])
+    assert viewer.state.environment.key == str(lights["bright"])
     assert drop(viewer.window, lights["dim"])
     viewer.wait_idle()
     assert viewer.view.environment == str(lights["dim"])
@@ -103,12 +103,12 @@ def test_a_pan_side_by_side_takes_the_surface_with_the_cursor(viewer, qtbot) -> 
     from brdf_suite.realtime.camera import matrices
 
     viewer.controller.compare.choose("solid_white")
-    qtbot.waitUntil(lambda: viewer.stage.second is not None)
-    half = viewer.controller.camera._size
+    qtbot.waitUntil(lambda: viewer.state.second is not None)
+    half = viewer.controller.camera.picture_size
     assert half[0] == viewer.window.picture.device_size[0] // 2
-    viewer.controller.camera._pan(50 / half[1], 0.0)
-    target = viewer.stage.bounds.centre
-    moved = matrices(viewer.view.camera, viewer.stage.bounds, half).world_to_clip @ np.append(target, 1.0)
+    viewer.controller.camera.pan(50 / half[1], 0.0)
+    target = viewer.state.bounds.centre
+    moved = matrices(viewer.view.camera, viewer.state.bounds, half).world_to_clip @ np.append(target, 1.0)
     assert moved[0] / moved[3] * half[0] / 2 == pytest.approx(50, abs=0.5)
-    viewer.stage.change_view(compare=replace(viewer.view.compare, mode="swipe"))
-    assert viewer.controller.camera._size == viewer.window.picture.device_size
+    viewer.state.change_view(compare=replace(viewer.view.compare, mode="swipe"))
+    assert viewer.controller.camera.picture_size == viewer.window.picture.device_size

@@ -92,7 +92,7 @@ class DocumentFiles(QObject, Generic[T]):
         return self.dialogs.open_path(self._folder(), self.format.filters)
 
     def read(self, path: Path) -> tuple[T, FileStamp | None] | None:
-        """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` tells."""
+        """Return what ``path`` holds, and its stamp; ``None`` where it cannot be read, which ``failed`` reports."""
         # Before the content is read: a change in between is then asked about once too often, never lost.
         stamp = stamp_of(path)
         try:
@@ -152,8 +152,8 @@ class DocumentFiles(QObject, Generic[T]):
     def recent(self) -> list[Path]:
         """Return the files opened or saved last, newest first."""
         found = settings().value("recent", [])
-        names = [found] if isinstance(found, str) else list(found or [])
-        return [Path(name) for name in names]
+        names = found if isinstance(found, list) else [found]
+        return [Path(name) for name in names if isinstance(name, str)]
 
     def clear_recent(self) -> None:
         """Forget the recent files."""
@@ -169,7 +169,7 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             self.format.save(self.store.value, path)
         except SuiteError as error:
-            todo = "Nothing was lost: the document is still open. Choose another place with Save As."
+            todo = "The document is still open with all changes. Choose another place with Save As."
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
         self.store.mark_clean(path, stamp_of(path))

@@ -73,6 +73,16 @@ class Recovery(QObject, Generic[T]):
         store.replaced.connect(self._schedule)
         store.clean_changed.connect(self._schedule)
 
+    @property
+    def file(self) -> Path:
+        """The autosave of this store; missing while nothing is unsaved."""
+        return self._file
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the autosaves of this program."""
+        return self._folder
+
     def _schedule(self, *_: object) -> None:
         """Start the second that may be lost; a timer that runs is left alone, so that a drag is saved too."""
         if not self._timer.isActive():

@@ -40,13 +40,13 @@ def stamp_of(path: Path) -> FileStamp | None:
     """Return the stamp of a file as it is now; ``None`` where there is nothing at ``path``."""
     try:
         found = path.stat()
-    except OSError:  # Not there, or not to be looked at: writing will tell what is wrong with it.
+    except OSError:  # Not there, or not to be looked at: writing will report what is wrong with it.
         return None
     digest = ""
     if stat.S_ISREG(found.st_mode):  # A pipe or a device would wait for a writer, or never end.
         try:
             with path.open("rb") as stream:
                 digest = hashlib.file_digest(stream, "sha256").hexdigest()
-        except OSError:  # It may still be replaced as a whole; size and time then have to tell.
+        except OSError:  # It may still be replaced as a whole; size and time then have to do.
             digest = ""
     return FileStamp(found.st_size, found.st_mtime_ns, digest)

@@ -148,13 +148,14 @@ class DocumentStore(QObject, Generic[T]):
         The first has no step (""). The present one is at place ``stack.index()``; those behind it are what Redo
         would bring back.
         """
-        steps = [self.stack.command(place) for place in range(self.stack.count())]
+        commands = [self.stack.command(place) for place in range(self.stack.count())]
+        steps = [command for command in commands if isinstance(command, _Edit)]
         if not steps:
             return (("", self._value),)
         return (("", steps[0].old), *((step.actionText(), step.new) for step in steps))
 
     def go_to(self, place: int) -> None:
-        """Undo or redo to place ``place`` of :meth:`states`; ``changed`` tells of it once."""
+        """Undo or redo to place ``place`` of :meth:`states`; ``changed`` reports it once."""
         self.end_gesture()
         old = self._value
         self._travelling = True

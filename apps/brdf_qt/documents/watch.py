@@ -4,25 +4,26 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
+from PySide6.QtCore import QFileSystemWatcher, QObject, Signal
 
-from brdf_qt.documents.stamp import stamp_of
+from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.work.timer import make_timer
 
 _QUIET_MS = 150
 """Editors write in several steps; the file is looked at once they are done."""
 
 
 class FileWatch(QObject):
-    """Watches one file at a time and tells ``changed(path)``."""
+    """Watches one file at a time and emits ``changed(path)``."""
 
     changed = Signal(str)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._path: Path | None = None
-        self._stamp = None
+        self._stamp: FileStamp | None = None
         self._watcher = QFileSystemWatcher(self)
-        self._quiet = QTimer(self, singleShot=True, interval=_QUIET_MS, timeout=self._look)
+        self._quiet = make_timer(self, self._look, _QUIET_MS)
         self._watcher.fileChanged.connect(lambda _path: self._quiet.start())
         self._watcher.directoryChanged.connect(lambda _path: self._quiet.start())
 

@@ -7,6 +7,7 @@ read. Labels of the programs are :class:`PlainLabel`, and tips with words from e
 from __future__ import annotations
 
 from html import escape
+from typing import Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QSize, Qt
@@ -31,7 +32,7 @@ def plain_tip(text: str) -> str:
 class PlainLabel(QLabel):
     """A label that draws its text as it is, whatever tags it holds."""
 
-    def __init__(self, text: str = "", parent: QWidget | None = None, **options: object) -> None:
+    def __init__(self, text: str = "", parent: QWidget | None = None, **options: Any) -> None:
         super().__init__(parent, **options)
         self.setTextFormat(Qt.TextFormat.PlainText)
         self.setText(text)

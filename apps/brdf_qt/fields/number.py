@@ -38,7 +38,7 @@ _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 _UNFINISHED = re.compile(r"^\s*[-+−]?[.,]?\s*$")
 DRAG_START_PX = 4
 PX_PER_STEP = 4
-_TOLD_MS = 6000
+_TIP_MS = 6000
 
 
 def parse_number(text: str) -> float | None:
@@ -101,7 +101,7 @@ class NumberField(QDoubleSpinBox):
         self._burst.started.connect(self.gesture_started)
         self._burst.finished.connect(self.gesture_finished)
         self.valueChanged.connect(self._on_changed)
-        self.editingFinished.connect(self._tell_limit)
+        self.editingFinished.connect(self._report_limit)
         self.lineEdit().installEventFilter(self)
         self.lineEdit().setCursor(Qt.CursorShape.SizeHorCursor)
 
@@ -171,7 +171,7 @@ class NumberField(QDoubleSpinBox):
         return self._within(number)
 
     def _within(self, number: float) -> float:
-        """Return the number, or the end of the range that it lies beyond; which is told once editing is over."""
+        """Return the number, or the end of the range that it lies beyond; which is reported once editing is over."""
         if self.wrapping():
             return self.minimum() + (number - self.minimum()) % (self.maximum() - self.minimum())
         kept = min(self.maximum(), max(self.minimum(), number))
@@ -180,17 +180,17 @@ class NumberField(QDoubleSpinBox):
         self._beyond = number if beyond else None
         return kept
 
-    def _tell_limit(self) -> None:
+    def _report_limit(self) -> None:
         number, self._beyond = self._beyond, None
         if number is None:
             return
         low = number < self.minimum()
         end = self.textFromValue(self.minimum() if low else self.maximum())
         unit = f" {self.unit}" if self.unit else ""
-        which = "less than the least" if low else "more than the most"
-        text = f"{number:g}{unit} is {which} that can be set; it is {end}{unit} now."
+        which = "below the minimum" if low else "above the maximum"
+        text = f"{number:g}{unit} is {which}; the value was set to {end}{unit}."
         QToolTip.showText(
-            self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TOLD_MS
+            self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TIP_MS
         )
         self.limited.emit(text)
 
@@ -245,7 +245,7 @@ class NumberField(QDoubleSpinBox):
             if number is not None:
                 self.setValue(self._within(number))
                 self.selectAll()
-                self._tell_limit()
+                self._report_limit()
         elif event.key() == Qt.Key.Key_Escape and line.isModified():
             self.set_value(self.value())
             line.setText(self.text())

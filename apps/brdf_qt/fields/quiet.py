@@ -6,6 +6,8 @@ All drop-down lists, whole numbers and sliders of the programs are of these clas
 
 from __future__ import annotations
 
+from typing import Any
+
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import (
@@ -33,7 +35,7 @@ class QuietComboBox(QComboBox):
 class QuietSpinBox(QSpinBox):
     """A whole number that takes the wheel with the focus only."""
 
-    def __init__(self, parent: QWidget | None = None, **options: object) -> None:
+    def __init__(self, parent: QWidget | None = None, **options: Any) -> None:
         super().__init__(parent, **options)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # the default would take the focus by the wheel
 

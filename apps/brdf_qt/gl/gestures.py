@@ -58,15 +58,15 @@ class CameraGestures(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if kind == QEvent.Type.MouseButtonPress:
+        if kind == QEvent.Type.MouseButtonPress and isinstance(event, QMouseEvent):
             return self._press(event)
-        if kind == QEvent.Type.MouseMove:
+        if kind == QEvent.Type.MouseMove and isinstance(event, QMouseEvent):
             return self._move(event)
-        if kind == QEvent.Type.MouseButtonRelease:
+        if kind == QEvent.Type.MouseButtonRelease and isinstance(event, QMouseEvent):
             return self._release(event)
-        if kind == QEvent.Type.Wheel:
+        if kind == QEvent.Type.Wheel and isinstance(event, QWheelEvent):
             return self._wheel(event)
-        if kind == QEvent.Type.KeyPress:
+        if kind == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             return self._key(event)
         if kind in (QEvent.Type.Hide, QEvent.Type.WindowDeactivate):
             self._end()
@@ -84,7 +84,7 @@ class CameraGestures(QObject):
     def _move(self, event: QMouseEvent) -> bool:
         if self._drag is None:
             return False
-        if not event.buttons() & self._button:  # released where nobody told us
+        if not event.buttons() & self._button:  # released outside the widget, without an event
             self._end()
             return False
         step = (event.position() - self._last) * _fineness(event)

@@ -11,27 +11,28 @@ import time
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QShowEvent
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.application import surface_format
 from brdf_qt.program.translation import tr
+from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.gl.context import Context, adopt_context
 
 log = logging.getLogger(__name__)
 
 _NO_CONTEXT = (
-    "This computer gave no OpenGL 3.3 context, so the picture cannot be shown. Update the graphics driver, "
+    "OpenGL 3.3 is not available, so the picture cannot be shown. Update the graphics driver, "
     "or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software."
 )
 
 _LOST_AGAIN = (
-    "The graphics driver was reset several times within a minute. Close what else uses the graphics card, update its "
-    "driver, or choose a smaller environment or surface."
+    "The graphics driver was reset several times within a minute. Close other programs that use the graphics card, "
+    "update its driver, or choose a smaller environment or surface."
 )
 SLOW_MS = 100.0
 """A frame that takes longer, as of a software renderer, holds up what is painted with it: fields that come and go."""
@@ -59,7 +60,7 @@ class Drawer(Protocol):
 class GlSurface(QWidget):
     """The picture's widget.
 
-    ``canvas_changed(canvas)`` tells which widget gets the mouse and keys, after :meth:`retry` made a new one.
+    ``canvas_changed(canvas)`` reports which widget gets the mouse and keys, after :meth:`retry` made a new one.
 
     Parameters
     ----------
@@ -89,9 +90,9 @@ class GlSurface(QWidget):
         self._view: object = None
         self._failure = ""
         self._losses: list[float] = []
-        self._frame_ms = 0.0
-        self._give_way = QTimer(self, singleShot=True, interval=_GIVE_WAY_MS, timeout=self._update)
-        # Queued: what listens may grab a frame, which must not happen inside the paint that it is told of.
+        self.frame_ms = 0.0
+        self._give_way = make_timer(self, self._update, _GIVE_WAY_MS)
+        # Queued: what listens may grab a frame, which must not happen inside the paint that it reports.
         self._finished.connect(self.frame_drawn, Qt.ConnectionType.QueuedConnection)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(160, 120)
@@ -124,7 +125,7 @@ class GlSurface(QWidget):
         """Draw again: something other than the view has changed. Where frames are slow, the other widgets go first."""
         if self._canvas.is_lost():
             self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
-        elif self._frame_ms < SLOW_MS:
+        elif self.frame_ms < SLOW_MS:
             self._canvas.update()
         elif not self._give_way.isActive():
             self._give_way.start()
@@ -144,7 +145,7 @@ class GlSurface(QWidget):
         try:
             work()
         except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
-            self._fail(_told(error, "The picture could not be prepared"))
+            self._fail(_failure_text(error, "The picture could not be prepared"))
             return
         finally:
             self._canvas.doneCurrent()
@@ -162,7 +163,7 @@ class GlSurface(QWidget):
         try:
             work()
         except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
-            self._fail(_told(error, "The picture could not be read"))
+            self._fail(_failure_text(error, "The picture could not be read"))
         finally:
             self._canvas.doneCurrent()
 
@@ -185,7 +186,7 @@ class GlSurface(QWidget):
         """Free the drawer and all that it holds; the last thing before the widget goes."""
         self._canvas.release()
 
-    def showEvent(self, event: QEvent) -> None:
+    def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         QTimer.singleShot(0, self, self._check_context)
 
@@ -226,7 +227,7 @@ class GlSurface(QWidget):
 
 
 class _Canvas(QOpenGLWidget):
-    """The part of the widget with the context; failures are told to the surface, never raised into Qt."""
+    """The part of the widget with the context; failures are reported to the surface, never raised into Qt."""
 
     def __init__(self, surface: GlSurface) -> None:
         super().__init__(surface)
@@ -249,7 +250,7 @@ class _Canvas(QOpenGLWidget):
             self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
             self.drawer = self._surface._make_drawer(self._context)
         except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
-            self._defer_failure(_told(error, "The picture cannot be drawn"))
+            self._defer_failure(_failure_text(error, "The picture cannot be drawn"))
 
     def is_lost(self) -> bool:
         """Whether the driver has taken the context away: it was reset, or the card changed."""
@@ -276,14 +277,14 @@ class _Canvas(QOpenGLWidget):
             if self.is_lost():
                 QTimer.singleShot(0, self._surface, self._surface._recover)
                 return
-            self._defer_failure(_told(error, "The picture could not be drawn"))
+            self._defer_failure(_failure_text(error, "The picture could not be drawn"))
             return
         if problem != "GL_NO_ERROR":
             self._defer_failure(f"The graphics driver reported {problem} while drawing.")
             return
         milliseconds = (time.perf_counter() - start) * 1000.0
         if typical:
-            self._surface._frame_ms = milliseconds
+            self._surface.frame_ms = milliseconds
         self._surface._finished.emit(milliseconds, typical)
 
     def release(self) -> None:
@@ -332,7 +333,7 @@ class _Notice(QWidget):
         self._text.setText(text)
 
 
-def _told(error: Exception, what: str) -> str:
+def _failure_text(error: Exception, what: str) -> str:
     """Return the text for the user; a fault of ours goes to the log with its traceback."""
     if isinstance(error, SuiteError):
         return str(error)

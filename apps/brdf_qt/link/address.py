@@ -1,6 +1,6 @@
 """Where the programs of one user on one machine meet, and which of them is the relay.
 
-The meeting place is a socket in a folder that only this user can enter. Beside it lies a lock file: whoever
+The meeting place is a socket in a folder that only this user can enter. Beside it lies a lock file: the program that
 holds the lock is the relay, and alone may remove a stale socket and listen. The operating system frees the
 lock when its holder ends, however it ends, so there is never a second relay and never a lock to clean up.
 """

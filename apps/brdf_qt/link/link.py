@@ -1,11 +1,11 @@
-"""The live link: programs of one user on one machine tell each other what is being edited.
+"""The live link: programs of one user on one machine share what is being edited.
 
 The first program is the hub: it listens on a local socket, the others connect to it, and it passes on what
 they say. When the hub ends, another takes its place after a short random wait. No program ever waits for
 another; each works alone as well.
 
 Delivered is only the newest value of each topic, at most once per turn of the event loop, and only after it
-has passed the reader of its document. A newcomer is told the newest value of each topic.
+has passed the reader of its document. A newcomer receives the newest value of each topic.
 """
 
 from __future__ import annotations
@@ -16,12 +16,13 @@ import uuid
 from collections.abc import Mapping
 from typing import Any
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtNetwork import QLocalServer, QLocalSocket
 
 from brdf_qt.link.address import LinkAddress, LinkAddressError, link_name
 from brdf_qt.link.messages import HELLO, PEERS, Check, Message, document_checks, encode, next_seq
 from brdf_qt.link.peer import Peer
+from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
 
 log = logging.getLogger(__name__)
@@ -72,8 +73,8 @@ class LiveLink(QObject):
         self._inbox: dict[tuple[str, str], tuple[Message, Peer]] = {}
         self._running = False
         self._failures = 0
-        self._retry = QTimer(self, singleShot=True, timeout=self._join)
-        self._delivery = QTimer(self, singleShot=True, interval=0, timeout=self._deliver)
+        self._retry = make_timer(self, self._join)
+        self._delivery = make_timer(self, self._deliver)
 
     @property
     def is_hub(self) -> bool:
@@ -111,7 +112,7 @@ class LiveLink(QObject):
         self._stop_serving()
 
     def publish(self, topic: str, value: dict[str, Any]) -> None:
-        """Tell the others the value of a topic now; programs that come later are told as well.
+        """Send the others the value of a topic now; programs that come later receive it as well.
 
         Raises
         ------
@@ -126,7 +127,7 @@ class LiveLink(QObject):
         for peer in self._peers:
             peer.send(message)
 
-    # Joining: hub where the lock is free, otherwise a connection to whoever holds it.
+    # Joining: hub where the lock is free, otherwise a connection to the program that holds it.
 
     def _join(self) -> None:
         if not self._running or self._peers or self._socket is not None or self._address is None:
@@ -221,7 +222,7 @@ class LiveLink(QObject):
             self._hello(peer, message.value)
         elif message.topic == PEERS:
             if not self.is_hub:
-                self._told_peers(peer, message.value)
+                self._take_peers(peer, message.value)
         elif self._checks is None or message.topic not in self._checks:
             peer.complain(f"unknown topic {message.topic!r}")
         elif self._is_news(message):
@@ -263,7 +264,7 @@ class LiveLink(QObject):
             peer.role = role
             self._announce_peers()
 
-    def _told_peers(self, peer: Peer, value: dict[str, Any]) -> None:
+    def _take_peers(self, peer: Peer, value: dict[str, Any]) -> None:
         roles = value.get("roles")
         if not isinstance(roles, list) or not all(isinstance(role, str) for role in roles):
             peer.complain("a list of peers that is not one")
@@ -271,7 +272,7 @@ class LiveLink(QObject):
         self._set_roles(tuple(sorted(roles)))
 
     def _announce_peers(self) -> None:
-        """As the hub: tell each program which others there are (and ourselves)."""
+        """As the hub: send each program which others there are (and ourselves)."""
         for peer in self._peers:
             others = [self._role, *(p.role for p in self._peers if p is not peer and p.role)]
             peer.send(encode(PEERS, {"roles": others}, self._id, 0))

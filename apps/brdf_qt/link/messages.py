@@ -1,4 +1,4 @@
-"""The envelope in which programs of the suite tell each other what is being edited.
+"""The envelope in which programs of the suite share what is being edited.
 
 One message is one line of JSON in UTF-8, ended by a newline and at most :data:`MAX_BYTES` long::
 

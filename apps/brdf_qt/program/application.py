@@ -69,7 +69,7 @@ def surface_format(samples: int = 4) -> QSurfaceFormat:
     form.setSamples(samples)
     form.setDepthBufferSize(24)
     form.setSwapInterval(1)
-    # So that a reset of the driver is told, instead of frames that stay black.
+    # So that a reset of the driver is reported, instead of frames that stay black.
     form.setOption(QSurfaceFormat.FormatOption.ResetNotification)
     return form
 

@@ -1,8 +1,8 @@
-"""The colours of the monitor that a window is on, as far as the platform tells them.
+"""The colours of the monitor that a window is on, as far as the platform provides them.
 
 X11: the ICC profile in the property ``_ICC_PROFILE`` of the root window (ICC Profiles in X, 0.4), ``_ICC_PROFILE_1``
 for the second monitor and so on. Windows: the profile that the system has for the monitor. macOS and Wayland convert
-by themselves what a program draws in sRGB. Where nothing is told, or what is told cannot be used, sRGB is assumed, and
+by themselves what a program draws in sRGB. Where there is no profile, or it cannot be used, sRGB is assumed, and
 that is said.
 """
 
@@ -33,12 +33,12 @@ class Monitor:
     """
 
     space: DisplaySpace
-    told: str
+    description: str
     is_measured: bool
 
 
 def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
-    """Return what the platform (Qt's name of it) tells of a screen."""
+    """Return what the platform (Qt's name of it) provides for a screen."""
     platform = platform or QGuiApplication.platformName()
     if platform == "cocoa":
         return Monitor(SRGB_SPACE, "sRGB, which macOS converts to the monitor's profile", False)
@@ -49,12 +49,12 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     read = {"xcb": _x11_profile, "windows": _windows_profile}.get(platform)
     data = read(screen) if read is not None else None
     if data is None:
-        return Monitor(SRGB_SPACE, "sRGB assumed: the system tells no profile of this monitor", False)
+        return Monitor(SRGB_SPACE, "No monitor profile found; assuming sRGB", False)
     try:
         space = read_display_profile(data, "the monitor's profile")
     except FileError as error:
         log.warning("monitor: %s", error)
-        return Monitor(SRGB_SPACE, f"sRGB assumed: the monitor's profile {error.reason}", False)
+        return Monitor(SRGB_SPACE, f"The monitor's profile {error.reason}; assuming sRGB", False)
     return Monitor(space, f"Monitor profile: {space.title}", True)
 
 

@@ -30,7 +30,7 @@ _KEY = "language"
 def tr(text: str, comment: str | None = None) -> str:
     """Return ``text`` in the language of the program; as it is where no translation is installed.
 
-    ``comment`` tells two meanings of one English word apart. A drag asks for the same forty texts a hundred times a
+    ``comment`` distinguishes two meanings of one English word. A drag asks for the same forty texts a hundred times a
     second, so they are kept.
     """
     return QCoreApplication.translate("", text, comment)
@@ -102,13 +102,13 @@ def language_menu(parent: QMenu) -> QMenu:
     menu = QMenu(tr("&Language"), parent)
     menu.setToolTipsVisible(True)
     group = QActionGroup(menu)
-    names = {SYSTEM: tr("As the system has it")}
+    names = {SYSTEM: tr("System Default")}
     names |= {code: QLocale(code).nativeLanguageName().capitalize() for code in languages()}
     names[SOURCE] = "English"
     for code, name in names.items():
         action = QAction(name, menu, checkable=True, checked=code == chosen())
         action.setObjectName(f"language_{code}")
-        action.setToolTip(tr("From the next start of the program on"))
+        action.setToolTip(tr("Takes effect at the next start"))
         action.triggered.connect(lambda _checked=False, code=code: remember(code))
         group.addAction(action)
         menu.addAction(action)

@@ -61,12 +61,12 @@ class CommandPalette(QFrame):
         self.query.setAccessibleName(tr("Find a command by name"))
         self.query.setClearButtonEnabled(True)
         self.found = QListWidget()
-        self.found.setAccessibleName(tr("Commands that were found"))
+        self.found.setAccessibleName(tr("Matching commands"))
         self.found.setToolTip(tr("Enter or a click runs the command; the arrow keys choose another"))
         self.found.setUniformItemSizes(True)
         self.found.setSpacing(3)
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._empty = PlainLabel(tr("No command has this name."))
+        self._empty = PlainLabel(tr("No matching command."))
         self._empty.setMargin(8)
         box = QVBoxLayout(self)
         box.setContentsMargins(8, 8, 8, 8)
@@ -108,7 +108,7 @@ class CommandPalette(QFrame):
         self._empty.setVisible(not kept)
 
     def _run(self, item: QListWidgetItem) -> None:
-        if not self.isVisible():  # One click may be told twice, as a click and as an activation.
+        if not self.isVisible():  # One click may be reported twice, as a click and as an activation.
             return
         self.close()
         action: QAction = item.data(_ACTION)

@@ -77,8 +77,8 @@ class QtDialogs:
         box = QMessageBox(self._window)
         box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
         box.setWindowTitle(tr("Unsaved Changes"))
-        question = tr("Save the changes to “{name}”?").format(name=name)
-        set_plain_text(box, question, tr("Without saving, they are lost."))
+        question = tr("Save changes to “{name}”?").format(name=name)
+        set_plain_text(box, question, tr("Your changes will be lost if you don't save them."))
         kinds = QMessageBox.StandardButton
         box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
         box.setDefaultButton(kinds.Save)
@@ -92,7 +92,7 @@ class QtDialogs:
         box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
         box.setWindowTitle(tr("File Changed"))
         text = tr("“{name}” was changed by another program since it was opened or saved here.")
-        more = tr("Overwriting it loses what it holds now.") + f"\n{path}"
+        more = tr("Overwriting discards the changes of the other program.") + f"\n{path}"
         set_plain_text(box, text.format(name=path.name), more)
         roles = QMessageBox.ButtonRole
         overwrite = box.addButton(tr("Overwrite"), roles.DestructiveRole)
@@ -101,8 +101,10 @@ class QtDialogs:
         box.setEscapeButton(box.addButton(QMessageBox.StandardButton.Cancel))
         without_icons(box)
         box.exec()
-        answers = {overwrite: Overwrite.OVERWRITE, save_as: Overwrite.SAVE_AS}
-        return answers.get(box.clickedButton(), Overwrite.CANCEL)
+        clicked = box.clickedButton()
+        if clicked is overwrite:
+            return Overwrite.OVERWRITE
+        return Overwrite.SAVE_AS if clicked is save_as else Overwrite.CANCEL
 
     def open_path(self, folder: Path, filters: str) -> Path | None:
         """See :meth:`Dialogs.open_path`."""

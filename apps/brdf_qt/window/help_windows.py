@@ -27,8 +27,8 @@ GESTURES = (
     (mark("Left drag in a picture"), mark("Orbit")),
     (mark("Middle or Shift drag in a picture"), mark("Pan")),
     (mark("Wheel in a picture"), mark("Zoom to the cursor")),
-    (mark("Right or Alt drag in a picture"), mark("Turn the light")),
-    (mark("Ctrl with any of these"), mark("Ten times as fine")),
+    (mark("Right or Alt drag in a picture"), mark("Rotate the light")),
+    (mark("Hold Ctrl"), mark("Ten times finer")),
 )
 
 

@@ -47,7 +47,7 @@ class Message:
 
 
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
-    """Return the message that tells ``error``; a bug of ours is named as such, with where the log is."""
+    """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
         where = (
             tr("{file}, at {place}").format(file=error.path, place=error.place) if error.place else error.path
@@ -58,8 +58,8 @@ def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
         return Message(key, str(error), todo=todo, severity="error")
     return Message(
         key,
-        tr("The program met a fault of its own: {fault}").format(fault=f"{type(error).__name__}: {error}"),
-        todo=todo or tr("Your document is untouched; save it. The log has the details."),
+        tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}"),
+        todo=todo or tr("Your document is unchanged; save it. The log has the details."),
         severity="error",
     )
 

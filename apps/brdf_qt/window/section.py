@@ -51,7 +51,7 @@ class Section(QWidget):
         box.addWidget(self._header)
         box.addWidget(self._body)
         box.addWidget(line)
-        self._show(settings().value(self._key, is_open, type=bool))
+        self._show(bool(settings().value(self._key, is_open, type=bool)))
 
     def add(self, widget: QWidget) -> QWidget:
         """Put ``widget`` at the end of the body and return it."""
@@ -108,7 +108,7 @@ class Inspector(QScrollArea):
     def bring_in_sight(self, section: Section) -> None:
         """Scroll as little as shows the whole of ``section``, or its beginning where it is longer than the room.
 
-        A section that opens is laid out later, and what it tells may come later still: it is kept in sight until
+        A section that opens is laid out later, and its contents may come later still: it is kept in sight until
         the user scrolls or the keyboard goes elsewhere.
         """
         self._followed = section

@@ -1,4 +1,4 @@
-"""The status bar: cells that tell the truth of the moment, each with a name, a value and an explanation."""
+"""The status bar: cells with the current state, each with a name, a value and an explanation."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ExactFit(QObject):
-    """Tells the exact fit of the paint that was watched last, once; of any other paint it tells nothing.
+    """Reports the exact fit of the paint that was watched last, once; it reports nothing of any other paint.
 
     Signals
     -------

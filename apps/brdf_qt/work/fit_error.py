@@ -1,4 +1,4 @@
-"""When the error of a fit is large, and how that is told: the same in every program."""
+"""When the error of a fit is large, and how that is reported: the same in every program."""
 
 from __future__ import annotations
 
@@ -21,19 +21,21 @@ def marked(text: str, delta_e_2000: float) -> str:
 
 
 LIMITED_TIP = mark(
-    "The time limit came first: this is the best answer at hand, and the exact one follows by itself."
+    "The fit reached its time limit. This is the best result so far; the exact one follows automatically."
 )
 FINAL_TIP = mark(
-    "The time limit came first: this is the best answer that was found. There is no exact one to follow."
+    "The fit reached its time limit. This is the best result that was found; no exact one will follow."
 )
 
 
 def large_error_tip(time_limited: bool, exact_follows: bool = False) -> str:
     """Return why the error is large; ``exact_follows``: the optimum is still looked for."""
     if time_limited and exact_follows:
-        text = tr("ΔE00 above {limit}: the fit ended at its time limit; the exact answer follows by itself.")
+        text = tr(
+            "ΔE00 above {limit}: the fit reached its time limit; the exact result follows automatically."
+        )
     elif time_limited:
-        text = tr("ΔE00 above {limit}: the fit ended at its time limit; there is no exact answer to follow.")
+        text = tr("ΔE00 above {limit}: the fit reached its time limit; no exact result will follow.")
     else:
         text = tr(
             "ΔE00 above {limit}: no non-negative sum of the lobes reaches this colour. The picture shows what they "

@@ -46,13 +46,13 @@ class _Job(QRunnable):
             if stop.is_set():
                 raise Cancelled
             answer, error = self._work(self._request, progress), None
-        except Exception as caught:  # noqa: BLE001 - carried to the main thread, where failed() tells the user
+        except Exception as caught:  # noqa: BLE001 - carried to the main thread, where failed() informs the user
             answer, error = None, caught
         self._runner._ended.emit(key, generation, answer, error)
 
 
 class TaskRunner(QObject):
-    """Runs work on threads; ``busy_changed`` tells when the first starts and the last ends."""
+    """Runs work on threads; ``busy_changed`` reports when the first starts and the last ends."""
 
     busy_changed = Signal(bool)
     _moved = Signal(str, int, float, str)
@@ -99,7 +99,7 @@ class TaskRunner(QObject):
         return task.generation
 
     def cancel(self, key: str) -> None:
-        """Tell the task to stop; its answer, should it come, is dropped."""
+        """Ask the task to stop; its answer, should it come, is dropped."""
         task = self._tasks.pop(key, None)
         if task is not None:
             task.stop.set()

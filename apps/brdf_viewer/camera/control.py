@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from brdf_qt.gl.gestures import CameraGestures
 from PySide6.QtCore import QObject
@@ -14,16 +15,16 @@ from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
 from brdf_suite.realtime.pictures.comparison import sides
 from brdf_viewer.camera.presets import look_from, signed_deg
 from brdf_viewer.camera.turntable import Turntable
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 
 class CameraControl(QObject):
-    """Moves the stage's camera; shows where it is."""
+    """Moves the viewer state's camera; shows where it is."""
 
-    def __init__(self, stage: Stage, window: ViewerWindow, parent: QObject | None = None) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._stage = stage
+        self._state = state
         self._window = window
         self._turntable = Turntable(self)
         self._turntable.turned.connect(self._turn)
@@ -32,16 +33,16 @@ class CameraControl(QObject):
         window.picture.canvas_changed.connect(self._listen)
         self._listen(window.picture.canvas)
         commands, section = window.commands, window.camera
-        commands.frame_wanted.connect(self.frame)
-        commands.preset_wanted.connect(self.look_from)
-        commands.turntable_wanted.connect(self._turntable.set_running)
+        commands.frame_requested.connect(self.frame)
+        commands.preset_requested.connect(self.look_from)
+        commands.turntable_requested.connect(self._turntable.set_running)
         section.preset_chosen.connect(self.look_from)
         section.azimuth_edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
         section.elevation_edited.connect(lambda value: self._aim(elevation_deg=value))
         section.focal_length_edited.connect(self._set_focal_length)
-        section.turntable_edited.connect(lambda value: stage.change_view(turntable_deg_s=value))
-        stage.view_changed.connect(self._show)
-        self._show(None, stage.view)
+        section.turntable_edited.connect(lambda value: state.change_view(turntable_deg_s=value))
+        state.view_changed.connect(self._show)
+        self._show(None, state.view)
 
     def frame(self) -> None:
         """Fill the picture with the surface, from the same side."""
@@ -57,61 +58,62 @@ class CameraControl(QObject):
 
     def _step(self, camera: Camera) -> None:
         """Move the camera at once: a step of its own, also close after another."""
-        self._stage.step_view(camera=camera)
+        self._state.step_view(camera=camera)
 
     @property
     def _camera(self) -> Camera:
-        return self._stage.view.camera
+        return self._state.view.camera
 
     @property
-    def _size(self) -> tuple[int, int]:
+    def picture_size(self) -> tuple[int, int]:
         """The size of one picture: side by side there are two."""
-        size, compare = self._window.picture.device_size, self._stage.view.compare
-        both = compare.mode == "side" and self._stage.second is not None
+        size, compare = self._window.picture.device_size, self._state.view.compare
+        both = compare.mode == "side" and self._state.second is not None
         return (sides(size)[0][2], size[1]) if both else size
 
     def _listen(self, canvas: QWidget) -> None:
         gestures = CameraGestures(canvas)
         gestures.orbited.connect(self._orbit)
-        gestures.panned.connect(self._pan)
+        gestures.panned.connect(self.pan)
         gestures.zoomed.connect(self._zoom)
         gestures.light_turned.connect(self._turn_light)
         gestures.framed.connect(self.frame)
-        gestures.started.connect(self._stage.history.begin)
-        gestures.finished.connect(self._stage.history.end)
+        gestures.started.connect(self._state.history.begin)
+        gestures.finished.connect(self._state.history.end)
 
     def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
-        self._stage.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
+        self._state.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
 
-    def _pan(self, right: float, up: float) -> None:
-        height = self._size[1]
-        self._stage.set_camera(
-            pan(self._camera, self._stage.bounds, self._size, right * height, -up * height)
+    def pan(self, right: float, up: float) -> None:
+        """Pan by fractions of the picture's height."""
+        height = self.picture_size[1]
+        self._state.set_camera(
+            pan(self._camera, self._state.bounds, self.picture_size, right * height, -up * height)
         )
 
     def _zoom(self, factor: float, right: float, up: float) -> None:
-        whole, size = self._window.picture.device_size, self._size
+        whole, size = self._window.picture.device_size, self.picture_size
         # From the middle of the picture that the cursor is in.
         offset = (whole[0] - size[0]) / 2 / size[1]
         place = (right - offset if right >= 0.0 else right + offset, up)
-        self._stage.set_camera(dolly_to(self._camera, self._stage.bounds, size, factor, place))
+        self._state.set_camera(dolly_to(self._camera, self._state.bounds, size, factor, place))
 
     def _turn_light(self, degrees: float) -> None:
-        self._stage.change_view(rotation_deg=signed_deg(self._stage.view.rotation_deg + degrees))
+        self._state.change_view(rotation_deg=signed_deg(self._state.view.rotation_deg + degrees))
 
     def _turn(self, degrees: float) -> None:
-        settled = dataclasses.replace(self._stage.view, camera=self._settled())
-        self._stage.history.amend(turned(settled, degrees, self._stage.bounds.centre))
+        settled = dataclasses.replace(self._state.view, camera=self._settled())
+        self._state.history.amend(turned(settled, degrees, self._state.bounds.centre))
 
     def _turning(self, running: bool) -> None:
         """The turntable's whole run is one step."""
         if running:
-            self._stage.history.begin_running("Turntable")
+            self._state.history.begin_running("Turntable")
         else:
-            self._stage.history.end_running()
+            self._state.history.end_running()
 
-    def _aim(self, **angles: float) -> None:
-        self._stage.set_camera(dataclasses.replace(self._settled(), **angles))
+    def _aim(self, **angles: Any) -> None:
+        self._state.set_camera(dataclasses.replace(self._settled(), **angles))
 
     def _set_focal_length(self, millimetres: float) -> None:
         """Another lens keeps the size of the surface in the picture: the distance grows with it."""
@@ -119,13 +121,13 @@ class CameraControl(QObject):
         distance = camera.distance
         if distance is not None:
             distance *= millimetres / camera.focal_length_mm
-        self._stage.set_camera(dataclasses.replace(camera, focal_length_mm=millimetres, distance=distance))
+        self._state.set_camera(dataclasses.replace(camera, focal_length_mm=millimetres, distance=distance))
 
     def _settled(self) -> Camera:
         """Return the camera with its distance fixed, so that the surface keeps its size while it turns."""
-        if self._stage.surface is None:
+        if self._state.surface is None:
             return self._camera
-        return resolve(self._camera, self._stage.bounds, self._size)
+        return resolve(self._camera, self._state.bounds, self.picture_size)
 
     def _show(self, old: View | None, new: View) -> None:
         section = self._window.camera

@@ -33,7 +33,7 @@ class CameraSection(Section):
             button = QToolButton()
             button.setText(title)
             button.setObjectName(f"preset_{key}")
-            button.setToolTip(plain_tip(f"Look from the {title.lower()} side ({index + 1})"))
+            button.setToolTip(plain_tip(f"View: {title.lower()} ({index + 1})"))
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(lambda _=False, key=key: self.preset_chosen.emit(key))
             self.presets.addButton(button)
@@ -55,6 +55,6 @@ class CameraSection(Section):
         form.add_row("Azimuth", self.azimuth, PARAMETERS["camera.azimuth_deg"].meaning)
         form.add_row("Elevation", self.elevation, PARAMETERS["camera.elevation_deg"].meaning)
         form.add_row("Focal length", self.focal_length, PARAMETERS["camera.focal_length_mm"].meaning)
-        tip = f"{speed.meaning}; below 0 the other way round. Space on the picture starts and stops it"
+        tip = f"{speed.meaning}; negative reverses. Space on the picture starts and stops it"
         form.add_row("Turntable", self.turntable, tip)
         self.add(form)

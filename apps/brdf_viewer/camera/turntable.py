@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QElapsedTimer, QObject, Signal
 
 _LONGEST_STEP_S = 0.1
 
@@ -20,7 +21,7 @@ class Turntable(QObject):
         super().__init__(parent)
         self.deg_per_second = 24.0
         self._clock = QElapsedTimer()
-        self._timer = QTimer(self, interval=16, timeout=self._step)
+        self._timer = make_timer(self, self._step, 16, single_shot=False)
 
     @property
     def is_running(self) -> bool:

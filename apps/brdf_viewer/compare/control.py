@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import View
@@ -23,7 +24,7 @@ from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.overlay.overlay import Label, Scale
-from brdf_viewer.scene.stage import OWN_KEY, RealTimePicture, Stage
+from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
 from brdf_viewer.traced.words import SHORT_TITLES
 from brdf_viewer.window import ViewerWindow
 
@@ -37,47 +38,47 @@ Ask = Callable[[QWidget, str], str]
 
 
 class CompareControl(QObject):
-    """Keeps the stage's second paint and the window in step with ``view.compare``."""
+    """Keeps the viewer state's second paint and the window in step with ``view.compare``."""
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         runner: TaskRunner,
         ask: Ask,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._runner, self._ask = stage, window, runner, ask
+        self._state, self._window, self._runner, self._ask = state, window, runner, ask
         self._names = paint_names()
         self._recent = RecentFiles(KIND)
         self._loading: str | None = None
         self._listed = False
         self._before_blink = "off"
-        self._blink = QTimer(self, timeout=self.flip)
+        self._blink = make_timer(self, self.flip, single_shot=False)
         self._blinking = False
         self._gesture: DividerGesture | None = None
         section, commands = window.compare, window.commands
         section.mode_edited.connect(self.set_mode)
-        section.freeze_wanted.connect(self.freeze)
+        section.freeze_requested.connect(self.freeze)
         section.chooser.chosen.connect(self.choose)
-        section.chooser.browse.connect(self._browse)
+        section.chooser.browse_requested.connect(self._browse)
         section.basis_edited.connect(lambda key: self._change(basis=key))
         section.divider_edited.connect(lambda share: self._change(divider=share))
         section.rate_edited.connect(lambda rate: self._change(rate_hz=rate))
         section.scale_edited.connect(lambda end: self._change(scale_delta_e=end))
-        commands.compare_wanted.connect(self.set_mode)
-        commands.blink_wanted.connect(self.toggle_blink)
-        commands.flip_wanted.connect(self._flip_by_hand)
-        commands.freeze_wanted.connect(self.freeze)
+        commands.compare_requested.connect(self.set_mode)
+        commands.blink_requested.connect(self.toggle_blink)
+        commands.flip_requested.connect(self._flip_by_hand)
+        commands.freeze_requested.connect(self.freeze)
         window.busy_cancelled.connect(self._cancel)
         window.picture.canvas_changed.connect(self._listen)
-        stage.view_changed.connect(self._view_changed)
-        stage.contents_changed.connect(self._show)
-        stage.traced_changed.connect(self._traced_changed)
+        state.view_changed.connect(self._view_changed)
+        state.contents_changed.connect(self._show)
+        state.traced_changed.connect(self._traced_changed)
         self._list()
         self._listen(window.picture.canvas)
-        self._view_changed(None, stage.view)
+        self._view_changed(None, state.view)
 
     @property
     def loading(self) -> str | None:
@@ -87,36 +88,36 @@ class CompareControl(QObject):
     def set_mode(self, mode: str) -> None:
         """Show A and B in this way; without a B, say how to get one."""
         self._change(mode=mode)
-        if mode != "off" and self._stage.view.compare.paint is None and self._stage.compared is None:
+        if mode != "off" and self._state.view.compare.paint is None and self._state.compared is None:
             self._offer()
 
     def choose(self, key: str) -> None:
         """Take a shipped paint or a file as B; where nothing is compared yet, side by side."""
         if key not in self._names and is_file(key):
             key = str(Path(key).absolute())
-        mode = self._stage.view.compare.mode
+        mode = self._state.view.compare.mode
         self._change(paint=key or None, mode="side" if mode == "off" else mode)
 
     def freeze(self) -> None:
         """Keep the paint on show, as it is now, as B."""
-        if self._stage.fit is None:
+        if self._state.fit is None:
             return
         try:
-            second = self._stage.second
+            second = self._state.second
             used = (
-                self._stage.view.compare.paint,
+                self._state.view.compare.paint,
                 None if second is None else second.key,
-                self._stage.paint_key,
+                self._state.paint_key,
             )
-            key = freeze(self._stage.paint, self._stage.paint_key, used)
+            key = freeze(self._state.paint, self._state.paint_key, used)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
             return
         self.choose(key)
 
     def toggle_blink(self) -> None:
         """Blink, or go back to what was shown before."""
-        mode = self._stage.view.compare.mode
+        mode = self._state.view.compare.mode
         if mode == "blink":
             self.set_mode(self._before_blink)
         else:
@@ -125,7 +126,7 @@ class CompareControl(QObject):
 
     def flip(self) -> None:
         """Show the other one of a blink."""
-        self._stage.shows_second = not self._stage.shows_second
+        self._state.shows_second = not self._state.shows_second
         self._window.picture.redraw()
         self._show()
 
@@ -135,14 +136,14 @@ class CompareControl(QObject):
 
     def _flip_by_hand(self) -> None:
         """Show the other one and stay with it."""
-        if self._stage.view.compare.mode != "blink":
+        if self._state.view.compare.mode != "blink":
             self.toggle_blink()
-        elif self._stage.compared is not None:
+        elif self._state.compared is not None:
             self.flip()
         self._blink.stop()
 
     def _change(self, **fields: Any) -> None:
-        self._stage.change_view(compare=dataclasses.replace(self._stage.view.compare, **fields))
+        self._state.change_view(compare=dataclasses.replace(self._state.view.compare, **fields))
 
     def _view_changed(self, old: View | None, new: View) -> None:
         if old is not None and old.compare == new.compare:
@@ -150,8 +151,8 @@ class CompareControl(QObject):
         if new.compare.paint is None:
             self._runner.cancel(KIND)
             self._ended()
-            self._stage.set_second(None)
-        elif self._stage.second is None or self._stage.second.key != new.compare.paint:
+            self._state.set_second(None)
+        elif self._state.second is None or self._state.second.key != new.compare.paint:
             self._load(new.compare.paint)
         elif self._loading is not None:
             self._cancel(KIND)
@@ -178,11 +179,11 @@ class CompareControl(QObject):
             self._recent.add(key)
             self._list()
         touch(key)
-        self._stage.set_second(key, value)
+        self._state.set_second(key, value)
 
     def _failed(self, error: Exception) -> None:
         self._ended()
-        self._tell(error)
+        self._report(error)
         self._keep_present()
 
     def _cancel(self, kind: str) -> None:
@@ -193,32 +194,32 @@ class CompareControl(QObject):
 
     def refused(self, error: Exception) -> None:
         """The graphics card did not take B."""
-        self._stage.set_second(None)
-        self._tell(error)
+        self._state.set_second(None)
+        self._report(error)
         self._keep_present()
 
     def _keep_present(self) -> None:
         """Another B cannot be had: the view names again the one that there is."""
-        present = self._stage.second
+        present = self._state.second
         compare = dataclasses.replace(
-            self._stage.view.compare, paint=None if present is None else present.key
+            self._state.view.compare, paint=None if present is None else present.key
         )
-        self._stage.follow_view(compare=compare)
+        self._state.follow_view(compare=compare)
         self._show()
 
     def _ended(self) -> None:
         self._loading = None
         self._window.set_idle(KIND)
 
-    def _tell(self, error: Exception) -> None:
-        todo = "Choose another paint as B, or freeze the one on show."
+    def _report(self, error: Exception) -> None:
+        todo = "Choose another paint as B, or freeze the current one."
         self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _offer(self) -> None:
         message = Message(
             _OFFER,
-            "There is no second paint yet.",
-            todo="Choose one under Compare in the inspector, or keep the paint on show as it is now.",
+            "No second paint is selected.",
+            todo="Choose one under Compare in the inspector, or freeze the current paint as B.",
             actions=(("Freeze A as B", self.freeze),),
         )
         self._window.messages.show_message(message)
@@ -231,17 +232,17 @@ class CompareControl(QObject):
     def _listen(self, canvas: QWidget) -> None:
         self._gesture = DividerGesture(canvas)
         self._gesture.moved.connect(lambda share: self._change(divider=share))
-        self._gesture.started.connect(self._stage.history.begin)
-        self._gesture.finished.connect(self._stage.history.end)
+        self._gesture.started.connect(self._state.history.begin)
+        self._gesture.finished.connect(self._state.history.end)
         self._show()
 
     def _traced_changed(self) -> None:
-        if self._listed != (self._stage.renderer != "realtime"):
+        if self._listed != (self._state.renderer != "realtime"):
             self._list()
         self._show()
 
     def _list(self) -> None:
-        self._listed = self._stage.renderer != "realtime"
+        self._listed = self._state.renderer != "realtime"
         own = [Source(OWN_KEY, tr("This paint in real time"))] if self._listed else []
         shipped = [*own, *(Source(name, _title(name)) for name in self._names)]
         files = [Source(path, _title(path)) for path in self._recent.paths()]
@@ -249,8 +250,8 @@ class CompareControl(QObject):
 
     def _show(self) -> None:
         """Bring section, menu, overlay and clock to what is compared."""
-        stage, window = self._stage, self._window
-        compare, second = stage.view.compare, stage.compared
+        state, window = self._state, self._window
+        compare, second = state.view.compare, state.compared
         key = self._loading or compare.paint
         window.compare.show_compare(compare)
         window.compare.chooser.show_source(key or "", "" if key is None else _title(key))
@@ -263,31 +264,31 @@ class CompareControl(QObject):
         divider = compare.divider if shown == "swipe" else None
         if self._gesture is not None:
             self._gesture.set_divider(divider)
-        if second is None or stage.fit is None:
+        if second is None or state.fit is None:
             window.overlay.show_labels((), None, None)
             return
         picture = isinstance(second.value, ComparedPicture) and not second.value.is_light
         basis = "picture" if picture else compare.basis
         scale = Scale(compare.scale_delta_e, _OF[basis]) if shown == "difference" else None
-        first = stage.fit.name
-        if stage.renderer != "realtime":
-            made_by = stage.renderer if stage.traced is not None else "realtime"
+        first = state.fit.name
+        if state.renderer != "realtime":
+            made_by = state.renderer if state.traced is not None else "realtime"
             first = f"{first}, {tr(SHORT_TITLES[made_by]).lower()}"
-        names = (f"A  {first}", f"B  {name_of(second.key, second.value, stage.fit.name)}")
+        names = (f"A  {first}", f"B  {name_of(second.key, second.value, state.fit.name)}")
         width = window.picture.device_size[0]
-        labels = labels_of(shown, names, stage.shows_second, divider_px(compare.divider, width) / width)
+        labels = labels_of(shown, names, state.shows_second, divider_px(compare.divider, width) / width)
         window.overlay.show_labels(labels, divider, scale)
 
     def _set_blinking(self, on: bool, rate_hz: float) -> None:
         interval = round(1000.0 / rate_hz)
         if on and not self._blinking:
-            self._stage.shows_second = True  # at once: whoever asks for it wants to see the other one
+            self._state.shows_second = True  # at once: the user asked to see the other one
             self._blink.start(interval)
         elif on and self._blink.interval() != interval:
             self._blink.setInterval(interval)
         elif not on:
             self._blink.stop()
-            self._stage.shows_second = False
+            self._state.shows_second = False
         self._blinking = on
 
 
@@ -315,13 +316,13 @@ def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first:
 def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str]:
     """Return what there is to say of B."""
     if isinstance(value, RealTimePicture):
-        return [tr("B is this paint in real time: what differs is the renderer's doing")]
+        return [tr("B is the same paint in real time: all differences come from the renderer")]
     if isinstance(value, ComparedPicture):
         rows, columns = value.pixels.shape[:2]
-        what = "light (linear)" if value.is_light else "as shown, with a tone curve of its own"
+        what = "light (linear)" if value.is_light else "display colours, with its own tone curve"
         return [f"B is a picture of {columns} × {rows} pixels, {what}; it fits by its width"]
     worst = value.worst_delta_e
-    fit = [] if worst is None else [f"B: fit ΔE00 at most {worst:.2f} at the measured angles"]
+    fit = [] if worst is None else [f"B: fit: maximum ΔE00 {worst:.2f} at the measured angles"]
     return [*fit, *value.notices]
 
 

@@ -11,7 +11,7 @@ REACH_PX = 8
 
 
 class DividerGesture(QObject):
-    """Listens to ``widget``, which must be listened to by nobody else later.
+    """Listens to ``widget``, to which no other filter may be added later.
 
     Signals: ``moved(share)`` of the width, 0…1; ``started()`` and ``finished()`` around a drag.
     """
@@ -65,7 +65,7 @@ class DividerGesture(QObject):
             if event.buttons() == Qt.MouseButton.NoButton:
                 self._hover(self._is_near(event))
             return False
-        if not event.buttons() & Qt.MouseButton.LeftButton:  # released where nobody told us
+        if not event.buttons() & Qt.MouseButton.LeftButton:  # released outside the widget, without an event
             self._end()
             return False
         share = (event.position().x() - self._grip) / max(1, self._widget.width())

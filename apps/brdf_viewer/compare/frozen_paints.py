@@ -20,7 +20,7 @@ MOST_KEPT = 32
 
 
 def freeze(paint: AnyPaint | None, key: str, used: Collection[str | None] = ()) -> str:
-    """Return what a view calls this paint: a file of its own; ``key`` for a measured file, which nobody edits.
+    """Return what a view calls this paint: a file of its own; ``key`` for a measured file, which is never edited.
 
     Of the files that are kept the one that was looked at longest ago goes first, but none of ``used``.
 
@@ -44,7 +44,7 @@ def touch(key: str) -> None:
     if frozen_title(key) is not None:
         with contextlib.suppress(
             OSError
-        ):  # a file that is gone, or of a disk that is read only, is told of elsewhere
+        ):  # a file that is gone, or of a disk that is read only, is reported elsewhere
             os.utime(key)
 
 

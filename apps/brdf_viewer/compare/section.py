@@ -21,16 +21,16 @@ MODE_TITLES = {
     "difference": "Difference (ΔE00)",
 }
 MODE_TIPS = {
-    "off": "Only the paint that is chosen above",
-    "side": "Each has half the picture, and a framing of its own",
+    "off": "Only the current paint",
+    "side": "Each has half the picture with its own framing",
     "swipe": "One picture: A left of the line, B right of it; drag the line",
-    "blink": "One after the other, in the same place",
-    "difference": "The colour difference of each pixel, in the colours of a scale",
+    "blink": "Alternately in the same place",
+    "difference": "Colour difference of each pixel on a colour scale",
 }
 BASIS_TITLES = {"light": "Light", "picture": "Picture"}
 BASIS_TIPS = {
-    "light": "Of the exposed light, before the tone curve; a white of radiance 1 has L* = 100",
-    "picture": "Of the colours that the screen shows, after the tone curve",
+    "light": "Exposed radiance before the tone curve; radiance 1 has L* = 100",
+    "picture": "Displayed colours after the tone curve",
 }
 
 
@@ -42,7 +42,7 @@ class CompareSection(Section):
     divider_edited = Signal(float)
     rate_edited = Signal(float)
     scale_edited = Signal(float)
-    freeze_wanted = Signal()
+    freeze_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Compare", "compare", parent)
@@ -50,28 +50,28 @@ class CompareSection(Section):
         self.mode.picked.connect(self.mode_edited)
         self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
         self.freeze = QPushButton("Freeze A as B")
-        self.freeze.setToolTip("Keep the paint on show as B, as it is now, while A changes (Ctrl+B)")
-        self.freeze.clicked.connect(lambda: self.freeze_wanted.emit())
+        self.freeze.setToolTip("Keep the current paint as B while A changes (Ctrl+B)")
+        self.freeze.clicked.connect(lambda: self.freeze_requested.emit())
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
         self.divider = NumberField("Divider", "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
         self.divider.edited.connect(lambda percent: self.divider_edited.emit(percent / 100.0))
         self.rate = NumberField("Rate", rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
         self.rate.edited.connect(self.rate_edited)
-        self.scale = NumberField("Scale to", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
+        self.scale = NumberField("Maximum", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
         self.scale.edited.connect(self.scale_edited)
         self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
         self.basis.picked.connect(self.basis_edited)
         self.facts = note()
         form = Form()
-        form.add_row("Show", self.mode, "How A and B are compared; B on the keyboard blinks")
-        form.add_row("Second (B)", self.chooser, "What the paint on show is compared with")
+        form.add_row("Show", self.mode, "Comparison of A and B; press B to blink")
+        form.add_row("Second (B)", self.chooser, "Paint or picture that the current paint is compared with")
         form.add_row("", self.freeze)
-        self._rows = {
+        self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
             "swipe": [(form.add_row("Divider", self.divider, divider.meaning), self.divider)],
             "blink": [(form.add_row("Rate", self.rate, rate.meaning), self.rate)],
             "difference": [
-                (form.add_row("Of the", self.basis, "What the colour difference is taken of"), self.basis),
-                (form.add_row("Scale to", self.scale, scale.meaning), self.scale),
+                (form.add_row("Basis", self.basis, "Colours whose difference is shown"), self.basis),
+                (form.add_row("Maximum", self.scale, scale.meaning), self.scale),
             ],
         }
         form.add_wide(self.facts)

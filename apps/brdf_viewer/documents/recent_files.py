@@ -18,7 +18,7 @@ class RecentFiles:
     def paths(self) -> list[str]:
         """Return absolute paths, newest first; files that are gone are left out."""
         stored = settings().value(self._key, [])
-        stored = [stored] if isinstance(stored, str) else list(stored or [])
+        stored = stored if isinstance(stored, list) else [stored]
         return [path for path in stored if isinstance(path, str) and Path(path).is_file()]
 
     def add(self, path: str) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from PySide6.QtCore import QSettings
 
@@ -17,7 +17,10 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.pipeline.scene import default_view, environment_names, surface_names
 
-T = TypeVar("T")
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+T = TypeVar("T", bound="DataclassInstance")
 _FIELDS = (
     "environment",
     "surface",

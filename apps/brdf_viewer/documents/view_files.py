@@ -16,23 +16,23 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import resolve
 from brdf_viewer.documents.recent_files import RecentFiles
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 KIND = "view"
 _FILTERS = f"View (*{VIEW_ENDING});;All files (*)"
-_TOLD_MS = 6000
+_MESSAGE_MS = 6000
 
 
 class ViewFiles(QObject):
     """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back.
 
-    ``light_edited`` tells whether the light on show is in no file as it is: a view cannot name it.
+    ``light_edited`` returns whether the light on show is in no file as it is: a view cannot name it.
     """
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         dialogs: Dialogs,
         parent: QObject | None = None,
@@ -41,12 +41,12 @@ class ViewFiles(QObject):
     ) -> None:
         super().__init__(parent)
         self._light_edited = light_edited
-        self._stage, self._window, self._dialogs = stage, window, dialogs
+        self._state, self._window, self._dialogs = state, window, dialogs
         self._recent = RecentFiles(KIND)
         self._path: Path | None = None
         self._stamp: FileStamp | None = None
-        window.commands.view_save_wanted.connect(self.save)
-        window.commands.view_save_as_wanted.connect(self.save_as)
+        window.commands.view_save_requested.connect(self.save)
+        window.commands.view_save_as_requested.connect(self.save_as)
         self._list()
 
     @property
@@ -66,10 +66,10 @@ class ViewFiles(QObject):
         try:
             view = load_view(file)
         except SuiteError as error:
-            self._tell(error, "The picture stays as it was. Choose another view.")
+            self._report(error, "The picture is unchanged. Choose another view.")
             return False
         self._take(file, stamp)
-        history = self._stage.history
+        history = self._state.history
         history.end()
         history.set(view)
         history.end()
@@ -99,24 +99,22 @@ class ViewFiles(QObject):
         try:
             save_view(self._seen(), path)
         except SuiteError as error:
-            self._tell(error, "Choose another name or folder.")
+            self._report(error, "Choose another name or folder.")
             return False
         self._take(path, stamp_of(path))
-        self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
+        self._window.status.showMessage(f"Saved {path.name}", _MESSAGE_MS)
         if self._light_edited():
-            what = (
-                f"{path.name} names the light as it was before it was edited: what is on show is not saved."
-            )
-            todo = "Save the studio, and the view once more."
+            what = f"{path.name} refers to the light without its unsaved edits."
+            todo = "Save the studio, then the view again."
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
         return True
 
     def _seen(self) -> View:
         """The view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
-        view, stage = self._stage.view, self._stage
-        if stage.surface is None:
+        view, state = self._state.view, self._state
+        if state.surface is None:
             return view
-        camera = resolve(view.camera, stage.bounds, self._window.picture.device_size)
+        camera = resolve(view.camera, state.bounds, self._window.picture.device_size)
         return replace(view, camera=camera)
 
     def _take(self, path: Path, stamp: FileStamp | None) -> None:
@@ -125,7 +123,7 @@ class ViewFiles(QObject):
         self._recent.add(str(path))
         self._list()
 
-    def _tell(self, error: SuiteError, todo: str) -> None:
+    def _report(self, error: SuiteError, todo: str) -> None:
         self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _list(self) -> None:

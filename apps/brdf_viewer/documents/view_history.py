@@ -1,7 +1,7 @@
-"""The view's undo history: one step a gesture, whoever changed the view.
+"""The view's undo history: one step per gesture, whatever changed the view.
 
 Changes of the same fields are one step while they follow closely or while a mouse button is held, so no slider has
-to tell when a drag begins. Who knows it tells it all the same (:meth:`ViewHistory.begin`).
+to know when a drag begins. Callers that know it call :meth:`ViewHistory.begin`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from brdf_qt.documents.store import DocumentStore
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.view import PARTS, View
@@ -40,7 +41,7 @@ class ViewHistory(QObject):
         self._store: DocumentStore[View] = DocumentStore(view, self)
         self._store.changed.connect(self.changed)
         self._store.history_changed.connect(self.steps_changed)
-        self._pause = QTimer(self, singleShot=True, interval=PAUSE_MS, timeout=self._paused)
+        self._pause = make_timer(self, self._paused, PAUSE_MS)
         self._merged: tuple[str, ...] = ()
         self._held = False
         self._running = ""
@@ -67,7 +68,7 @@ class ViewHistory(QObject):
         return self._store.stack.index()
 
     def set(self, view: View) -> None:
-        """Make this the view; nothing is told where it is equal."""
+        """Make this the view; nothing is emitted where it is equal."""
         names = changed_fields(self.value, view)
         if not names:
             return

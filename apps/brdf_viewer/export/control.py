@@ -19,11 +19,11 @@ from brdf_suite.realtime.camera import frame, resolve
 from brdf_viewer.export.dialog import ExportDialog
 from brdf_viewer.export.job import ExportJob, ExportSettings
 from brdf_viewer.export.process import ExportProcess
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 KIND = "export"
-_TOLD_MS = 8000
+_MESSAGE_MS = 8000
 
 AskTarget = Callable[[QWidget, str, str, str], str]
 """Asks where to write: the window, a suggested name, what it is, the ending (empty: a folder)."""
@@ -50,7 +50,7 @@ def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
 def ask_source(parent: QWidget) -> str:
     """Ask for a palette, or for a folder by any paint in it; empty where the user gives none."""
     folder = str(settings().value("folder/palette", ""))
-    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all of its folder (*.brdfpaint)"
+    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all paints of its folder (*.brdfpaint)"
     path, _ = QFileDialog.getOpenFileName(parent, "Paints of the Sheet", folder, forms)
     if not path:
         return ""
@@ -61,12 +61,12 @@ def ask_source(parent: QWidget) -> str:
 class ExportControl(QObject):
     """File ▸ Export: the dialog, then one export at a time.
 
-    ``light_edited`` tells whether the light on show is in no file as it is: an export would read another.
+    ``light_edited`` returns whether the light on show is in no file as it is: an export would read another.
     """
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         parent: QObject | None = None,
         *,
@@ -76,39 +76,39 @@ class ExportControl(QObject):
     ) -> None:
         super().__init__(parent)
         self._light_edited = light_edited
-        self._stage, self._window, self._ask = stage, window, target
-        self._process: ExportProcess | None = None
+        self._state, self._window, self.ask = state, window, target
+        self.process: ExportProcess | None = None
         self._given_up = False
         self.dialog = ExportDialog(lambda: window.picture.device_size, source, window)
-        self.dialog.export_wanted.connect(self.export)
-        window.commands.export_wanted.connect(self.dialog.open_for)
+        self.dialog.export_requested.connect(self.export)
+        window.commands.export_requested.connect(self.dialog.open_for)
         window.busy_cancelled.connect(self._cancelled_by_user)
 
     @property
     def running(self) -> bool:
         """Whether an export runs."""
-        return self._process is not None
+        return self.process is not None
 
     def export(self, wanted: ExportSettings) -> None:
-        """Ask for the file and begin; what goes wrong is told in the window."""
+        """Ask for the file and begin; errors are reported in the window."""
         if self.running:
             return
         messages = self._window.messages
-        fit = self._stage.fit
-        if fit is None or self._stage.surface is None or not self._stage.is_complete:
-            todo = "Wait until paint, surface and environment are there, and export then."
+        fit = self._state.fit
+        if fit is None or self._state.surface is None or not self._state.is_complete:
+            todo = "Wait until paint, surface and environment are loaded, then export."
             messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
             return
         if self._light_edited():
-            todo = "Save it with File ▸ Studio ▸ Save Studio, and export then."
-            what = "The light has been edited and is not saved: an export would show the old one."
+            todo = "Save it with File ▸ Studio ▸ Save Studio, then export."
+            what = "The light has unsaved changes, which an export would not include."
             messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         # As it is when the user asks: the paint may change while the dialog is open.
-        view, paint, key = self._view(wanted), self._stage.paint, self._stage.paint_key
+        view, paint, key = self._view(wanted), self._state.paint, self._state.paint_key
         stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name
         name = re.sub(r"[^\w\- ]+", "_", stem).strip(" _") or wanted.kind
-        chosen = self._ask(self.dialog, name, wanted.form.title, wanted.form.ending)
+        chosen = self.ask(self.dialog, name, wanted.form.title, wanted.form.ending)
         if not chosen:
             return
         path = Path(chosen)
@@ -120,7 +120,7 @@ class ExportControl(QObject):
         except (SuiteError, OSError) as error:
             messages.show_message(message_of(error, KIND))
             return
-        self._process = process = ExportProcess(job, self)
+        self.process = process = ExportProcess(job, self)
         process.moved.connect(lambda fraction, what: self._show(fraction, f"{path.name}: {what}"))
         process.done.connect(lambda notes: self._done(path, notes))
         process.failed.connect(self._failed)
@@ -132,13 +132,13 @@ class ExportControl(QObject):
 
     def close(self) -> None:
         """Stop what runs: the Viewer is closing."""
-        if self._process is not None:
-            self._process.stop()
+        if self.process is not None:
+            self.process.stop()
 
     def _view(self, wanted: ExportSettings) -> View:
-        view = self._stage.exposed_view
+        view = self._state.exposed_view
         if wanted.kind == "picture":
-            camera = resolve(view.camera, self._stage.bounds, self._window.picture.device_size)
+            camera = resolve(view.camera, self._state.bounds, self._window.picture.device_size)
         elif wanted.kind == "sheet":
             camera = frame(view.camera)
         else:
@@ -146,14 +146,14 @@ class ExportControl(QObject):
         return dataclasses.replace(view, camera=camera)
 
     def _show(self, fraction: float, what: str) -> None:
-        if self._process is not None and not self._given_up:
+        if self.process is not None and not self._given_up:
             self._window.set_busy(KIND, fraction, what)
 
     def _cancelled_by_user(self, kind: str) -> None:
-        if kind == KIND and self._process is not None:
+        if kind == KIND and self.process is not None:
             self._given_up = True
             self._window.set_idle(KIND)
-            self._process.cancel()
+            self.process.cancel()
 
     def _done(self, path: Path, notes: list[str]) -> None:
         missed = [note.removeprefix("not drawn: ") for note in notes if note.startswith("not drawn: ")]
@@ -168,10 +168,10 @@ class ExportControl(QObject):
         self._end("")
 
     def _end(self, text: str) -> None:
-        if self._process is not None:
-            self._process.deleteLater()
-            self._process = None
+        if self.process is not None:
+            self.process.deleteLater()
+            self.process = None
         self._window.set_idle(KIND)
         self.dialog.set_busy(False)
         if text:
-            self._window.status.showMessage(text, _TOLD_MS)
+            self._window.status.showMessage(text, _MESSAGE_MS)

@@ -33,7 +33,7 @@ _LARGEST = 65_536
 
 
 class ExportDialog(QDialog):
-    """Asks for :class:`ExportSettings`; ``export_wanted(settings)`` when the button is pressed.
+    """Asks for :class:`ExportSettings`; ``export_requested(settings)`` when the button is pressed.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ class ExportDialog(QDialog):
         Asks for the palette or folder of a sheet; empty where the user gives none.
     """
 
-    export_wanted = Signal(object)
+    export_requested = Signal(object)
 
     def __init__(
         self,
@@ -54,7 +54,7 @@ class ExportDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Export")
         self.setObjectName("export")
-        self._screen_size, self._ask_source = screen_size, ask_source
+        self._screen_size, self.ask_source = screen_size, ask_source
         self.kind = QuietComboBox()
         for key, title in KIND_TITLES.items():
             self.kind.addItem(title, key)
@@ -72,9 +72,9 @@ class ExportDialog(QDialog):
         self.columns = _number(0, 40, 0, "")
         self.columns.setSpecialValueText("Automatic")
         self.source = QLineEdit(readOnly=True, placeholderText="A palette, or a folder of paints")
-        self._browse = QPushButton("Choose…")
-        self._export = QPushButton("Export…", default=True)
-        self._told = note()
+        self.browse_button = QPushButton("Choose…")
+        self.export_button = QPushButton("Export…", default=True)
+        self._message = note()
         self._rows: dict[str, list[QWidget]] = {}
         self._busy = False
         self._build()
@@ -83,8 +83,8 @@ class ExportDialog(QDialog):
         self.format.currentIndexChanged.connect(self._show_format)
         for field in (self.width_field, self.height_field):
             field.valueChanged.connect(self._show_preset)
-        self._browse.clicked.connect(self._choose_source)
-        self._export.clicked.connect(lambda: self.export_wanted.emit(self.settings()))
+        self.browse_button.clicked.connect(self._choose_source)
+        self.export_button.clicked.connect(lambda: self.export_requested.emit(self.settings()))
         self._show_kind()
 
     def open_for(self, kind: str) -> None:
@@ -114,7 +114,7 @@ class ExportDialog(QDialog):
     def set_busy(self, busy: bool) -> None:
         """One export runs at a time."""
         self._busy = busy
-        self._export.setEnabled(not busy and self._ready())
+        self.export_button.setEnabled(not busy and self._ready())
 
     def _build(self) -> None:
         size = QWidget()
@@ -127,24 +127,26 @@ class ExportDialog(QDialog):
         row = QHBoxLayout(chosen)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.source, 1)
-        row.addWidget(self._browse)
+        row.addWidget(self.browse_button)
         form = Form()
         form.add_row("Export", self.kind)
         self._add(form, "Paints", chosen, "sheet")
         self._add(form, "Size", self.preset)
         self._add(form, "", size)
         self._add(form, "Format", self.format)
-        self._add(form, "Colours", self.colour_space, tip="The ICC profile goes with the file")
-        self._add(form, "Samples", self.samples, tip="Per pixel, as many as the graphics card has at most")
+        self._add(
+            form, "Colours", self.colour_space, tip="Colour space; the ICC profile is embedded in the file"
+        )
+        self._add(form, "Samples", self.samples, tip="Per pixel, limited by the graphics card")
         self._add(form, "", self.transparent, "picture", "turntable")
-        self._add(form, "Frames", self.frames, "turntable", tip="Of one turn")
-        self._add(form, "Rate", self.rate, "turntable", tip="Frames a second of a video")
+        self._add(form, "Frames", self.frames, "turntable", tip="Frames per turn")
+        self._add(form, "Rate", self.rate, "turntable", tip="Frames per second of a video")
         self._add(form, "Columns", self.columns, "sheet")
-        form.add_wide(self._told)
+        form.add_wide(self._message)
         box = QVBoxLayout(self)
         box.addWidget(form)
         box.addStretch()
-        box.addWidget(self._export, 0, Qt.AlignmentFlag.AlignRight)
+        box.addWidget(self.export_button, 0, Qt.AlignmentFlag.AlignRight)
 
     def _add(self, form: Form, label: str, field: QWidget, *kinds: str, tip: str = "") -> None:
         row = [form.add_row(label, field, tip), field]
@@ -187,13 +189,13 @@ class ExportDialog(QDialog):
         self.transparent.setEnabled(form.transparent)
         if not form.transparent:
             self.transparent.setChecked(False)
-        told = {
-            ".exr": "Radiance before exposure and tone curve, in the primaries that the file states",
+        notes = {
+            ".exr": "Radiance before exposure and tone curve, in the primaries stated in the file",
             ".mp4": "sRGB; an even width and height",
             ".webm": "sRGB; an even width and height",
         }
-        set_note(self._told, told.get(form.ending, ""))
-        self._export.setEnabled(self._ready() and not self._busy)
+        set_note(self._message, notes.get(form.ending, ""))
+        self.export_button.setEnabled(self._ready() and not self._busy)
 
     def _ready(self) -> bool:
         return self.kind.currentData() != "sheet" or bool(self.source.text())
@@ -225,7 +227,7 @@ class ExportDialog(QDialog):
         self.preset.blockSignals(False)
 
     def _choose_source(self) -> None:
-        chosen = self._ask_source(self)
+        chosen = self.ask_source(self)
         if chosen:
             self.source.setText(chosen)
             self._show_format()

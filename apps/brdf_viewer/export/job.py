@@ -71,13 +71,13 @@ class ExportJob:
         self, settings: ExportSettings, path: Path, view: View, paint: AnyPaint | None, paint_key: str
     ) -> None:
         self.settings, self.path = settings, path
-        self._folder = Path(tempfile.mkdtemp(prefix="brdf-export-"))
-        self._view = self._folder / f"view{VIEW_ENDING}"
+        self.folder = Path(tempfile.mkdtemp(prefix="brdf-export-"))
+        self._view = self.folder / f"view{VIEW_ENDING}"
         self._paint = paint_key
         try:
             save_view(view, self._view)
             if paint is not None:
-                self._paint = str(self._folder / f"paint{PAINT_ENDING}")
+                self._paint = str(self.folder / f"paint{PAINT_ENDING}")
                 save_paint(paint, self._paint)
         except BaseException:
             self.tidy()
@@ -110,5 +110,5 @@ class ExportJob:
     def tidy(self) -> None:
         """Take the scene's files away."""
         shutil.rmtree(
-            self._folder, ignore_errors=True
+            self.folder, ignore_errors=True
         )  # in the system's temporary folder, which is emptied anyway

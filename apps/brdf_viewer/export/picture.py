@@ -15,11 +15,11 @@ from PySide6.QtGui import QImage
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.output.picture_file import picture_metadata
 from brdf_viewer.documents.file_kinds import PICTURE_ENDING, AskPicture
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 _KEY = "picture"
-_TOLD_MS = 6000
+_MESSAGE_MS = 6000
 
 
 class PictureExport(QObject):
@@ -30,27 +30,27 @@ class PictureExport(QObject):
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         ask: AskPicture,
         grab: Callable[[], QImage],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._ask, self._grab = stage, window, ask, grab
-        window.commands.picture_wanted.connect(self.save)
+        self._state, self._window, self._ask, self._grab = state, window, ask, grab
+        window.commands.picture_requested.connect(self.save)
 
     def save(self) -> None:
-        """Ask for a file and write the picture to it; what goes wrong is told in the window."""
-        fit, messages = self._stage.fit, self._window.messages
+        """Ask for a file and write the picture to it; errors are reported in the window."""
+        fit, messages = self._state.fit, self._window.messages
         # As it was when the user asked: the paint may change while the dialog is open.
         image, view = (
             self._grab(),
-            self._stage.exposed_view,
+            self._state.exposed_view,
         )  # the picture's exposure, where it is measured for it
-        made_by = {"Renderer": self._window.overlay.mark} if self._stage.traced is not None else {}
-        if fit is None or not self._stage.is_complete or image.isNull():
-            todo = "Wait until paint, surface and environment are there, and save it then."
+        made_by = {"Renderer": self._window.overlay.mark} if self._state.traced is not None else {}
+        if fit is None or not self._state.is_complete or image.isNull():
+            todo = "Wait until paint, surface and environment are loaded, then save."
             messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
             return
         chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.name).strip(" _") or "picture")
@@ -65,7 +65,7 @@ class PictureExport(QObject):
             messages.show_message(message_of(error, _KEY, todo="Choose another name or folder."))
             return
         messages.dismiss(_KEY)
-        self._window.status.showMessage(f"Saved {path.name}", _TOLD_MS)
+        self._window.status.showMessage(f"Saved {path.name}", _MESSAGE_MS)
 
 
 def pixels_of(image: QImage) -> NDArray[np.uint8]:

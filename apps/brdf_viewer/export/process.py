@@ -1,6 +1,6 @@
 """An export runs as a process of its own: drawing holds the interpreter, and the window must stay alive.
 
-It is the suite's command; it tells its steps as lines of JSON and stops, its unfinished files removed, when its input
+It is the suite's command; it reports its steps as lines of JSON and stops, its unfinished files removed, when its input
 is closed. So it also ends with the Viewer, however that ends.
 """
 
@@ -10,7 +10,8 @@ import contextlib
 import json
 import shutil
 
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, QProcess, Signal
 
 from brdf_suite.processes import child_command
 from brdf_viewer.export.job import ExportJob
@@ -36,77 +37,79 @@ class ExportProcess(QObject):
     def __init__(self, job: ExportJob, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.job = job
-        self._told: list[str] = []
+        self._message: list[str] = []
         self._rest = b""
-        self._wanted = True
+        self._is_wanted = True
         self._ended = False
-        self._process = QProcess(self)
-        self._process.readyReadStandardOutput.connect(self._read)
-        self._process.finished.connect(self._finished)
-        self._process.errorOccurred.connect(self._not_started)
-        self._force = QTimer(self, singleShot=True, interval=PATIENCE_MS, timeout=self._process.kill)
+        self.process = QProcess(self)
+        self.process.readyReadStandardOutput.connect(self._read)
+        self.process.finished.connect(self._finished)
+        self.process.errorOccurred.connect(self._not_started)
+        self._force = make_timer(self, self.process.kill, PATIENCE_MS)
 
     def start(self) -> None:
         """Begin."""
         program, *arguments = child_command("brdf_suite.cli.main", *self.job.arguments())
-        self._process.start(program, arguments)
+        self.process.start(program, arguments)
 
     def cancel(self) -> None:
-        """Ask it to stop; ``cancelled`` tells when it has."""
-        self._wanted = False
-        self._process.closeWriteChannel()
+        """Ask it to stop; ``cancelled`` reports when it has."""
+        self._is_wanted = False
+        self.process.closeWriteChannel()
         self._force.start()
 
     def stop(self) -> None:
         """Stop it and wait until it has ended: the window closes."""
-        if self._process.state() != QProcess.ProcessState.NotRunning:
+        if self.process.state() != QProcess.ProcessState.NotRunning:
             self.cancel()
-            if not self._process.waitForFinished(PATIENCE_MS):
-                self._process.kill()
-                self._process.waitForFinished(PATIENCE_MS)
+            if not self.process.waitForFinished(PATIENCE_MS):
+                self.process.kill()
+                self.process.waitForFinished(PATIENCE_MS)
 
     def _read(self) -> None:
-        *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
+        *lines, self._rest = (self._rest + self.process.readAllStandardOutput().data()).split(b"\n")
         for line in lines:
             text = line.decode("utf-8", errors="replace")
             step = _step(text)
             if step is None:
-                self._told.append(text)
-            elif self._wanted:
+                self._message.append(text)
+            elif self._is_wanted:
                 self.moved.emit(*step)
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
             self._end()
-            self.failed.emit(f"The export could not be started: {self._process.errorString()}.")
+            self.failed.emit(f"The export could not be started: {self.process.errorString()}.")
 
     def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
         if self._ended:
             return
         self._read()
-        words = self._process.readAllStandardError().data().decode("utf-8", errors="replace").strip()
+        words = bytes(self.process.readAllStandardError().data()).decode("utf-8", errors="replace").strip()
         crashed = status == QProcess.ExitStatus.CrashExit
         self._end(forced=crashed)
-        if not self._wanted or code == _CANCELLED:
+        if not self._is_wanted or code == _CANCELLED:
             self.cancelled.emit()
         elif crashed or (code and words):
-            last = words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a word"
+            last = (
+                words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a message"
+            )
             self.failed.emit(last)
         else:
-            self.done.emit(list(self._told))  # with 1, too: a sheet that says which paints it lacks
+            self.done.emit(list(self._message))  # with 1, too: a sheet that says which paints it lacks
 
     def _end(self, *, forced: bool = False) -> None:
         self._ended = True
         self._force.stop()
         if forced:
             for path in self.job.leftovers():
-                with contextlib.suppress(OSError):  # whoever holds it still cannot be argued with
+                with contextlib.suppress(OSError):  # another process may still hold it
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         self.job.tidy()
 
 
 def _step(line: str) -> tuple[float, str] | None:
-    """Return the fraction and the words of a line that tells a step; None for any other line."""
+    """Return the fraction and the words of a line that reports a step; None for any other line."""
     if not line.startswith('{"fraction"'):
         return None
     try:

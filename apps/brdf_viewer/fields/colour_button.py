@@ -11,7 +11,7 @@ _SWATCH = QSize(28, 14)
 
 
 class ColourButton(QPushButton):
-    """Holds one colour, encoded sRGB, 0 to 1; ``edited(colour)`` tells of each that the user picks."""
+    """Holds one colour, encoded sRGB, 0 to 1; ``edited(colour)`` is emitted for each that the user picks."""
 
     edited = Signal(object)
 

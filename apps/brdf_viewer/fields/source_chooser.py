@@ -27,10 +27,10 @@ def title_of(key: str, titles: dict[str, str]) -> str:
 
 
 class SourceChooser(QWidget):
-    """Emits ``chosen(key)`` when the user takes an entry and ``browse()`` for the button."""
+    """Emits ``chosen(key)`` when the user takes an entry and ``browse_requested()`` for the button."""
 
     chosen = Signal(str)
-    browse = Signal()
+    browse_requested = Signal()
 
     def __init__(self, browse_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -42,7 +42,7 @@ class SourceChooser(QWidget):
         self.button.setIcon(icon("folder-open"))
         self.button.setToolTip(plain_tip(browse_tip))
         self.button.setAccessibleName(browse_tip)
-        self.button.clicked.connect(self.browse)
+        self.button.clicked.connect(self.browse_requested)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(4)

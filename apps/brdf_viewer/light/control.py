@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
+from typing import Any
 
-from PySide6.QtCore import QTimer
+from brdf_qt.work.timer import make_timer
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
@@ -27,14 +28,14 @@ class LightingControl(DrawnPart):
     """Puts the section's edits into the view, and measures the exposure where it is automatic."""
 
     def _set_up(self) -> None:
-        stage, window = self._stage, self._window
-        self._meter = QTimer(self, singleShot=True, interval=METER_AFTER_MS, timeout=self._measure)
+        state, window = self._state, self._window
+        self._meter = make_timer(self, self._measure, METER_AFTER_MS)
         self._round = Turntable(self)
         self._round.deg_per_second = 45.0
         self._round.turned.connect(self._move_lamps)
-        self._relit = RelitPaint(stage, self)
+        self._relit = RelitPaint(state, self)
         self._relit.state_changed.connect(self._show_colour)
-        self._second_relit = RelitPaint(stage, self, second=True)
+        self._second_relit = RelitPaint(state, self, second=True)
         section = window.lighting
         self._round.running_changed.connect(section.lamps.set_moving)
         self._round.running_changed.connect(self._moving)
@@ -42,17 +43,17 @@ class LightingControl(DrawnPart):
         section.illuminant_edited.connect(lambda key: self._change_colour(illuminant=key))
         section.adapted_edited.connect(lambda on: self._change_colour(adapted=on))
         section.exposure_mode_edited.connect(self.set_exposure_mode)
-        section.lamps.edited.connect(lambda lamps: stage.change_view(lamps=lamps))
+        section.lamps.edited.connect(lambda lamps: state.change_view(lamps=lamps))
         section.brightness_edited.connect(lambda value: self._change_colour(brightness=value))
-        section.lamps.shading_edited.connect(lambda key: stage.change_view(lamp_shading=key))
+        section.lamps.shading_edited.connect(lambda key: state.change_view(lamp_shading=key))
         section.lamps.move_edited.connect(self._round.set_running)
-        stage.view_changed.connect(self._changed)
-        stage.contents_changed.connect(self._contents_changed)
-        self._show(stage.view)
+        state.view_changed.connect(self._changed)
+        state.contents_changed.connect(self._contents_changed)
+        self._show(state.view)
 
     def choose(self, key: str) -> None:
         """Take a preset's light."""
-        self._stage.set_view(with_preset(self._stage.view, key))
+        self._state.set_view(with_preset(self._state.view, key))
 
     def close(self) -> None:
         """End the threads."""
@@ -61,32 +62,32 @@ class LightingControl(DrawnPart):
 
     def set_exposure_mode(self, mode: str) -> None:
         """Lock the exposure as it is, or have it measured from now on."""
-        view = self._stage.view
+        view = self._state.view
         if mode == view.exposure_mode:
             return
         if mode == "locked":
-            self._stage.set_view(exposed(view, self._stage.metered_ev))  # the picture stays as it is
+            self._state.set_view(exposed(view, self._state.metered_ev))  # the picture stays as it is
         else:
-            self._stage.metered_ev = None
-            self._stage.change_view(exposure_mode="automatic", exposure_ev=0.0)
+            self._state.metered_ev = None
+            self._state.change_view(exposure_mode="automatic", exposure_ev=0.0)
 
-    def _change_colour(self, **fields: object) -> None:
-        colour = dataclasses.replace(self._stage.view.light_colour, **fields)
-        self._stage.change_view(light_colour=colour)
+    def _change_colour(self, **fields: Any) -> None:
+        colour = dataclasses.replace(self._state.view.light_colour, **fields)
+        self._state.change_view(light_colour=colour)
 
     def _moving(self, running: bool) -> None:
         """All that lamps move until they stop is one step of the history."""
         if running:
-            self._stage.history.begin_running("Move Lamps")
+            self._state.history.begin_running("Move Lamps")
         else:
-            self._stage.history.end_running()
+            self._state.history.end_running()
 
     def _move_lamps(self, degrees: float) -> None:
-        lamps = self._stage.view.lamps
+        lamps = self._state.view.lamps
         if not lamps:
             self._round.set_running(False)
             return
-        self._stage.follow_view(lamps=tuple(_moved(lamp, degrees) for lamp in lamps))
+        self._state.follow_view(lamps=tuple(_moved(lamp, degrees) for lamp in lamps))
 
     def _changed(self, old: View, new: View) -> None:
         self._show(new)
@@ -94,26 +95,26 @@ class LightingControl(DrawnPart):
             self._meter.start()
 
     def _show_colour(self) -> None:
-        self._window.lighting.show_colour(self._stage.view.light_colour, self._relit.state)
+        self._window.lighting.show_colour(self._state.view.light_colour, self._relit.state)
 
     def _show_preset(self) -> None:
         """A light that is edited is none of the presets, whatever the view goes on to name."""
-        view, present = self._stage.view, self._stage.environment
+        view, present = self._state.view, self._state.environment
         edited = present is not None and not names_a_light(present.key)
         self._window.lighting.show_preset("" if edited else preset_of(view))
 
     def _contents_changed(self) -> None:
         self._show_preset()
         self._show_colour()
-        if self._stage.view.exposure_mode == "automatic":
+        if self._state.view.exposure_mode == "automatic":
             self._meter.start()
 
     def _measure(self) -> None:
         drawer = self._drawer()
-        if drawer is not None and self._stage.view.exposure_mode == "automatic":
+        if drawer is not None and self._state.view.exposure_mode == "automatic":
             picture = self._window.picture
-            picture.with_context(lambda: drawer.meter(self._stage.view, picture.device_size))
-            self._show_exposure(self._stage.view)
+            picture.with_context(lambda: drawer.meter(self._state.view, picture.device_size))
+            self._show_exposure(self._state.view)
 
     def _show(self, view: View) -> None:
         section = self._window.lighting
@@ -129,9 +130,9 @@ class LightingControl(DrawnPart):
         if view.exposure_mode == "locked":
             cell.set(f"{view.exposure_ev:+.1f} EV", "Exposure, locked")
         else:
-            total = exposed(view, self._stage.metered_ev).exposure_ev
+            total = exposed(view, self._state.metered_ev).exposure_ev
             cell.set(
-                f"{total:+.1f} EV automatic", f"Exposure: measured, and {view.exposure_ev:+.1f} EV to it"
+                f"{total:+.1f} EV automatic", f"Exposure: automatic value plus {view.exposure_ev:+.1f} EV"
             )
 
 

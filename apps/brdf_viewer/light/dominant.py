@@ -1,4 +1,4 @@
-"""The light that aspecular angles are told of: the strongest one there is."""
+"""The light that aspecular angles refer to: the strongest one there is."""
 
 from __future__ import annotations
 
@@ -47,13 +47,13 @@ def dominant_light(view: View, figures: EnvironmentStatistics | None) -> Dominan
         if lamp.kind == "point":
             return DominantLight(f"point lamp {number}", None, lamp.position)
         towards = direction(lamp.azimuth_deg, lamp.elevation_deg)
-        return DominantLight(f"lamp {number}, {lamp.elevation_deg:.0f}° high", towards)
+        return DominantLight(f"lamp {number}, elevation {lamp.elevation_deg:.0f}°", towards)
     if figures is None or figures.sun_direction is None or figures.sun_elevation_deg is None:
         return None
     turned = (figures.sun_azimuth_deg or 0.0) + view.rotation_deg
     words = (
-        f"the brightest light, {figures.sun_elevation_deg:.0f}° high at {turned % 360.0:.0f}° "
-        f"({100.0 * figures.sun_share:.0f} % of the environment's)"
+        f"the main light, elevation {figures.sun_elevation_deg:.0f}°, azimuth {turned % 360.0:.0f}° "
+        f"({100.0 * figures.sun_share:.0f} % of the environment)"
     )
     return DominantLight(words, direction(turned, figures.sun_elevation_deg))
 

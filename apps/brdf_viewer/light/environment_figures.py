@@ -120,15 +120,15 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
     stops = statistics.dynamic_range_stops
     reach = "partly black" if stops is None else f"{stops:.1f} stops"
     if statistics.sun_elevation_deg is None or statistics.sun_share < _LEAST_SUN:
-        sun = "Even: no sun or lamp stands out"
+        sun = "No dominant light source"
     else:
         sun = (
-            f"Sun or lamp {statistics.sun_elevation_deg:.0f}° high at {statistics.sun_azimuth_deg:.0f}°, "
-            f"{100.0 * statistics.sun_share:.0f} % of the light"
+            f"Main light: elevation {statistics.sun_elevation_deg:.0f}°, azimuth {statistics.sun_azimuth_deg:.0f}°, "
+            f"{100.0 * statistics.sun_share:.0f} % of total"
         )
     return [
-        f"Luminance {statistics.average_luminance:.3g} on average, {statistics.brightest_luminance:.3g} at most",
-        f"Range {reach}; illuminance from above {statistics.horizontal_illuminance:.3g}",
+        f"Luminance: mean {statistics.average_luminance:.3g}, maximum {statistics.brightest_luminance:.3g}",
+        f"Dynamic range {reach} · Horizontal illuminance {statistics.horizontal_illuminance:.3g}",
         sun,
     ]
 
@@ -138,14 +138,14 @@ def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
     rows, columns = prepared.environment.radiance.shape[:2]
     lines = [f"{columns} × {rows} pixels", *map(_sentence, prepared.environment.notes)]
     if prepared.draft:
-        lines.append("A draft; the light as it will be follows when the hand rests.")
+        lines.append("Draft; full quality follows after editing.")
     elif not prepared.is_final:
         made = prepared.wanted - prepared.missing
-        what = f"{made} of {prepared.wanted} maps are there; "
+        what = f"({made}/{prepared.wanted})"
         if loading:
-            lines.append(what + "sharp reflections follow.")
+            lines.append(f"Refining reflections {what}")
         else:
-            lines.append(what + "sharp reflections are wrong. Choose the light again to finish it.")
+            lines.append(f"Reflections incomplete {what}. Select the light again to finish.")
     return "\n".join([*lines, *prepared.notices])
 
 

@@ -16,7 +16,7 @@ from brdf_viewer.fields.source_chooser import SourceChooser
 from brdf_viewer.light.environment_figures import EnvironmentFigures
 
 LAYOUT_TITLES = {
-    "auto": "As its shape tells",
+    "auto": "Auto",
     "latlong": "Latitude-longitude",
     "horizontal_cross": "Cube, horizontal cross",
     "vertical_cross": "Cube, vertical cross",
@@ -43,7 +43,7 @@ class EnvironmentSection(Section):
     background_edited = Signal(str)
     background_colour_edited = Signal(object)
     layout_edited = Signal(str)
-    edit_wanted = Signal()
+    edit_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Environment", "environment", parent)
@@ -59,20 +59,22 @@ class EnvironmentSection(Section):
         self.layout_list = ChoiceBox(LAYOUT_TITLES)
         self.layout_list.picked.connect(self.layout_edited)
         self.edit = QToolButton()
-        self.edit.setText("Edit the light")
-        self.edit.setToolTip("Edit this studio or sky in a panel of its own")
-        self.edit.clicked.connect(lambda _=False: self.edit_wanted.emit())
+        self.edit.setText("Edit Light")
+        self.edit.setToolTip("Edit this studio or sky in its own panel")
+        self.edit.clicked.connect(lambda _=False: self.edit_requested.emit())
         self.facts = note()
         self.figures = EnvironmentFigures()
         form = Form()
-        form.add_row("Light", self.chooser, "A high-dynamic-range panorama, or a studio, lights the surface")
-        form.add_row("Layout", self.layout_list, "How a file's image is laid out, where its shape misleads")
+        form.add_row("Light", self.chooser, "High-dynamic-range panorama or studio that lights the surface")
+        form.add_row(
+            "Projection", self.layout_list, "Projection of the image; choose it where detection fails"
+        )
         self._edit_label = form.add_row("", self.edit)
         form.add_wide(self.facts)
         form.add_wide(self.figures)
         form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
         form.add_row("Exposure", self.exposure, PARAMETERS["exposure_ev"].meaning)
-        form.add_row("Background", self.background, "What is seen behind the surface; the light stays")
+        form.add_row("Background", self.background, "Visible background; the light does not change")
         self._colour_label = form.add_row("", self.background_colour)
         self.add(form)
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from math import atan2, cos, degrees, hypot, radians, sin
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
@@ -16,13 +18,13 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, 
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
 from brdf_viewer.fields.choice_box import ChoiceBox
 
-SHADING_TITLES = {"each": "One by one, at each place", "ball": "Together, by a ball in their light"}
+SHADING_TITLES = {"each": "Exact, per pixel", "ball": "Together, by a ball"}
 SHADING_TIPS = {
-    "each": "Each lamp is looked up in the factors at every place: right for point lamps, and for any grain",
+    "each": "Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain",
     "ball": "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
     "number of lamps, as if they and the viewer were far away",
 }
-KIND_TITLES = {"point": "Point, at a place", "directional": "Directional, from far away"}
+KIND_TITLES = {"point": "Point", "directional": "Directional"}
 _NEW = Lamp()
 
 
@@ -39,11 +41,11 @@ class LampFields(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._lamps: tuple[Lamp, ...] = ()
+        self.lamps: tuple[Lamp, ...] = ()
         self.list = QuietComboBox()
         self.list.setAccessibleName("Lamps")
         self.list.activated.connect(lambda _index: self._show())
-        self.add_button = _button("plus", "Add a lamp beside the environment", self._add)
+        self.add_button = _button("plus", "Add a lamp to the environment", self._add)
         self.remove_button = _button("trash", "Remove this lamp", self._remove)
         row = QWidget()
         inside = QHBoxLayout(row)
@@ -68,23 +70,23 @@ class LampFields(QWidget):
         self.temperature = NumberField("Colour", "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self.moving = QCheckBox("Moves round")
-        self.moving.setToolTip(
-            "Let the lamps go round the surface, to see flakes light up and go out, and highlights wander"
-        )
+        self.moving.setToolTip("Rotate the lamps around the surface to see flakes and highlights move")
         self.moving.clicked.connect(self.move_edited)
         self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
         self.shading.picked.connect(self.shading_edited)
         form = Form()
-        form.add_row("Lamps", row, "Small lamps beside the environment, in whose light flakes glint")
+        form.add_row(
+            "Lamps", row, "Small lamps in addition to the environment; flakes sparkle in their light"
+        )
         self._fields = Form()
         self._fields.add_row("Kind", self.kind)
         self._fields.add_row("Azimuth", self.azimuth, PARAMETERS["lamp.azimuth_deg"].meaning)
         self._fields.add_row("Elevation", self.elevation, PARAMETERS["lamp.elevation_deg"].meaning)
-        self._distance_label = self._fields.add_row("Distance", self.distance, "From the middle of the scene")
+        self._distance_label = self._fields.add_row("Distance", self.distance, "From the centre of the scene")
         self._fields.add_row("Strength", self.strength, strength.meaning)
         self._fields.add_row("Colour", self.temperature, kelvin.meaning)
         self._fields.add_row("", self.moving)
-        self._fields.add_row("Factored", self.shading, "How factored paints are lit by the lamps")
+        self._fields.add_row("Factored", self.shading, "Shading of factored paints by the lamps")
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
@@ -95,11 +97,11 @@ class LampFields(QWidget):
     def set_lamps(self, lamps: tuple[Lamp, ...]) -> None:
         """Show lamps, without a signal; the one that was chosen stays so."""
         chosen = max(0, self.list.currentIndex())
-        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self._lamps] or not lamps:
+        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self.lamps] or not lamps:
             self.list.clear()
             self.list.addItems([f"{i + 1}: {lamp.kind}" for i, lamp in enumerate(lamps)] or ["None"])
             self.list.setCurrentIndex(min(chosen, self.list.count() - 1))
-        self._lamps = lamps
+        self.lamps = lamps
         self._show()
 
     def set_shading(self, key: str) -> None:
@@ -114,7 +116,7 @@ class LampFields(QWidget):
         lamp = self._chosen()
         self._fields.setVisible(lamp is not None)
         self.list.setEnabled(lamp is not None)
-        self.add_button.setEnabled(len(self._lamps) < MOST_LAMPS)
+        self.add_button.setEnabled(len(self.lamps) < MOST_LAMPS)
         self.remove_button.setEnabled(lamp is not None)
         if lamp is None:
             return
@@ -130,18 +132,18 @@ class LampFields(QWidget):
 
     def _chosen(self) -> Lamp | None:
         index = self.list.currentIndex()
-        return self._lamps[index] if 0 <= index < len(self._lamps) else None
+        return self.lamps[index] if 0 <= index < len(self.lamps) else None
 
     def _add(self) -> None:
-        self.set_lamps((*self._lamps, _NEW))
-        self.list.setCurrentIndex(len(self._lamps) - 1)
+        self.set_lamps((*self.lamps, _NEW))
+        self.list.setCurrentIndex(len(self.lamps) - 1)
         self._show()
-        self.edited.emit(self._lamps)
+        self.edited.emit(self.lamps)
 
     def _remove(self) -> None:
         index = self.list.currentIndex()
-        self.set_lamps(self._lamps[:index] + self._lamps[index + 1 :])
-        self.edited.emit(self._lamps)
+        self.set_lamps(self.lamps[:index] + self.lamps[index + 1 :])
+        self.edited.emit(self.lamps)
 
     def _placed(self, _value: float) -> None:
         lamp = self._chosen()
@@ -149,15 +151,15 @@ class LampFields(QWidget):
             place = (self.azimuth.value(), self.elevation.value(), self.distance.value())
             self._replace(placed(lamp, *place))
 
-    def _change(self, **fields: object) -> None:
+    def _change(self, **fields: Any) -> None:
         lamp = self._chosen()
         if lamp is not None:
             self._replace(dataclasses.replace(lamp, **fields))
 
     def _replace(self, lamp: Lamp) -> None:
         index = self.list.currentIndex()
-        self.set_lamps((*self._lamps[:index], lamp, *self._lamps[index + 1 :]))
-        self.edited.emit(self._lamps)
+        self.set_lamps((*self.lamps[:index], lamp, *self.lamps[index + 1 :]))
+        self.edited.emit(self.lamps)
 
 
 def polar(lamp: Lamp) -> tuple[float, float, float]:
@@ -181,7 +183,7 @@ def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float
     return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
 
-def _button(name: str, tip: str, slot: object) -> QToolButton:
+def _button(name: str, tip: str, slot: Callable[[], object]) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
     button.setToolTip(plain_tip(tip))

@@ -33,7 +33,7 @@ THREE = (
 PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
     {
         "d65": LightingPreset("D65", "booth", "D65", "Light booth, average daylight"),
-        "d50": LightingPreset("D50", "booth", "D50", "Light booth, warm daylight, as printers judge"),
+        "d50": LightingPreset("D50", "booth", "D50", "Light booth, warm daylight (graphic arts)"),
         "a": LightingPreset("A", "booth", "A", "Light booth, incandescent lamps of 2,856 K"),
         "tl84": LightingPreset(
             "TL84", "booth", "TL84", "Light booth, three-band fluorescent lamps (CIE F11)"
@@ -46,14 +46,14 @@ PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
             "Point source",
             "booth",
             "D65",
-            "Light booth with one small lamp that can be moved, in which flakes sparkle",
+            "Light booth with one small movable lamp, for sparkle",
             (POINT,),
         ),
         "three": LightingPreset(
             "Three lamps",
             "booth",
             "D65",
-            "Three small lamps in the dark, which can be moved: what factored paints are drawn for",
+            "Three movable lamps, no environment – best for factored paints",
             THREE,
             0.0,
         ),

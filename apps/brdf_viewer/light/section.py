@@ -18,7 +18,7 @@ from brdf_viewer.light.lamps_section import LampFields
 from brdf_viewer.light.presets import PRESETS, is_tinted
 
 ILLUMINANT_TITLES = {
-    "environment": "As the environment has it",
+    "environment": "From environment",
     "D65": "D65, daylight",
     "D50": "D50, warm daylight",
     "A": "A, incandescent",
@@ -50,15 +50,15 @@ class LightingSection(Section):
         self.presets = QButtonGroup(self)
         # None is pressed where the light is another.
         self.presets.setExclusive(False)
-        self._buttons: dict[str, QToolButton] = {}
+        self.preset_buttons: dict[str, QToolButton] = {}
         self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
         self.illuminant.activated.connect(
             lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
         )
-        self.adapted = QCheckBox("Eye adapted to it")
+        self.adapted = QCheckBox("Chromatic adaptation")
         self.adapted.setToolTip(
-            "On: white looks white, as to someone who has been in this light for minutes. "
-            "Off: the tint that an eye used to daylight sees at first"
+            "On: white looks white, as to an eye adapted to this light. "
+            "Off: the tint that a daylight-adapted eye sees"
         )
         self.adapted.clicked.connect(self.adapted_edited)
         self.metamerism = note()
@@ -74,15 +74,15 @@ class LightingSection(Section):
         self.lamps = LampFields()
         form = Form()
         form.add_wide(self._preset_buttons())
-        form.add_row("Light colour", self.illuminant, "The lamp that the environment's white is taken for")
+        form.add_row("Illuminant", self.illuminant, "Illuminant assumed for the environment's white")
         form.add_row("", self.adapted)
         form.add_wide(self.metamerism)
         form.add_row("Environment", self.brightness, light.meaning)
         form.add_row(
             "Exposure mode",
             self.exposure_mode,
-            "Locked: the exposure stays as it is in every light. Automatic: the object's median luminance becomes "
-            "18 %, and the exposure counts from there",
+            "Locked: the exposure is the same in every light. Automatic: the object's median luminance becomes "
+            "18 %, and the exposure value is added",
         )
         self.add(form)
         self.add(self.lamps)
@@ -101,20 +101,20 @@ class LightingSection(Section):
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
             button.clicked.connect(lambda _=False, key=key: self._pressed(key))
             self.presets.addButton(button)
-            self._buttons[key] = button
+            self.preset_buttons[key] = button
             grid.addWidget(button, index // _COLUMNS, index % _COLUMNS)
         return inside
 
     def _pressed(self, key: str) -> None:
-        self._buttons[key].setChecked(True)  # a second press leaves it pressed
+        self.preset_buttons[key].setChecked(True)  # a second press leaves it pressed
         self.preset_chosen.emit(key)
 
     def show_preset(self, key: str) -> None:
         """Press the button of the present light; none where the key is empty."""
-        for name, button in self._buttons.items():
+        for name, button in self.preset_buttons.items():
             button.setChecked(name == key)
             font = button.font()
-            font.setBold(name == key)  # what is chosen is told by more than a shade of grey
+            font.setBold(name == key)  # the choice is shown by more than a shade of grey
             button.setFont(font)
 
     def show_colour(self, colour: LightColour, spectra: Spectra) -> None:
@@ -137,5 +137,5 @@ def colour_note(colour: LightColour, spectra: Spectra) -> str:
     if spectra != "unknown":
         return f"Colours {'are being' if spectra == 'in work' else 'were'} computed from the paint's spectra."
     if colour.adapted:
-        return "No metamerism: the paint's spectrum is not known. To an adapted eye it is taken to look as in D65."
-    return "No metamerism: the paint's spectrum is not known. Its colours take on the light's tint (CAT16)."
+        return "No metamerism: the paint's spectrum is unknown. Assuming chromatic adaptation, it is shown as in D65."
+    return "No metamerism: the paint's spectrum is unknown. Its colours are tinted by the light (CAT16)."

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject
 from brdf_suite.documents.view import View
 from brdf_viewer.overlay.frame_meter import FrameMeter
 from brdf_viewer.overlay.readout import Readout
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.window import ViewerWindow
 
@@ -22,21 +22,21 @@ class FiguresOverlay(QObject):
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         meter: FrameMeter,
         readout: Readout,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._meter, self._readout = stage, window, meter, readout
+        self._state, self._window, self._meter, self._readout = state, window, meter, readout
         self._on = bool(settings().value(_KEY, False, type=bool))
-        window.commands.figures_wanted.connect(self.set_on)
+        window.commands.figures_requested.connect(self.set_on)
         window.commands.figures.setChecked(self._on)
         meter.shown.connect(self._show)
         readout.changed.connect(self._show)
-        stage.view_changed.connect(self._show)
-        stage.contents_changed.connect(self._show)
+        state.view_changed.connect(self._show)
+        state.contents_changed.connect(self._show)
 
     def set_on(self, on: bool) -> None:
         """Show the figures, or hide them."""
@@ -46,15 +46,15 @@ class FiguresOverlay(QObject):
         self._show()
 
     def _show(self, *_: object) -> None:
-        lines = self._lines() if self._on and self._stage.is_complete else []
+        lines = self._lines() if self._on and self._state.is_complete else []
         self._window.overlay.show_figures(tuple(lines))
 
     def _lines(self) -> list[str]:
-        stage, size = self._stage, self._window.picture.device_size
+        state, size = self._state, self._window.picture.device_size
         lines = [f"{self._meter.words or '–'}   {size[0]} × {size[1]}"]
-        if stage.fit is not None:
-            lines[0] += f"   {len(stage.fit.weights.exponents)} lobes"
-        return [*lines, how(stage.exposed_view), *self._readout.lines]
+        if state.fit is not None:
+            lines[0] += f"   {len(state.fit.weights.exponents)} lobes"
+        return [*lines, how(state.exposed_view), *self._readout.lines]
 
 
 def how(view: View) -> str:

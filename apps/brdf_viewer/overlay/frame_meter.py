@@ -6,7 +6,8 @@ from collections import deque
 from statistics import median
 
 from brdf_qt.window.status_line import StatusCell
-from PySide6.QtCore import QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Signal
 
 _FRAMES = 15
 _SHOW_EVERY_MS = 250
@@ -24,7 +25,7 @@ class FrameMeter(QObject):
         super().__init__(parent)
         self._cell = cell
         self._frames: deque[float] = deque(maxlen=_FRAMES)
-        self._timer = QTimer(self, singleShot=True, interval=_SHOW_EVERY_MS, timeout=self._show)
+        self._timer = make_timer(self, self._show, _SHOW_EVERY_MS)
 
     def add(self, milliseconds: float) -> None:
         """Count one frame."""
@@ -45,6 +46,6 @@ class FrameMeter(QObject):
 
     def _show(self) -> None:
         typical, slowest = median(self._frames), max(self._frames)
-        tip = f"Time to draw a frame: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
+        tip = f"Frame time: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
         self._cell.set(f"{typical:.1f} ms", tip)
         self.shown.emit()

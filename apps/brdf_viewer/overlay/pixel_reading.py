@@ -1,4 +1,4 @@
-"""What is told of the pixel under the cursor: values, and their words."""
+"""The readout of the pixel under the cursor: values, and their words."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px,
 from brdf_suite.realtime.pictures.probe import PixelProbe, RadianceProbe, SurfacePoint
 from brdf_suite.realtime.pictures.traced_light import TracedLight
 from brdf_viewer.light.dominant import DominantLight
-from brdf_viewer.scene.stage import RealTimePicture
+from brdf_viewer.scene.viewer_state import RealTimePicture
 
 _SECOND = {PAINT_MATERIAL: SECOND_MATERIAL}
 Lab = tuple[float, float, float]
@@ -46,7 +46,7 @@ class CursorReading:
 
     @property
     def angles(self) -> tuple[float, float | None] | None:
-        """The angle of view and the aspecular angle in degrees; None past the surface."""
+        """The angle of view and the aspecular angle in degrees; None background."""
         point = self.readings[0].point
         if point is None:
             return None
@@ -185,14 +185,14 @@ def long_lines(reading: CursorReading) -> list[str]:
         lines.append(f"ΔE00 {reading.delta_e:.2f}")
     point = reading.readings[0].point
     if point is None or reading.angles is None:
-        lines.append("past the surface")
+        lines.append("background")
         return lines
     view, aspecular = reading.angles
     lines.append(f"view {view:.1f}°" + ("" if aspecular is None else f"   aspecular {aspecular:.1f}°"))
     if reading.light is None:
-        lines.append("no light stands out, to count an aspecular angle from")
+        lines.append("no aspecular angle: no dominant light source")
     elif aspecular is None:
-        lines.append(f"turned away from {reading.light.words}")
+        lines.append(f"facing away from {reading.light.words}")
     else:
         lines.append(f"from {reading.light.words}")
     x, y, z = (1e3 * value for value in point.position)

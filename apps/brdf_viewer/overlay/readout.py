@@ -6,14 +6,15 @@ frame of an interaction.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
 from brdf_viewer.scene.drawn_part import DrawnPart
-from brdf_viewer.traced.wanted import first_size
+from brdf_viewer.traced.trace_input import first_size
 
 REST_MS = 60
 _TIP = (
@@ -31,7 +32,7 @@ class Readout(DrawnPart):
         window = self._window
         self._place: QPointF | None = None
         self.reading: CursorReading | None = None
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS, timeout=self._read)
+        self._rest = make_timer(self, self._read, REST_MS)
         window.picture.canvas_changed.connect(self._listen)
         window.picture.frame_drawn.connect(self._later)
         self._listen(window.picture.canvas)
@@ -59,7 +60,7 @@ class Readout(DrawnPart):
             self._rest.start()
 
     def _read(self) -> None:
-        drawer, place, stage = self._drawer(), self._place, self._stage
+        drawer, place, state = self._drawer(), self._place, self._state
         if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._rest.start()
             return
@@ -68,19 +69,19 @@ class Readout(DrawnPart):
         picture = self._window.picture
         size, ratio = picture.device_size, picture.canvas.devicePixelRatioF()
         pixel = (int(place.x() * ratio), int(place.y() * ratio))
-        light = dominant_light(stage.view, stage.light_figures)
-        second = None if stage.compared is None or stage.view.compare.mode == "off" else stage.compared.value
+        light = dominant_light(state.view, state.light_figures)
+        second = None if state.compared is None or state.view.compare.mode == "off" else state.compared.value
         picture.look(
             lambda: self._show(
                 read_pixel(
                     drawer.probe,
-                    stage.exposed_view,
+                    state.exposed_view,
                     size,
                     pixel,
                     second,
                     light,
-                    shows_second=stage.shows_second,
-                    traced=drawer.traced_light(first_size(stage.view, size)),
+                    shows_second=state.shows_second,
+                    traced=drawer.traced_light(first_size(state.view, size)),
                 )
             )
         )
@@ -93,6 +94,6 @@ class Readout(DrawnPart):
         if reading is None:
             cell.set("")
         else:
-            light = "no light: none stands out" if reading.light is None else reading.light.words
+            light = "no dominant light source" if reading.light is None else reading.light.words
             cell.set(short_words(reading), f"{_TIP}{light}.\n" + "\n".join(long_lines(reading)))
         self.changed.emit(reading)

@@ -40,7 +40,7 @@ from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.paint.patches import Patch
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.paint.source import DESIGNER, PaintSource
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
@@ -53,11 +53,11 @@ _DESIGNER = "designer"
 
 
 class PaintControl(QObject):
-    """Fits what :class:`PaintSource` gives and puts it on the stage."""
+    """Fits what :class:`PaintSource` gives and puts it on the viewer state."""
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         link: LiveLink,
         fitter: PaintFitter,
@@ -70,18 +70,18 @@ class PaintControl(QObject):
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
-        self._stage = stage
+        self._state = state
         self._window = window
         self._link = link
-        self._fitter = fitter
+        self.fitter = fitter
         self._recent = RecentFiles(_KEY)
         self._recent_palettes = RecentFiles("palette")
         self._names = paint_names()
+        self._shown_key = ""
         self._exact = ExactFit(self)
         self._exact.arrived.connect(self._show_exact)
         # The same fit again: it no longer says that an exact one follows.
-        self._exact.failed.connect(lambda fit, _error: self._show_fit(fit, self._shown_key))
-        self._shown_key = ""
+        self._exact.failed.connect(lambda fit, _error: self.show_fit(fit, self._shown_key))
         self._offers = False
         self.source = PaintSource(self)
         self.source.changed.connect(self._take)
@@ -90,11 +90,11 @@ class PaintControl(QObject):
         link.peers_changed.connect(self._show_following)
         window.paint.follow_edited.connect(self.source.set_following)
         window.paint.chooser.chosen.connect(self.open)
-        window.commands.follow_wanted.connect(self.source.set_following)
-        window.commands.paint_wanted.connect(self.open)
+        window.commands.follow_requested.connect(self.source.set_following)
+        window.commands.paint_requested.connect(self.open)
         window.commands.set_paints(self._shipped())
-        window.commands.step_wanted.connect(self.step)
-        window.commands.palette_close_wanted.connect(self.close_palette)
+        window.commands.step_requested.connect(self.step)
+        window.commands.palette_close_requested.connect(self.close_palette)
         window.busy_cancelled.connect(self._cancel)
         self._list()
         self._show_following()
@@ -107,7 +107,7 @@ class PaintControl(QObject):
     def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
         """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
 
-        A paint that cannot be read or fitted is told, and the default one shown.
+        A paint that cannot be read or fitted is reported, and the default one shown.
         """
         self.source.set_following(follow)
         self._offers = not follow
@@ -118,11 +118,11 @@ class PaintControl(QObject):
             self.open(name_or_path)
             return
         self._show_document(name_or_path, self.source.start_with)
-        if self._stage.fit is None:
-            told = self._window.messages.shown().get(_KEY)
+        if self._state.fit is None:
+            message = self._window.messages.shown().get(_KEY)
             self._show_default()
-            if told is not None:
-                self._window.messages.show_message(told)
+            if message is not None:
+                self._window.messages.show_message(message)
 
     def open(self, key: str) -> None:
         """Show a shipped paint or a file, and follow Designer no more."""
@@ -149,7 +149,7 @@ class PaintControl(QObject):
         try:
             palette = load_palette_file(path).palette
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
             return
         self._palette = OpenPalette(path, palette)
         self._paints = self._palette.paints
@@ -181,7 +181,7 @@ class PaintControl(QObject):
         try:
             document = load_document(key)
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
             return False
         if document is None:
             self._load(key)
@@ -211,15 +211,15 @@ class PaintControl(QObject):
             return
         self.source.set_following(False)
         self._exact.forget()
-        self._stage.set_fit(fit, key)
+        self._state.set_fit(fit, key)
         self._shown_key = key
-        self._show_fit(fit, key)
+        self.show_fit(fit, key)
         if is_file(key):
             self._remember(key)
 
     def _not_loaded(self, error: Exception) -> None:
         self._cancel(_KEY)
-        self._tell(error)
+        self._report(error)
         self._show_choice()
 
     def _cancel(self, kind: str) -> None:
@@ -240,34 +240,35 @@ class PaintControl(QObject):
 
     def close(self) -> None:
         """Drop a fit that is still worked at."""
-        self._fitter.close()
+        self.fitter.close()
 
     def _take(self, paint: Paint | CookTorrancePaint | FactoredPaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
         try:
-            fit = self._fitter.fit(paint) if isinstance(paint, Paint) else fit_material(material_of(paint))
+            fit = self.fitter.fit(paint) if isinstance(paint, Paint) else fit_material(material_of(paint))
         except SuiteError as error:
-            self._tell(error)
+            self._report(error)
             return
         self._window.messages.dismiss(_KEY)
         self._exact.watch(fit)
-        self._stage.set_fit(fit, key)
+        self._state.set_fit(fit, key)
         self._shown_key = key
-        self._show_fit(fit, key)
+        self.show_fit(fit, key)
 
     def _show_exact(self, fit: LobeFit) -> None:
         """The optimum of the paint on show, where the time limit came first."""
-        self._stage.set_fit(fit, self._shown_key)
-        self._show_fit(fit, self._shown_key)
+        self._state.set_fit(fit, self._shown_key)
+        self.show_fit(fit, self._shown_key)
 
-    def _tell(self, error: Exception) -> None:
-        fit = self._stage.fit
+    def _report(self, error: Exception) -> None:
+        fit = self._state.fit
         shown = default_paint_name().capitalize() if fit is None else fit.name
         todo = f"The picture shows {shown}. Choose another paint, or correct this one."
         self._window.messages.show_message(message_of(error, _KEY, todo=todo))
 
-    def _show_fit(self, fit: LobeFit, key: str) -> None:
+    def show_fit(self, fit: LobeFit, key: str) -> None:
+        """Show name, notices, error and time of a fit in the window."""
         section = self._window.paint
         self._show_choice()
         self._name_designer()
@@ -281,14 +282,14 @@ class PaintControl(QObject):
             f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
         )
         large = worst is not None and is_large(worst)
-        told = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
-        tips = ["Time of the lobe fit, and its largest ΔE00 at the measured angles"]
+        message = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
+        tips = ["Duration of the lobe fit, and its maximum ΔE00 at the measured angles"]
         if worst is None:
-            tips = ["Time of the lobe fit; there is no angle to compare colours at"]
+            tips = ["Duration of the lobe fit; no measured angles to compare with"]
         if more := fit_tips(worst, fit.time_limited, follows):
             tips.append(more)
         self._window.status.cell("fit").set(
-            f"fit {fit.fit_seconds * 1e3:.2f} ms{told}{limited}",
+            f"fit {fit.fit_seconds * 1e3:.2f} ms{message}{limited}",
             "\n".join(tips),
             "warning" if large or fit.time_limited else "fresh",
         )
@@ -300,7 +301,7 @@ class PaintControl(QObject):
 
     def _show_place(self, key: str) -> None:
         words = "" if self._palette is None else self._palette.words(key)
-        tip = "The open palette; the arrow keys go through it"
+        tip = "Open palette; the arrow keys select its paints"
         self._window.status.cell("palette").set(words, tip)
 
     def _designer_title(self) -> str:
@@ -319,22 +320,22 @@ class PaintControl(QObject):
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
-        text = "linked: Designer" if linked else "Designer not open"
+        text = "Designer not open"
+        if linked:
+            text = "Designer connected" if following else "Designer connected (not following)"
         others = ", ".join(self._link.peers) or "none"
-        self._window.status.cell("link", right=True).set(
-            text if following else f"{text}, not followed", f"Other programs on the link: {others}"
-        )
+        self._window.status.cell("link", right=True).set(text, f"Other programs on the link: {others}")
 
     def _offer(self, linked: bool, following: bool) -> None:
-        """Say once that a Designer is open, where the Viewer was told to show another paint at its start."""
+        """Say once that a Designer is open, where Viewer was asked to show another paint at its start."""
         if following or not linked:
             self._window.messages.dismiss(_OFFER)
         elif self._offers:
             self._offers = False
             message = Message(
                 _OFFER,
-                "Designer is open; follow it to see its paint at every change.",
-                todo="Until then the Viewer shows the paint that it was started with.",
+                "Designer is open. Follow it to see its paint at every change.",
+                todo="Until then Viewer shows the paint that it was started with.",
                 actions=(("Follow Designer", lambda: self.source.set_following(True)),),
             )
             self._window.messages.show_message(message)
@@ -357,7 +358,7 @@ def _ways_of_light(fit: LobeFit) -> tuple[str, ...]:
     """Say of a factored paint what is drawn by its factors."""
     if fit.material.paint is not None or not is_factored(fit.reflectance):
         return ()
-    return (tr("Factored: lamps are shaded by its maps, the environment by lobes that are fitted to it."),)
+    return (tr("Factored paint: lamps use its maps, the environment uses fitted lobes."),)
 
 
 def _load_and_fit(key: str, progress: Progress) -> LobeFit | None:

@@ -15,14 +15,14 @@ FRESNEL_TITLES = {
     "off": "Off",
 }
 FRESNEL_TIPS = {
-    "raised": "The lobes fitted at 45°, the coat brightened and the base dimmed by the exact Fresnel equations",
+    "raised": "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations",
     "multi_angle": "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
-    "which have no coat to be told apart, are raised",
-    "off": "The lobes as they are at 45°, at every angle",
+    "which have no separate coat, are raised",
+    "off": "The lobes of 45° at every angle",
 }
 LOOK_UP_TITLES = {"shifted": "Shifted (exact horizon)", "paper": "Mirror direction (paper)"}
 LOOK_UP_TIPS = {
-    "shifted": "Each lobe is looked up between mirror direction and normal, as what lies above the surface",
+    "shifted": "Each lobe is looked up between mirror direction and normal: only light above the surface counts",
     "paper": "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
     "Meyer: broad lobes take light from below the surface, towards grazing angles",
 }
@@ -44,8 +44,8 @@ class FresnelSection(Section):
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
         self.look_up.activated.connect(lambda index: self.look_up_edited.emit(self.look_up.itemData(index)))
         form = Form()
-        form.add_row("Coat and base", self.mode, "How they follow the angle from which the surface is seen")
-        form.add_row("Look-up", self.look_up, "Where in the filtered light a lobe is looked up")
+        form.add_row("Coat and base", self.mode, "Dependence on the viewing angle")
+        form.add_row("Look-up", self.look_up, "Direction in which a lobe is looked up in the filtered light")
         self.add(form)
 
     def set_mode(self, mode: str) -> None:

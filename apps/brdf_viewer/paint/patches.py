@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.work.fit_error import is_large, large_error_tip, marked
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
@@ -123,8 +123,8 @@ class PaintPatches(QWidget):
     def _line(self) -> int:
         return self.fontMetrics().height() + 3
 
-    def event(self, event: QHelpEvent) -> bool:
-        if event.type() == QHelpEvent.Type.ToolTip:
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             for patch, box in zip(self._patches, self._boxes(), strict=True):
                 if box.contains(QPointF(event.pos())):
                     QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)
@@ -165,6 +165,6 @@ def _words(patch: Patch) -> str:
         large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
     light = f"Light {patch.illumination_deg:g}°, aspecular"
     return (
-        f"{light} {patch.aspecular_deg:g}°\nasked  {lab(patch.asked)}\nfitted {lab(patch.fitted)}\n"
+        f"{light} {patch.aspecular_deg:g}°\ntarget {lab(patch.asked)}\nfit    {lab(patch.fitted)}\n"
         f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
     )

@@ -10,36 +10,36 @@ from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
 from brdf_suite.progress import Progress
 from brdf_viewer.light.presets import is_tinted
 from brdf_viewer.light.section import Spectra
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 
 _KEY = "relit"
 
 
 class RelitPaint(QObject):
-    """Keeps the stage's ``relit`` in step with its paint and its light; until it is there, the old one is drawn.
+    """Keeps the viewer state's ``relit`` in step with its paint and its light; until it is there, the old one is drawn.
 
     With ``second`` it is the paint that is compared with. Signals: ``state_changed()``; see :attr:`state`.
     """
 
     state_changed = Signal()
 
-    def __init__(self, stage: Stage, parent: QObject | None = None, *, second: bool = False) -> None:
+    def __init__(self, state: ViewerState, parent: QObject | None = None, *, second: bool = False) -> None:
         super().__init__(parent)
-        self._stage = stage
+        self._state = state
         self._second = second
         self._runner = TaskRunner(self, threads=1)
-        self._wanted: tuple[LobeFit, str] | None = None
+        self._requested: tuple[LobeFit, str] | None = None
         self._failed = False
-        stage.view_changed.connect(lambda *_: self._follow())
-        stage.contents_changed.connect(self._follow)
+        state.view_changed.connect(lambda *_: self._follow())
+        state.contents_changed.connect(self._follow)
         self._follow()
 
     @property
     def state(self) -> Spectra:
         """Whether the paint's spectra are known, and in the picture."""
-        if self._wanted is None or self._failed:
+        if self._requested is None or self._failed:
             return "unknown"
-        present = self._stage.second_relit if self._second else self._stage.relit
+        present = self._state.second_relit if self._second else self._state.relit
         return "used" if present is not None else "in work"
 
     def close(self) -> None:
@@ -48,21 +48,21 @@ class RelitPaint(QObject):
 
     def _follow(self) -> None:
         wanted = self._spectral()
-        if wanted == self._wanted:
+        if wanted == self._requested:
             return
-        self._wanted, self._failed = wanted, False
+        self._requested, self._failed = wanted, False
         if self._second:
-            self._stage.second_relit = None
+            self._state.second_relit = None
         else:
-            self._stage.relit = None
+            self._state.relit = None
         self._runner.cancel(_KEY)
         if wanted is not None:
-            request = (wanted[0], LightColour(self._stage.view.light_colour.illuminant))
+            request = (wanted[0], LightColour(self._state.view.light_colour.illuminant))
             self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._not_fitted)
         self.state_changed.emit()
 
     def _done(self, fit: LobeFit) -> None:
-        take = self._stage.set_second_relit if self._second else self._stage.set_relit
+        take = self._state.set_second_relit if self._second else self._state.set_relit
         take(fit)
         self.state_changed.emit()
 
@@ -73,9 +73,9 @@ class RelitPaint(QObject):
 
     def _spectral(self) -> tuple[LobeFit, str] | None:
         """Return the fit and the lamp for which spectra matter; None for a paint without, or a neutral lamp."""
-        stage, colour = self._stage, self._stage.view.light_colour
-        second = None if stage.second is None else stage.second.value
-        fit = second if self._second else stage.fit
+        state, colour = self._state, self._state.view.light_colour
+        second = None if state.second is None else state.second.value
+        fit = second if self._second else state.fit
         if fit is None or not is_tinted(colour):
             return None
         from brdf_suite.reflectance.instruments.under_light import has_spectra

@@ -29,7 +29,7 @@ class PaintSection(Section):
         self.fit, self.facts = note(), note()
         form = Form()
         form.add_row("", self.follow)
-        form.add_row("Paint", self.chooser, "Taking another paint ends following Designer")
+        form.add_row("Paint", self.chooser, "Choosing another paint stops following Designer")
         form.add_wide(self.patches)
         form.add_wide(self.fit)
         form.add_wide(self.facts)
@@ -39,9 +39,9 @@ class PaintSection(Section):
         """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""
         limited = ", time-limited" if time_limited else ""
         if worst_delta_e is None:
-            text = f"Fit: no angle to compare colours at{limited}"
+            text = f"Fit: no measured angles to compare with{limited}"
         else:
-            bound = f"Fit: ΔE00 at most {worst_delta_e:.2f} at the measured angles{limited}"
+            bound = f"Fit: maximum ΔE00 {worst_delta_e:.2f} at the measured angles{limited}"
             text = marked(bound, worst_delta_e)
         set_note(self.fit, text)
         font = self.fit.font()

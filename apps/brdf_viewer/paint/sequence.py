@@ -48,7 +48,7 @@ class OpenPalette:
 
 
 def is_swatch(key: str) -> bool:
-    """Tell whether a key stands for a paint of the open palette."""
+    """Return whether a key stands for a paint of the open palette."""
     return key.startswith(_MARK)
 
 

@@ -14,7 +14,7 @@ DESIGNER = "designer:"
 
 
 class PaintSource(QObject):
-    """Tells ``changed(paint, key)``, a paint of any kind, and ``following_changed(bool)``."""
+    """Emits ``changed(paint, key)``, a paint of any kind, and ``following_changed(bool)``."""
 
     changed = Signal(object, str)
     following_changed = Signal(bool)

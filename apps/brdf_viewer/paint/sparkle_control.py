@@ -3,38 +3,39 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from PySide6.QtCore import QObject
 
 from brdf_suite.documents.view import View
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 
 class SparkleControl(QObject):
     """Keeps section, commands and view in step."""
 
-    def __init__(self, stage: Stage, window: ViewerWindow, parent: QObject | None = None) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._stage, self._section, self._commands = stage, window.sparkle, window.commands
+        self._state, self._section, self._commands = state, window.sparkle, window.commands
         section = self._section
-        for signal in (section.mode_edited, window.commands.sparkle_wanted):
+        for signal in (section.mode_edited, window.commands.sparkle_requested):
             signal.connect(lambda mode: self._change(mode=mode))
         section.light_count_edited.connect(lambda count: self._change(light_count=count))
         section.strength_edited.connect(lambda strength: self._change(strength=strength))
-        stage.view_changed.connect(self._show_view)
-        stage.contents_changed.connect(self._show_flakes)
-        self._show_view(None, stage.view)
+        state.view_changed.connect(self._show_view)
+        state.contents_changed.connect(self._show_flakes)
+        self._show_view(None, state.view)
         self._show_flakes()
 
-    def _change(self, **fields: object) -> None:
-        sparkle = dataclasses.replace(self._stage.view.sparkle, **fields)
-        self._stage.change_view(sparkle=sparkle)
+    def _change(self, **fields: Any) -> None:
+        sparkle = dataclasses.replace(self._state.view.sparkle, **fields)
+        self._state.change_view(sparkle=sparkle)
 
     def _show_view(self, _old: View | None, new: View) -> None:
         self._section.set_sparkle(new.sparkle)
         self._commands.show_sparkle(new.sparkle.mode)
 
     def _show_flakes(self) -> None:
-        fit = self._stage.fit
+        fit = self._state.fit
         self._section.set_flakes(None if fit is None else fit.flakes)

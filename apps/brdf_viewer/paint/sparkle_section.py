@@ -1,4 +1,4 @@
-"""How single flakes are drawn, and what the paint says of its flakes."""
+"""Drawing of individual flakes, and what the paint says of its flakes."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from brdf_viewer.fields.slider import SliderField
 SPARKLE_TITLES = {
     "glints": "Glints, at any distance",
     "texture": "Flake texture, near only",
-    "off": "Off, flakes in their mean",
+    "off": "Off, mean of all flakes",
 }
 SPARKLE_TIPS = {
-    "glints": "Single flakes glint in the brightest lights; far away they melt into the smooth light",
-    "texture": "One flake to a cell of the texture, as Günther and others had it in 2005; fades with distance",
-    "off": "No single flakes: the mean of all",
+    "glints": "Individual flakes sparkle in the brightest lights and blend into the mean with distance",
+    "texture": "One flake per texture cell (Günther et al. 2005); fades with distance",
+    "off": "No individual flakes, only their mean",
 }
-NO_FLAKES = "This paint says nothing of flakes: none are drawn."
+NO_FLAKES = "This paint has no flake data; no flakes are drawn."
 
 
 class SparkleSection(Section):
@@ -46,7 +46,7 @@ class SparkleSection(Section):
         self.strength = SliderField("Strength", "×", strength.low, strength.high, 0.1, 1, strength.default)
         self.strength.edited.connect(self.strength_edited)
         self._form = Form()
-        self._form.add_row("Flakes", self.mode, "How single flakes are drawn")
+        self._form.add_row("Flakes", self.mode, "Drawing of individual flakes")
         self._form.add_row("Lights", self.lights, lights.meaning)
         self._form.add_row("Strength", self.strength, strength.meaning)
         self.add(self._form)

@@ -1,4 +1,4 @@
-"""Environment and surface: chosen, dropped or opened, loaded in the background, and told when they fail."""
+"""Environment and surface: chosen, dropped or opened, loaded in the background, and reported when they fail."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.light.environment_figures import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 SHIPPED_TITLES = {
@@ -43,10 +43,10 @@ class SceneControl(QObject):
     failed = Signal(str, str)
 
     def __init__(
-        self, stage: Stage, window: ViewerWindow, loader: SceneLoader, parent: QObject | None = None
+        self, state: ViewerState, window: ViewerWindow, loader: SceneLoader, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self._stage = stage
+        self._state = state
         self._window = window
         self._loader = loader
         self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
@@ -54,12 +54,12 @@ class SceneControl(QObject):
         self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
         self._loading: dict[str, str] = {}
         self._edited = ""  # the title of a light that is shown and edited, and that the view cannot name
-        self._layout = stage.view.environment_layout
+        self._layout = state.view.environment_layout
         self._watch = FileWatch(self)
         self._watch.changed.connect(self._changed_on_disk)
         for kind, names in self._names.items():
             window.commands.set_sources(kind, [Source(n, title_of(n, SHIPPED_TITLES)) for n in names])
-        window.commands.source_wanted.connect(self.open)
+        window.commands.source_requested.connect(self.open)
         for kind, chooser in self._choosers.items():
             chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
             self._list(kind)
@@ -72,7 +72,7 @@ class SceneControl(QObject):
         loader.counted.connect(self._counted)
         window.environment.layout_edited.connect(self.set_layout)
         window.busy_cancelled.connect(self.cancel)
-        stage.view_changed.connect(self._view_changed)
+        state.view_changed.connect(self._view_changed)
 
     @property
     def loading(self) -> dict[str, str]:
@@ -86,8 +86,8 @@ class SceneControl(QObject):
 
     def load_first(self) -> None:
         """Load what the view names."""
-        self.open(SURFACE, self._stage.view.surface)
-        self._open_environment(self._stage.view.environment, self._stage.view.environment_layout)
+        self.open(SURFACE, self._state.view.surface)
+        self._open_environment(self._state.view.environment, self._state.view.environment_layout)
 
     def open(self, kind: str, key: str) -> None:
         """Load a shipped name or a file of a kind; the old picture stays until it is there."""
@@ -99,7 +99,7 @@ class SceneControl(QObject):
 
     def set_layout(self, layout: str) -> None:
         """Read the present environment's file again as an image of another layout."""
-        self._open_environment(self._stage.view.environment, layout)
+        self._open_environment(self._state.view.environment, layout)
 
     def _open_environment(self, key: str, layout: str) -> None:
         self._window.messages.dismiss(ENVIRONMENT)
@@ -117,7 +117,7 @@ class SceneControl(QObject):
         self._loading[kind] = key
         self._show_facts()
         self._show_choice(kind, key)
-        self._loader.load(kind, key, self._layout, self._stage.view.surface_look)
+        self._loader.load(kind, key, self._layout, self._state.view.surface_look)
 
     def cancel(self, kind: str) -> None:
         """Stop loading. A whole picture that was shown comes back; where there was none, what is there stays."""
@@ -133,26 +133,26 @@ class SceneControl(QObject):
             self.cancel(kind)  # the rest of it would be refused as well
         drawn = self._drawn_key(kind)
         if drawn:
-            self._stage.change_view(**{kind: drawn})
-        self._tell(kind, error)
+            self._state.change_view(**{kind: drawn})
+        self._report(kind, error)
 
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
-        if kind == ENVIRONMENT:
+        if isinstance(value, PreparedEnvironment):
             first = not self._drawn_key(ENVIRONMENT)
             self._edited = ""
-            self._stage.set_environment(key, value)
-            change = self._stage.follow_view if first else self._stage.step_view
+            self._state.set_environment(key, value)
+            change = self._state.follow_view if first else self._state.step_view
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
             self._forget_figures()
             self._loader.count(key, value.environment)
         else:
-            first = self._stage.surface is None
-            self._stage.set_surface(key, value)
+            first = self._state.surface is None
+            self._state.set_surface(key, value)
             if first:
-                self._stage.follow_view(surface=key)
-            elif key != self._stage.view.surface:  # otherwise a view brought its own camera with it
-                self._stage.step_view(surface=key, camera=frame(self._stage.view.camera))
+                self._state.follow_view(surface=key)
+            elif key != self._state.view.surface:  # otherwise a view brought its own camera with it
+                self._state.step_view(surface=key, camera=frame(self._state.view.camera))
             set_note(self._window.surface.facts, _surface_facts(value))
         if key not in self._names[kind]:
             self._recent[kind].add(key)
@@ -167,7 +167,7 @@ class SceneControl(QObject):
         if ENVIRONMENT in self._loading:
             self._loader.cancel(ENVIRONMENT)
         self._edited = key
-        self._stage.set_environment(key, prepared)
+        self._state.set_environment(key, prepared)
         self._show_facts()
         self._show(ENVIRONMENT)
         if prepared.is_final:
@@ -175,41 +175,41 @@ class SceneControl(QObject):
 
     def name_edited(self, path: str) -> None:
         """The light that was edited is now what a file holds: the view names it."""
-        present = self._stage.environment
+        present = self._state.environment
         if present is not None and self._edited:
-            self._stage.set_environment(path, present.value)
+            self._state.set_environment(path, present.value)
         self._edited = ""
         self._layout = AUTOMATIC
         self._recent[ENVIRONMENT].add(path)
         self._list(ENVIRONMENT)
         self._watch.watch(path)  # what it holds now is what is shown: only a later change is one
-        self._stage.change_view(environment=path, environment_layout=AUTOMATIC)
+        self._state.change_view(environment=path, environment_layout=AUTOMATIC)
         self._show(ENVIRONMENT)
 
     def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
         """Show what there is of an environment that is on its way; the view names it when it is whole."""
         self._edited = ""
-        present = self._stage.environment
+        present = self._state.environment
         if present is None or present.value.environment.content_hash != prepared.environment.content_hash:
             self._forget_figures()  # they are of another light than the one on show
-        self._stage.set_environment(key, prepared)
+        self._state.set_environment(key, prepared)
         self._show_facts()
         self._show_environment_cell()
 
     def _forget_figures(self) -> None:
-        self._stage.light_figures = None
+        self._state.light_figures = None
         self._window.environment.figures.set_statistics(None)
 
     def _take_partial_back(self) -> None:
-        self._stage.take_partial_back()
-        present = self._stage.environment
-        if present is not None and self._stage.light_figures is None:
+        self._state.take_partial_back()
+        present = self._state.environment
+        if present is not None and self._state.light_figures is None:
             self._loader.count(present.key, present.value.environment)
         self._show_facts()
         self._show(ENVIRONMENT)
 
     def _show_facts(self) -> None:
-        present = self._stage.environment
+        present = self._state.environment
         text = "" if present is None else environment_facts(present.value, ENVIRONMENT in self._loading)
         section = self._window.environment
         set_note(section.facts, text)
@@ -221,14 +221,14 @@ class SceneControl(QObject):
         section.figures.setEnabled(not old and (present is None or not present.value.draft))
 
     def _counted(self, key: str, statistics: EnvironmentStatistics) -> None:
-        if self._stage.environment is not None and key == self._stage.environment.key:
-            self._stage.light_figures = statistics
+        if self._state.environment is not None and key == self._state.environment.key:
+            self._state.light_figures = statistics
             self._window.environment.figures.set_statistics(statistics)
 
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
         if kind == ENVIRONMENT:
             self._take_partial_back()
-        self._tell(kind, error)
+        self._report(kind, error)
         self._keep_drawn(kind, key)
         self._show(kind)
         default = getattr(default_view(), kind)
@@ -239,10 +239,10 @@ class SceneControl(QObject):
     def _keep_drawn(self, kind: str, key: str) -> None:
         """A view names what cannot be had: it names again what is drawn."""
         drawn = self._drawn_key(kind)
-        if drawn and getattr(self._stage.view, kind) == key:
-            self._stage.follow_view(**{kind: drawn})
+        if drawn and getattr(self._state.view, kind) == key:
+            self._state.follow_view(**{kind: drawn})
 
-    def _tell(self, kind: str, error: Exception) -> None:
+    def _report(self, kind: str, error: Exception) -> None:
         shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
         todo = (
             f"The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
@@ -250,9 +250,9 @@ class SceneControl(QObject):
         self._window.messages.show_message(message_of(error, kind, todo=todo))
         self.failed.emit(kind, str(error))
 
-    def tell_unknown(self, path: str, known: str) -> None:
+    def report_unknown(self, path: str, known: str) -> None:
         """A file was dropped that the Viewer does not open."""
-        what = f"The Viewer opens files that end in {known}."
+        what = f"Viewer opens files that end in {known}."
         self._window.messages.show_message(
             Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
         )
@@ -269,8 +269,8 @@ class SceneControl(QObject):
 
     def _drawn_key(self, kind: str) -> str:
         if kind == ENVIRONMENT and self._edited:
-            return self._stage.view.environment
-        present = self._stage.environment if kind == ENVIRONMENT else self._stage.surface
+            return self._state.view.environment
+        present = self._state.environment if kind == ENVIRONMENT else self._state.surface
         return "" if present is None else present.key
 
     def _list(self, kind: str) -> None:
@@ -281,14 +281,14 @@ class SceneControl(QObject):
 
     def _show(self, kind: str) -> None:
         edited = self._edited if kind == ENVIRONMENT else ""
-        self._show_choice(kind, self._loading.get(kind) or edited or getattr(self._stage.view, kind))
+        self._show_choice(kind, self._loading.get(kind) or edited or getattr(self._state.view, kind))
 
     def _show_choice(self, kind: str, key: str) -> None:
         if kind == ENVIRONMENT:
             on_disk = key.lower().endswith(STUDIO_ENDING)
             described = on_disk or key == self._edited
             loading = ENVIRONMENT in self._loading
-            layout = self._layout if loading else self._stage.view.environment_layout
+            layout = self._layout if loading else self._state.view.environment_layout
             self._window.environment.set_layout(layout, not described and key not in self._names[kind])
             # An edit that makes it faulty keeps picture and watch: the next save may put it right.
             if (key if on_disk else "") != self._watch.path and (on_disk or not loading):
@@ -320,17 +320,17 @@ class SceneControl(QObject):
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
-        title = title_of(loading or self._edited or self._stage.view.environment, SHIPPED_TITLES)
-        cell, present = self._window.status.cell("environment"), self._stage.environment
+        title = title_of(loading or self._edited or self._state.view.environment, SHIPPED_TITLES)
+        cell, present = self._window.status.cell("environment"), self._state.environment
         if present is None or present.value.is_final:
-            cell.set(title, "Being loaded" if loading else "The light", "stale" if loading else "fresh")
+            cell.set(title, "Loading" if loading else "Environment", "stale" if loading else "fresh")
             return
         title = title_of(present.key, SHIPPED_TITLES)
         if present.value.draft:
-            cell.set(f"{title}, draft", "The light as it will be follows when the hand rests", "stale")
+            cell.set(f"{title}, draft", "Full quality follows after editing", "stale")
             return
         counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
-        tip = "Sharp reflections follow" if loading else "Stopped; choose the light again to finish it"
+        tip = "Refining reflections" if loading else "Stopped; select the light again to finish"
         cell.set(f"{title}, {counts}", tip, "stale")
 
 

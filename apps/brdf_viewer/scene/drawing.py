@@ -1,4 +1,4 @@
-"""Draws the stage: whatever of it has changed since the last frame is handed to the renderer first."""
+"""Draws the viewer state: whatever of it has changed since the last frame is handed to the renderer first."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from brdf_suite.realtime.pictures.comparison import ComparedPicture, ComparisonR
 from brdf_suite.realtime.pictures.probe import PixelProbe
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.pictures.traced_light import TracedLight
-from brdf_viewer.scene.stage import Prop, Stage
-from brdf_viewer.traced.wanted import first_size
+from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
+from brdf_viewer.traced.trace_input import first_size
 
 if TYPE_CHECKING:
     from brdf_viewer.traced.process import TracedPicture
@@ -29,8 +29,8 @@ Grey = tuple[float, float, float]
 SECOND_MATERIALS = {PAINT_MATERIAL: SECOND_MATERIAL}
 
 
-class StageDrawer:
-    """Draws one stage in one OpenGL context; a new context gets a new drawer, which uploads all that there is.
+class SceneDrawer:
+    """Draws one state in one OpenGL context; a new context gets a new drawer, which uploads all that there is.
 
     Parameters
     ----------
@@ -44,52 +44,52 @@ class StageDrawer:
     def __init__(
         self,
         context: Context,
-        stage: Stage,
+        state: ViewerState,
         surround: Callable[[], Grey],
         refused: Callable[[str, SuiteError], None],
     ) -> None:
-        self._stage = stage
+        self._state = state
         self._surround = surround
         self._refused = refused
-        self.angle_fits = AngleFits(stage)
-        self.angle_fits.arrived.connect(stage.contents_changed)
-        self._renderer = SceneRenderer(context, self.angle_fits.angles)
+        self.angle_fits = AngleFits(state)
+        self.angle_fits.arrived.connect(state.contents_changed)
+        self.scene_renderer = SceneRenderer(context, self.angle_fits.angles)
         # The first picture waits for no map and no program that it does not show; see prepare_edits.
-        self._renderer.renderer.only_needed = True
+        self.scene_renderer.renderer.only_needed = True
         self._prepared = True
-        self._uploads: dict[str, Callable[[Any], None]] = {
-            "environment": self._renderer.set_environment,
-            "surface": lambda mesh: self._renderer.set_surface(mesh, self._uploading.baked),
+        self.uploads: dict[str, Callable[[Any], None]] = {
+            "environment": self.scene_renderer.set_environment,
+            "surface": lambda mesh: self.scene_renderer.set_surface(mesh, self._uploading.baked),
         }
-        self._drawn: dict[str, Prop[Any]] = {}
+        self._drawn: dict[str, LoadedAsset[Any]] = {}
         self._uploading: Any = None
         self._images: SurfaceImages | None = None
         self._fit: object = None
-        self._second: Prop[Any] | None = None
+        self._second: LoadedAsset[Any] | None = None
         self._comparison: ComparisonRenderer | None = None
         self._probe: PixelProbe | None = None
         self._traced: TracedLight | None = None
         self._traced_picture: TracedPicture | None = None
         self._with_own: ComparisonRenderer | None = None
-        stage.contents_changed.connect(self._prepare)
-        stage.view_changed.connect(self._prepare)
+        state.contents_changed.connect(self._prepare)
+        state.view_changed.connect(self._prepare)
         self._prepare()
 
     @property
     def counters(self) -> Counters:
         """OpenGL objects made and written since the start."""
-        return self._renderer.counters
+        return self.scene_renderer.counters
 
     @property
     def renderer(self) -> Renderer:
-        """The renderer below, for whoever draws or reads beside the frames; its context must be current."""
-        return self._renderer.renderer
+        """The renderer below, for what draws or reads outside the frames; its context must be current."""
+        return self.scene_renderer.renderer
 
     @property
     def probe(self) -> PixelProbe:
         """Reads single pixels; the context must be current."""
         if self._probe is None:
-            self._probe = PixelProbe(self._renderer.renderer)
+            self._probe = PixelProbe(self.scene_renderer.renderer)
         return self._probe
 
     @property
@@ -102,74 +102,75 @@ class StageDrawer:
 
         Return whether it was an ordinary one, without an upload.
         """
-        uploads = [self._bring(kind) for kind in self._uploads]
-        fit = self._stage.drawn_fit
-        if fit is None or len(self._drawn) < len(self._uploads) or not isinstance(view, View):
+        uploads = [self._bring(kind) for kind in self.uploads]
+        fit = self._state.drawn_fit
+        if fit is None or len(self._drawn) < len(self.uploads) or not isinstance(view, View):
             framebuffer.clear(*self._surround(), 1.0)
             return False
         if fit is not self._fit:
-            self._renderer.set_paint_fit(fit)
+            self.scene_renderer.set_paint_fit(fit)
             self._fit = fit
         uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
-        self._renderer.prepare(view)
-        if view.exposure_mode == "automatic" and self._stage.metered_ev is None:
+        self.scene_renderer.prepare(view)
+        if view.exposure_mode == "automatic" and self._state.metered_ev is None:
             self.meter(view, size)
-        shown = exposed(view, self._stage.metered_ev)
+        shown = exposed(view, self._state.metered_ev)
         traced = self.traced_light(first_size(shown, size))
         comparison = self._compared()
         if comparison is not None and shown.compare.mode != "off":
             comparison.traced = traced
-            comparison.draw(shown, framebuffer, size, show_second=self._stage.shows_second)
+            comparison.draw(shown, framebuffer, size, show_second=self._state.shows_second)
         elif traced is not None and traced.size == size:
             traced.render(shown, framebuffer, size)
         else:
-            self._renderer.draw(shown, framebuffer, size)
-        # A frame that compiles, too, tells nothing of the time that frames take.
+            self.scene_renderer.draw(shown, framebuffer, size)
+        # A frame that compiles, too, says nothing of the time that frames take.
         prepared, self._prepared = self._prepared, True
         return prepared and not any(uploads)
 
     def traced_light(self, size: tuple[int, int]) -> TracedLight | None:
-        """Return what shows the traced picture where there is one of this size on the stage."""
+        """Return what shows the traced picture where there is one of this size on the viewer state."""
         there = self._traced is not None and self._traced_picture is not None and self._traced.size == size
         return self._traced if there else None
 
     def meter(self, view: View, size: tuple[int, int]) -> None:
-        """Measure the exposure of what is drawn, for the stage to show it at; 0 EV where no object is seen."""
+        """Measure the exposure of what is drawn, for the viewer state to show it at; 0 EV where no object is seen."""
         if self._fit is not None:
-            self._stage.metered_ev = automatic_ev(self._renderer.renderer, view, size) or 0.0
+            self._state.metered_ev = automatic_ev(self.scene_renderer.renderer, view, size) or 0.0
 
     def prepare_edits(self) -> None:
         """Upload what the first picture did without, and compile it with the next frame, so that no edit waits."""
-        self._renderer.renderer.only_needed = False
+        self.scene_renderer.renderer.only_needed = False
         self._prepared = False
 
     def release(self) -> None:
         """Give every OpenGL object back."""
-        self._stage.contents_changed.disconnect(self._prepare)
-        self._stage.view_changed.disconnect(self._prepare)
-        self._renderer.release()
+        self._state.contents_changed.disconnect(self._prepare)
+        self._state.view_changed.disconnect(self._prepare)
+        self.scene_renderer.release()
 
     def _prepare(self, *_: object) -> None:
         """Have the weights over the angle fitted that the next frame takes: here, and not in the frame."""
-        stage = self._stage
-        second = None if stage.drawn_second is None else stage.drawn_second.value
-        for fit in (stage.drawn_fit, second, None if stage.images is None else stage.images.second_paint):
+        state = self._state
+        second = None if state.drawn_second is None else state.drawn_second.value
+        for fit in (state.drawn_fit, second, None if state.images is None else state.images.second_paint):
             if isinstance(fit, LobeFit):
-                self.angle_fits.angles.prepare(fit, stage.view)
+                self.angle_fits.angles.prepare(fit, state.view)
 
     def _bring_second(self) -> bool:
-        """Bring what is compared with; tell whether a picture was uploaded."""
-        wanted = self._stage.drawn_second
+        """Bring what is compared with; return whether a picture was uploaded."""
+        wanted = self._state.drawn_second
         if wanted is self._second:
             return False
         if self._comparison is None:
-            self._comparison = ComparisonRenderer(self._renderer.renderer, SECOND_MATERIALS)
-        picture = wanted.value if wanted is not None and isinstance(wanted.value, ComparedPicture) else None
+            self._comparison = ComparisonRenderer(self.scene_renderer.renderer, SECOND_MATERIALS)
+        value = None if wanted is None else wanted.value
+        picture = value if isinstance(value, ComparedPicture) else None
         self._second = wanted
         try:
             self._comparison.set_picture(picture)
-            if wanted is not None and picture is None:
-                self._renderer.set_paint_fit(wanted.value, SECOND_MATERIAL)
+            if value is not None and not isinstance(value, ComparedPicture):
+                self.scene_renderer.set_paint_fit(value, SECOND_MATERIAL)
         except SuiteError as error:
             self._second = None
             self._refused("compare", error)
@@ -179,20 +180,20 @@ class StageDrawer:
         """Return what draws two pictures, where there are two."""
         if self._second is not None:
             return self._comparison
-        if self._stage.compared is None:
+        if self._state.compared is None:
             return None
         if self._with_own is None:
-            self._with_own = ComparisonRenderer(self._renderer.renderer, {})
+            self._with_own = ComparisonRenderer(self.scene_renderer.renderer, {})
         return self._with_own
 
     def _bring_traced(self) -> bool:
-        """Bring the newest traced picture; tell whether one was uploaded."""
-        wanted = self._stage.traced
+        """Bring the newest traced picture; return whether one was uploaded."""
+        wanted = self._state.traced
         if wanted is self._traced_picture:
             return False
         self._traced_picture = wanted
         if self._traced is None:
-            self._traced = TracedLight(self._renderer.renderer)
+            self._traced = TracedLight(self.scene_renderer.renderer)
         try:
             if wanted is not None:
                 self._traced.set_picture(wanted.pixels)
@@ -202,31 +203,31 @@ class StageDrawer:
         return wanted is not None
 
     def _bring_images(self) -> bool:
-        """Upload what lies on the paint; tell whether there was something."""
-        images = self._stage.images
+        """Upload what lies on the paint; return whether there was something."""
+        images = self._state.images
         if images is None or images is self._images:
             return False
         self._images = images
         try:
-            self._renderer.set_surface_images(images)
+            self.scene_renderer.set_surface_images(images)
         except SuiteError as error:
             self._refused("images", error)
         return True
 
     def _bring(self, kind: str) -> bool:
-        """Upload the stage's environment or surface where it is another than the one drawn; tell whether."""
-        wanted, drawn = getattr(self._stage, kind), self._drawn.get(kind)
+        """Upload the viewer state's environment or surface where it is another than the one drawn; return whether."""
+        wanted, drawn = getattr(self._state, kind), self._drawn.get(kind)
         if wanted is None or wanted is drawn:
             return False
         try:
             self._uploading = wanted
-            self._uploads[kind](wanted.value)
+            self.uploads[kind](wanted.value)
         except SuiteError as error:
             if drawn is None:
                 raise
             self._uploading = drawn
-            self._uploads[kind](drawn.value)
-            setattr(self._stage, kind, drawn)
+            self.uploads[kind](drawn.value)
+            setattr(self._state, kind, drawn)
             self._refused(kind, error)
         else:
             self._drawn[kind] = wanted

@@ -30,7 +30,7 @@ _BETWEEN_PARTIAL_S = 2.0
 
 @dataclass(frozen=True)
 class EnvironmentRequest:
-    """What a worker is to read, and whom it tells as soon as there is something to show."""
+    """What a worker is to read, and what it calls as soon as there is something to show."""
 
     key: str
     layout: str
@@ -62,14 +62,14 @@ class SceneLoader(QObject):
     moved = Signal(str, float, str)
     ended = Signal(str)
     counted = Signal(str, object)
-    _partial = Signal(int, str, object)
+    partly_made = Signal(int, str, object)
 
     def __init__(self, runner: TaskRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._runner = runner
         self._stopped = False
-        self._generation = 0
-        self._partial.connect(self._on_partial, Qt.ConnectionType.QueuedConnection)
+        self.generation = 0
+        self.partly_made.connect(self._on_partial, Qt.ConnectionType.QueuedConnection)
 
     def load(self, kind: str, key: str, layout: str = "auto", look: SurfaceLook | None = None) -> None:
         """Begin to load ``key``; an older request of the kind is dropped.
@@ -79,8 +79,8 @@ class SceneLoader(QObject):
         if self._stopped:
             return
         if kind == ENVIRONMENT:
-            self._generation += 1
-            generation = self._generation
+            self.generation += 1
+            generation = self.generation
 
             shown = -math.inf
 
@@ -88,9 +88,9 @@ class SceneLoader(QObject):
                 nonlocal shown
                 if monotonic() - shown >= _BETWEEN_PARTIAL_S:
                     shown = monotonic()
-                    self._partial.emit(generation, key, value)  # from the worker's thread to this one
+                    self.partly_made.emit(generation, key, value)  # from the worker's thread to this one
 
-            self._submit(kind, key, _environment, EnvironmentRequest(key, layout, partial))
+            self._submit(kind, key, prepare_environment, EnvironmentRequest(key, layout, partial))
         else:
             self._submit(kind, key, _surface, (key, look or SurfaceLook()))
 
@@ -119,18 +119,18 @@ class SceneLoader(QObject):
     def cancel(self, kind: str) -> None:
         """Drop the request of the kind, and what it has handed out but is not yet taken."""
         if kind == ENVIRONMENT:
-            self._generation += 1
+            self.generation += 1
         self._runner.cancel(kind)
         self.ended.emit(kind)
 
     def stop(self) -> None:
         """End all that runs, and begin no more."""
         self._stopped = True
-        self._generation += 1
+        self.generation += 1
         self._runner.stop()
 
     def _on_partial(self, generation: int, key: str, value: PreparedEnvironment) -> None:
-        if generation == self._generation:
+        if generation == self.generation:
             self.partly_loaded.emit(key, value)
 
     def _done(self, kind: str, key: str, value: object) -> None:
@@ -142,7 +142,8 @@ class SceneLoader(QObject):
         self.failed.emit(kind, key, error)
 
 
-def _environment(request: EnvironmentRequest, progress: Progress) -> PreparedEnvironment:
+def prepare_environment(request: EnvironmentRequest, progress: Progress) -> PreparedEnvironment:
+    """Return an environment with its filtered maps and glint lights, for a worker."""
     prepared = load_environment(request.key, progress, layout=request.layout, partial=request.partial)
     _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return prepared

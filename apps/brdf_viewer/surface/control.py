@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 
 from brdf_suite.documents.view import View
@@ -22,7 +23,7 @@ from brdf_suite.surface.picking import pick
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.loading import SURFACE
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 OCCLUSION = "occlusion"
@@ -35,13 +36,13 @@ _RELOAD_MS = 250
 
 
 class SurfaceControl(QObject):
-    """Wires the Surface section to the stage, bakes occlusion, and picks parts in the picture."""
+    """Wires the Surface section to the viewer state, bakes occlusion, and picks parts in the picture."""
 
     def __init__(
-        self, stage: Stage, window: ViewerWindow, scene: SceneControl, parent: QObject | None = None
+        self, state: ViewerState, window: ViewerWindow, scene: SceneControl, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self._stage = stage
+        self._state = state
         self._window = window
         self._scene = scene
         self._section = window.surface
@@ -50,16 +51,16 @@ class SurfaceControl(QObject):
         self._baking: Mesh | None = None
         self._declined: Mesh | None = None
         self._pressed: QPointF | None = None
-        self._reload = QTimer(self, singleShot=True, interval=_RELOAD_MS, timeout=self._load_again)
+        self._reload = make_timer(self, self._load_again, _RELOAD_MS)
         self._section.edited.connect(self._edited)
         self._section.parts.material_edited.connect(self._material_edited)
         self._section.again.clicked.connect(self.bake)
-        stage.view_changed.connect(self._view_changed)
-        stage.contents_changed.connect(self._contents_changed)
+        state.view_changed.connect(self._view_changed)
+        state.contents_changed.connect(self._contents_changed)
         window.busy_cancelled.connect(self._cancelled)
         window.picture.canvas_changed.connect(self._watch)
         self._watch(window.picture.canvas)
-        self._section.set_look(stage.view.surface_look)
+        self._section.set_look(state.view.surface_look)
 
     @property
     def baking(self) -> bool:
@@ -68,7 +69,7 @@ class SurfaceControl(QObject):
 
     def bake(self) -> None:
         """Bake for the present surface; what is drawn stays until it is there."""
-        surface = self._stage.surface
+        surface = self._state.surface
         if surface is None:
             return
         mesh = surface.value
@@ -91,11 +92,11 @@ class SurfaceControl(QObject):
 
     def pick_at(self, place: QPointF, *, add: bool = False) -> str | None:
         """Pick the part that is seen at ``place`` of the picture (widget pixels, from the upper left)."""
-        surface, canvas = self._stage.surface, self._window.picture.canvas
+        surface, canvas = self._state.surface, self._window.picture.canvas
         if surface is None:
             return None
         size = self._window.picture.device_size
-        camera = matrices(self._stage.view.camera, self._stage.bounds, size)
+        camera = matrices(self._state.view.camera, self._state.bounds, size)
         right = (2.0 * place.x() / max(1, canvas.width()) - 1.0) * camera.half_tangents[0]
         up = (1.0 - 2.0 * place.y() / max(1, canvas.height())) * camera.half_tangents[1]
         hit = pick(surface.value, camera.eye, camera.view_to_world @ np.array([right, up, -1.0]))
@@ -123,15 +124,15 @@ class SurfaceControl(QObject):
         canvas.installEventFilter(self)
 
     def _edited(self, field: str, value: Any) -> None:
-        look = dataclasses.replace(self._stage.view.surface_look, **{field: value})
-        self._stage.change_view(surface_look=look)
+        look = dataclasses.replace(self._state.view.surface_look, **{field: value})
+        self._state.change_view(surface_look=look)
 
-    def _material_edited(self, names: list[str], material: Material | str) -> None:
-        look = self._stage.view.surface_look
+    def _material_edited(self, names: list[str], material: Material | Literal[""]) -> None:
+        look = self._state.view.surface_look
         chosen = {item.part: item for item in look.materials if item.part not in names}
         if material:
             chosen |= {name: PartMaterial(name, material) for name in names}
-        self._stage.change_view(surface_look=dataclasses.replace(look, materials=tuple(chosen.values())))
+        self._state.change_view(surface_look=dataclasses.replace(look, materials=tuple(chosen.values())))
 
     def _view_changed(self, old: View, new: View) -> None:
         if old.surface_look == new.surface_look:
@@ -145,10 +146,10 @@ class SurfaceControl(QObject):
             self._bake_where_wanted()
 
     def _load_again(self) -> None:
-        self._scene.open(SURFACE, self._stage.view.surface)
+        self._scene.open(SURFACE, self._state.view.surface)
 
     def _contents_changed(self) -> None:
-        surface = self._stage.surface
+        surface = self._state.surface
         mesh = None if surface is None else surface.value
         if mesh is not self._mesh:
             self._mesh = mesh
@@ -158,8 +159,8 @@ class SurfaceControl(QObject):
             self._bake_where_wanted()
 
     def _bake_where_wanted(self) -> None:
-        surface = self._stage.surface
-        wanted = wants_baking(self._stage.view.surface_look)
+        surface = self._state.surface
+        wanted = wants_baking(self._state.view.surface_look)
         if surface is None or not wanted or surface.baked is not None or self._baking is surface.value:
             self._show_state()
         elif self._declined is not surface.value:
@@ -169,14 +170,14 @@ class SurfaceControl(QObject):
 
     def _baked(self, mesh: Mesh, baked: BakedMesh) -> None:
         self._end()
-        if self._stage.surface is not None and self._stage.surface.value is mesh:
-            self._stage.set_baked(baked)
+        if self._state.surface is not None and self._state.surface.value is mesh:
+            self._state.set_baked(baked)
         self._show_state()
 
     def _failed(self, error: Exception) -> None:
         self._declined = self._baking
         self._end()
-        todo = "The surface is shown without occlusion."
+        todo = "The surface is shown without ambient occlusion."
         self._window.messages.show_message(message_of(error, OCCLUSION, todo=todo))
         self._show_state()
 
@@ -196,12 +197,14 @@ class SurfaceControl(QObject):
         self._window.set_idle(OCCLUSION)
 
     def _show_state(self) -> None:
-        surface = self._stage.surface
+        surface = self._state.surface
         declined = (
             surface is not None
             and self._declined is surface.value
-            and wants_baking(self._stage.view.surface_look)
+            and wants_baking(self._state.view.surface_look)
         )
-        text = "Occlusion is being baked." if self._baking is not None else ""
-        set_note(self._section.baking, "Not baked: shown without occlusion." if declined else text)
+        text = "Computing ambient occlusion…" if self._baking is not None else ""
+        if declined:
+            text = "Shown without ambient occlusion; it has not been computed."
+        set_note(self._section.baking, text)
         self._section.again.setVisible(declined)

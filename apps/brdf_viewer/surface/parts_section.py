@@ -50,7 +50,7 @@ class SurfaceParts(QWidget):
         self.list.setUniformRowHeights(True)
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.setToolTip(
-            "A click in the picture picks the part under it; Ctrl and Shift pick several here"
+            "Click a part in the picture to select it; Ctrl and Shift select several in the list"
         )
         header = self.list.header()
         header.setStretchLastSection(False)
@@ -58,15 +58,15 @@ class SurfaceParts(QWidget):
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.list.itemSelectionChanged.connect(self._show_material)
         self.material = QuietComboBox()
-        self.material.setAccessibleName("Material of the picked parts")
-        self.material.setToolTip("What the picked parts are made of")
-        self.material.addItem("As in the file", _OWN)
+        self.material.setAccessibleName("Material of selected parts")
+        self.material.setToolTip("Material of the parts selected above")
+        self.material.addItem("From file", _OWN)
         for word in MATERIALS:
             self.material.addItem(MATERIAL_TITLES[word], word)
         self.material.activated.connect(self._edited)
         row = QHBoxLayout()
         row.setSpacing(8)
-        row.addWidget(PlainLabel("Picked parts"))
+        row.addWidget(PlainLabel("Material of selected parts"))
         row.addWidget(self.material, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

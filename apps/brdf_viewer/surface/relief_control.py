@@ -15,7 +15,7 @@ from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.fields.source_chooser import Source, title_of
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 IMAGES = "images"
@@ -24,26 +24,26 @@ _NONE = Source("", "None")
 
 
 class ReliefControl(QObject):
-    """Wires the section to the stage; an image that cannot be read is told, and what was shown stays."""
+    """Wires the section to the viewer state; an image that cannot be read is reported, and what was shown stays."""
 
     def __init__(
-        self, stage: Stage, window: ViewerWindow, ask: AskFile, parent: QObject | None = None
+        self, state: ViewerState, window: ViewerWindow, ask: AskFile, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._ask = stage, window, ask
+        self._state, self._window, self._ask = state, window, ask
         self._section = window.relief
         self._runner = TaskRunner(self, threads=1)
-        self._wanted = ImageRequest()
+        self._request = ImageRequest()
         section = self._section
         section.paint.set_sources([_NONE, *(Source(name, title_of(name, {})) for name in paint_names())], [])
         section.relief_edited.connect(lambda field, value: self._change("relief", field, value))
         section.two_tone_edited.connect(lambda field, value: self._change("two_tone", field, value))
-        section.browse_wanted.connect(self._browse)
-        section.paint_browse_wanted.connect(self._browse_paint)
+        section.browse_requested.connect(self._browse)
+        section.paint_browse_requested.connect(self._browse_paint)
         window.busy_cancelled.connect(self._cancelled)
-        stage.view_changed.connect(lambda _old, new: self._show(new))
-        stage.contents_changed.connect(self._show_own_peel)
-        self._show(stage.view)
+        state.view_changed.connect(lambda _old, new: self._show(new))
+        state.contents_changed.connect(self._show_own_peel)
+        self._show(state.view)
 
     @property
     def loading(self) -> bool:
@@ -52,15 +52,15 @@ class ReliefControl(QObject):
 
     def refused(self, error: Exception) -> None:
         """The graphics card did not take the images."""
-        self._tell(error)
+        self._report(error)
 
     def close(self) -> None:
         """End what runs."""
         self._runner.stop(_CLOSING_MS)
 
     def _change(self, group: str, field: str, value: Any) -> None:
-        old = getattr(self._stage.view, group)
-        self._stage.change_view(**{group: dataclasses.replace(old, **{field: value})})
+        old = getattr(self._state.view, group)
+        self._state.change_view(**{group: dataclasses.replace(old, **{field: value})})
 
     def _browse(self, kind: str) -> None:
         path = self._ask(self._window, kind)
@@ -77,14 +77,14 @@ class ReliefControl(QObject):
         self._section.set_relief(view.relief)
         self._section.set_two_tone(view.two_tone, _NONE.title if paint is None else title_of(paint, {}))
         request = ImageRequest.of(view)
-        if request == self._wanted:
+        if request == self._request:
             return
-        self._wanted = request
+        self._request = request
         self._window.messages.dismiss(IMAGES)
         if request == ImageRequest():
             self._runner.cancel(IMAGES)
             self._window.set_idle(IMAGES)
-            self._stage.set_images(SurfaceImages(request))
+            self._state.set_images(SurfaceImages(request))
             return
         self._runner.submit(
             IMAGES,
@@ -96,19 +96,19 @@ class ReliefControl(QObject):
         )
 
     def _show_own_peel(self) -> None:
-        fit = self._stage.fit
+        fit = self._state.fit
         self._section.set_own_peel(None if fit is None else fit.orange_peel)
 
     def _loaded(self, images: SurfaceImages) -> None:
         self._window.set_idle(IMAGES)
-        self._stage.set_images(images)
+        self._state.set_images(images)
 
     def _failed(self, error: Exception) -> None:
         self._window.set_idle(IMAGES)
-        self._tell(error)
+        self._report(error)
 
-    def _tell(self, error: Exception) -> None:
-        todo = "The picture stays as it was. Open another file in the inspector."
+    def _report(self, error: Exception) -> None:
+        todo = "The picture is unchanged. Open another file in the inspector."
         self._window.messages.show_message(message_of(error, IMAGES, todo=todo))
 
     def _cancelled(self, kind: str) -> None:

@@ -9,7 +9,7 @@ from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
 
 from brdf_suite.documents.paint import OrangePeel
@@ -20,17 +20,17 @@ from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.fields.source_chooser import SourceChooser, title_of
 
 PROJECTION_TITLES = {
-    "uv": "Tiled on the surface",
-    "side": "Over the box, from the side",
-    "front": "Over the box, from the front",
-    "top": "Over the box, from above",
+    "uv": "Tiled",
+    "side": "Projected from the side",
+    "front": "Projected from the front",
+    "top": "Projected from above",
 }
 
 
 class FileChoice(QWidget):
     """A file that may be none: its name, a button that asks for one, and one that takes it away."""
 
-    browse = Signal()
+    browse_requested = Signal()
     cleared = Signal()
 
     def __init__(self, what: str, parent: QWidget | None = None) -> None:
@@ -41,11 +41,11 @@ class FileChoice(QWidget):
         self.open.setIcon(icon("folder-open"))
         self.open.setToolTip(plain_tip(f"Open {what}"))
         self.open.setAccessibleName(f"Open {what}")
-        self.open.clicked.connect(self.browse)
+        self.open.clicked.connect(self.browse_requested)
         self.clear = QToolButton()
         self.clear.setIcon(icon("x"))
-        self.clear.setToolTip(plain_tip(f"Take {what} away"))
-        self.clear.setAccessibleName(f"Take {what} away")
+        self.clear.setToolTip(plain_tip(f"Remove {what}"))
+        self.clear.setAccessibleName(f"Remove {what}")
         self.clear.clicked.connect(self.cleared)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -66,14 +66,14 @@ class FileChoice(QWidget):
 class ReliefSection(Section):
     """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
 
-    ``browse_wanted(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``; ``paint_browse_wanted()``
-    for a second paint.
+    ``browse_requested(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``;
+    ``paint_browse_requested()`` for a second paint.
     """
 
     relief_edited = Signal(str, object)
     two_tone_edited = Signal(str, object)
-    browse_wanted = Signal(str)
-    paint_browse_wanted = Signal()
+    browse_requested = Signal(str)
+    paint_browse_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Relief and two-tone", "relief", parent)
@@ -88,8 +88,8 @@ class ReliefSection(Section):
         self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
         self.paint = SourceChooser("Open a second paint")
         self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
-        self.paint.browse.connect(self.paint_browse_wanted)
-        self.mask = self._file("mask", "a mask", self.two_tone_edited)
+        self.paint.browse_requested.connect(self.paint_browse_requested)
+        self.mask_file = self._file("mask", "a mask", self.two_tone_edited)
         self.projection = QuietComboBox()
         for key, title in PROJECTION_TITLES.items():
             self.projection.addItem(title, key)
@@ -111,9 +111,9 @@ class ReliefSection(Section):
         )
         form.add_row("Strength", self.normal_strength, PARAMETERS["relief.normal_strength"].meaning)
         form.add_row("Tile width", self.normal_width_mm, PARAMETERS["relief.normal_width_mm"].meaning)
-        form.add_row("Second paint", self.paint, "Stands where the mask is white")
-        form.add_row("Mask", self.mask, "An image: black is the first paint, white the second")
-        form.add_row("Lies", self.projection, "How the mask is laid on the surface")
+        form.add_row("Second paint", self.paint, "Shown where the mask is white")
+        form.add_row("Mask", self.mask_file, "An image: black is the first paint, white the second")
+        form.add_row("Mapping", self.projection, "Mapping of the mask onto the surface")
         form.add_row("Mask width", self.mask_width_mm, PARAMETERS["two_tone.mask_width_mm"].meaning)
         form.add_wide(self.two_tone_facts)
         self.add(form)
@@ -138,17 +138,17 @@ class ReliefSection(Section):
             height = height_rms_um(relief.orange_peel, relief.orange_peel_mm)
             text = tr("Waves of {height:.2g} µm (RMS height)").format(height=height)
             if own is not None:
-                text = tr("{waves}, in place of the paint's own").format(waves=text)
+                text = tr("{waves}, instead of the paint's own").format(waves=text)
         elif own is not None:
             text = tr(
-                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope that is set here takes its place."
+                "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope set here replaces it."
             ).format(height=own.amplitude_um, length=own.wavelength_mm)
         set_note(self.peel_facts, text)
 
     def set_two_tone(self, two_tone: TwoTone, title: str) -> None:
         """Show the second paint, by its ``title``, and where it is."""
         self.paint.show_source(two_tone.paint or "", title)
-        self.mask.set_path(two_tone.mask)
+        self.mask_file.set_path(two_tone.mask)
         self.projection.setCurrentIndex(self.projection.findData(two_tone.projection))
         self.mask_width_mm.set_value(two_tone.mask_width_mm)
         self.mask_width_mm.setEnabled(two_tone.projection == "uv")
@@ -164,10 +164,10 @@ class ReliefSection(Section):
         made.edited.connect(lambda value: self.relief_edited.emit(field, value))
         return made
 
-    def _file(self, field: str, what: str, edited: Signal) -> FileChoice:
+    def _file(self, field: str, what: str, edited: SignalInstance) -> FileChoice:
         made = FileChoice(what)
         made.setObjectName(f"relief_{field}")
-        made.browse.connect(lambda: self.browse_wanted.emit(field))
+        made.browse_requested.connect(lambda: self.browse_requested.emit(field))
         made.cleared.connect(lambda: edited.emit(field, None))
         return made
 

@@ -15,13 +15,13 @@ from brdf_viewer.fields.source_chooser import SourceChooser
 from brdf_viewer.surface.parts_section import SurfaceParts
 
 UNIT_TITLES = {
-    "file": "As the file says",
+    "file": "From file",
     "m": "Metres",
     "cm": "Centimetres",
     "mm": "Millimetres",
     "in": "Inches",
 }
-NORMALS_TITLES = {"file": "As in the file", "smooth": "Smooth, edges above 40°", "flat": "Flat"}
+NORMALS_TITLES = {"file": "From file", "smooth": "Smooth, edges above 40°", "flat": "Flat"}
 
 
 class SurfaceSection(Section):
@@ -34,38 +34,38 @@ class SurfaceSection(Section):
         self.chooser = SourceChooser("Open a mesh (.glb, .gltf, .obj, .stl, .ply)")
         self.facts = note()
         self.occlusion = self._check("occlusion", "Occlusion")
-        self.occlusion.setToolTip("Recesses get less light: baked once for each surface, in the background")
+        self.occlusion.setToolTip("Darkens recesses; computed once per surface in the background")
         self.ground = self._check("ground", "Ground with contact shadow")
         self.ground.setToolTip(
-            "A ground under the surface's lowest point, which takes its shadow in the environment's light"
+            "Ground at the lowest point of the surface, with its shadow in the environment's light"
         )
         self.baking = note()
-        self.again = QPushButton("Bake now")
-        self.again.setToolTip("Begin again what was cancelled")
+        self.again = QPushButton("Compute")
+        self.again.setToolTip("Restart the cancelled computation")
         self.again.hide()
         self.parts = SurfaceParts()
         self.unit = self._list("unit", UNIT_TITLES)
         scale = PARAMETERS["surface.scale"]
         self.scale = NumberField("Scale", "", scale.low, scale.high, 0.1, 4, scale.default)
         self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
-        self.recentre = self._check("recentre", "In the middle, on the ground")
+        self.recentre = self._check("recentre", "Centre on ground")
         self.normals = self._list("normals", NORMALS_TITLES)
-        self.flip_normals = self._check("flip_normals", "Turned inside out")
+        self.flip_normals = self._check("flip_normals", "Flip normals")
         form = Form()
-        form.add_row("Form", self.chooser, "The surface on which the paint is judged")
+        form.add_row("Form", self.chooser, "Surface to which the paint is applied")
         form.add_wide(self.facts)
         form.add_row("", self.occlusion)
         form.add_row("", self.ground)
         form.add_wide(self.baking)
         form.add_wide(self.again)
         form.add_wide(self.parts)
-        form.add_row("Unit", self.unit, "The unit of the lengths in the file")
+        form.add_row("Unit", self.unit, "Unit of length in the file")
         form.add_row("Scale", self.scale, scale.meaning)
         form.add_row(
-            "Place", self.recentre, "Puts the middle over the origin and the lowest point at height 0"
+            "Place", self.recentre, "Moves the centre over the origin and the lowest point to height 0"
         )
-        form.add_row("Normals", self.normals, "Taken from the file, or made anew")
-        form.add_row("", self.flip_normals, "For a file whose triangles and normals look inwards")
+        form.add_row("Normals", self.normals, "Read from the file, or recomputed")
+        form.add_row("", self.flip_normals, "For files whose triangles and normals point inwards")
         self.add(form)
 
     def set_look(self, look: SurfaceLook) -> None:

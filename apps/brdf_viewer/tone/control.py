@@ -6,14 +6,15 @@ from collections.abc import Callable
 
 from brdf_qt.program.monitor_profile import Monitor, monitor_of
 from brdf_qt.program.settings import settings
+from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QImage, QScreen
 
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
-from brdf_viewer.scene.drawing import StageDrawer
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.drawing import SceneDrawer
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 COUNT_AFTER_MS = 300
@@ -36,44 +37,44 @@ class ToneControl(QObject):
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
-        drawer: Callable[[], StageDrawer | None],
+        drawer: Callable[[], SceneDrawer | None],
         parent: QObject | None = None,
         *,
         find_monitor: Callable[[QScreen | None], Monitor] = monitor_of,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._drawer = stage, window, drawer
+        self._state, self._window, self._drawer = state, window, drawer
         self._find_monitor = find_monitor
         self._monitor = Monitor(SRGB_SPACE, "", False)
         self._used = bool(settings().value(_PROFILE_KEY, True, type=bool))
         self._marked_by_curve = False
         self.display: Display = SRGB
         self.counted: Unshowable | None = None
-        self._count = QTimer(self, singleShot=True, interval=COUNT_AFTER_MS, timeout=self._measure)
+        self._count = make_timer(self, self._measure, COUNT_AFTER_MS)
         section = window.tone
-        for signal in (section.tone_curve_edited, window.commands.tone_curve_wanted):
+        for signal in (section.tone_curve_edited, window.commands.tone_curve_requested):
             signal.connect(self.set_curve)
-        section.clipping_marks_edited.connect(lambda on: stage.change_view(clipping_marks=on))
-        section.gamut_marks_edited.connect(lambda on: stage.change_view(gamut_marks=on))
-        section.mark_style_edited.connect(lambda key: stage.change_view(mark_style=key))
+        section.clipping_marks_edited.connect(lambda on: state.change_view(clipping_marks=on))
+        section.gamut_marks_edited.connect(lambda on: state.change_view(gamut_marks=on))
+        section.mark_style_edited.connect(lambda key: state.change_view(mark_style=key))
         section.profile_edited.connect(self.use_profile)
-        stage.view_changed.connect(self._changed)
-        stage.contents_changed.connect(self._count.start)
-        stage.traced_changed.connect(self._count.start)
+        state.view_changed.connect(self._changed)
+        state.contents_changed.connect(self._count.start)
+        state.traced_changed.connect(self._count.start)
         window.picture.frame_drawn.connect(self._first_frame)
         window.installEventFilter(self)
-        self._show(stage.view)
+        self._show(state.view)
 
     def set_curve(self, key: str) -> None:
         """Take a tone curve; the linear one comes with its clipping marked, and takes the marks along."""
         fields: dict[str, object] = {"tone_curve": key}
-        if key == "linear" and not self._stage.view.clipping_marks:
+        if key == "linear" and not self._state.view.clipping_marks:
             fields["clipping_marks"] = self._marked_by_curve = True
         elif key != "linear" and self._marked_by_curve:
             fields["clipping_marks"] = self._marked_by_curve = False
-        self._stage.change_view(**fields)
+        self._state.change_view(**fields)
 
     def use_profile(self, used: bool) -> None:
         """Show the colours by the monitor's profile, or in sRGB; remembered."""
@@ -86,8 +87,8 @@ class ToneControl(QObject):
         self._monitor = self._find_monitor(self._window.screen())
         self._show_monitor()
 
-    def prepare(self, drawer: StageDrawer) -> None:
-        """Tell a new drawer what it draws for."""
+    def prepare(self, drawer: SceneDrawer) -> None:
+        """Give a new drawer its display space."""
         drawer.renderer.screen = self.display
 
     def grab_srgb(self) -> QImage:
@@ -117,7 +118,11 @@ class ToneControl(QObject):
                 self.prepare(drawer)
                 self._window.picture.redraw()
             self._count.start()
-        text = monitor.told if used or not monitor.is_measured else f"sRGB; {monitor.told} is not used"
+        text = (
+            monitor.description
+            if used or not monitor.is_measured
+            else f"sRGB; {monitor.description} is not used"
+        )
         self._window.tone.set_profile(text, monitor.is_measured, used)
 
     def _changed(self, _old: View, new: View) -> None:
@@ -142,7 +147,7 @@ class ToneControl(QObject):
         size = (max(1, round(width * scale)), max(1, round(height * scale)))
 
         def count() -> None:
-            view, whole = self._stage.exposed_view, picture.device_size
+            view, whole = self._state.exposed_view, picture.device_size
             traced = drawer.traced_light(whole)
             if traced is not None:  # its pixels are there, and in no other size
                 self.counted = traced.count_unshowable(view, whole, self.display)

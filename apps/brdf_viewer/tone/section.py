@@ -21,12 +21,12 @@ TONE_TITLES = {
     "linear": "Linear, clipping marked",
 }
 TONE_TIPS = {
-    "faithful": "Shows the colours as they are; rolls off only what is brighter than 0.8",
-    "neutral": "Takes 4 % of reflection off the darks, keeps hue and saturation, rolls highlights off",
+    "faithful": "Shows colours unchanged; compresses only values above 0.8",
+    "neutral": "Removes 4 % of reflection from dark tones, keeps hue and saturation, compresses highlights",
     "characteristic": "A film's S-shaped response in log exposure",
     "aces": "The film industry's rendering, as Hill fitted it: darker and with more contrast; 0.18 becomes 0.11",
-    "agx": "Sixteen stops in a soft curve; bright saturated light goes to white, as on film",
-    "linear": "No curve: the one for judging a colour; too bright is cut off, and marked",
+    "agx": "Sixteen stops in a soft curve; bright saturated light desaturates to white, as on film",
+    "linear": "No curve, for judging colours; highlights are clipped and marked",
 }
 STYLE_TITLES = {"zebra": "Stripes", "colour": "Colours"}
 
@@ -53,14 +53,12 @@ class ToneSection(Section):
                 self.curve.count() - 1, plain_tip(TONE_TIPS[key]), Qt.ItemDataRole.ToolTipRole
             )
         self.curve.activated.connect(lambda index: self.tone_curve_edited.emit(self.curve.itemData(index)))
-        self.clipping = QCheckBox("Too bright")
-        self.clipping.setToolTip(
-            "Mark what is brighter than the screen and cut off: black stripes, or orange"
-        )
+        self.clipping = QCheckBox("Highlights")
+        self.clipping.setToolTip("Mark clipped highlights: black stripes, or orange")
         self.clipping.clicked.connect(self.clipping_marks_edited)
         self.gamut = QCheckBox("Out of gamut")
         self.gamut.setToolTip(
-            "Mark what is more colourful than the screen: grey stripes the other way, or blue"
+            "Mark colours outside the screen's gamut: grey stripes in the other direction, or blue"
         )
         self.gamut.clicked.connect(self.gamut_marks_edited)
         self.style_box = QuietComboBox()
@@ -71,19 +69,19 @@ class ToneSection(Section):
         )
         self.counted = note()
         self.profile = QCheckBox("Monitor profile")
-        self.profile.setToolTip("Show the colours by the profile that the system has for this monitor")
+        self.profile.setToolTip("Convert colours with the system's profile of this monitor")
         self.profile.clicked.connect(self.profile_edited)
-        self.profile_told = note()
+        self.profile_note = note()
         form = Form()
-        form.add_row("Tone curve", self.curve, "From radiance to the screen, before its transfer curve")
-        form.add_row("Mark", self.clipping)
+        form.add_row("Tone curve", self.curve, "Mapping of radiance to the screen, before its transfer curve")
+        form.add_row("Show clipping", self.clipping)
         form.add_row("", self.gamut)
         form.add_row(
-            "Marks are", self.style_box, "How marks look; stripes leave the colour between them to be seen"
+            "Style", self.style_box, "Style of the marks; stripes keep the colour between them visible"
         )
         form.add_wide(self.counted)
         form.add_row("Screen", self.profile)
-        form.add_wide(self.profile_told)
+        form.add_wide(self.profile_note)
         self.add(form)
 
     def set_curve(self, key: str) -> None:
@@ -99,25 +97,25 @@ class ToneSection(Section):
 
     def set_counted(self, counted: Unshowable | None) -> None:
         """Show how much of the object the screen cannot show; None while nothing has been counted."""
-        set_note(self.counted, "" if counted is None else told(counted))
+        set_note(self.counted, "" if counted is None else describe_clipping(counted))
 
     def set_profile(self, text: str, usable: bool, used: bool) -> None:
         """Say whose colours are shown; ``usable``: the monitor has a profile that can be turned on and off."""
         self.profile.setEnabled(usable)
         self.profile.setChecked(used)
-        set_note(self.profile_told, text)
+        set_note(self.profile_note, text)
 
 
-def told(counted: Unshowable) -> str:
+def describe_clipping(counted: Unshowable) -> str:
     """Return in words how much of the object a screen cannot show.
 
-    >>> told(Unshowable(1000, 12, 0))
-    'Too bright for the screen: 1.2 % of the object; out of its gamut: none'
+    >>> describe_clipping(Unshowable(1000, 12, 0))
+    'Clipped highlights: 1.2 % of the object; out of gamut: none'
     """
     if counted.pixels == 0:
-        return "The object is not in the picture"
+        return "The object is outside the picture"
     bright, colourful = (_share(part, counted.pixels) for part in (counted.too_bright, counted.too_colourful))
-    return f"Too bright for the screen: {bright} of the object; out of its gamut: {colourful}".replace(
+    return f"Clipped highlights: {bright} of the object; out of gamut: {colourful}".replace(
         "none of the object", "none"
     )
 

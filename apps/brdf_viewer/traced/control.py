@@ -1,7 +1,7 @@
-"""Keeps a traced picture in step with the stage: begins it when hand and scene rest, drops it when they change.
+"""Keeps a traced picture in step with the viewer state: begins it when hand and scene rest, drops it when they change.
 
 The real-time picture is shown, and says so, until there is a traced one of the very scene. So a gesture is never
-slower than it is without a tracer, and no picture is ever of something else than what the window tells.
+slower than it is without a tracer, and no picture is ever of something else than the window says.
 """
 
 from __future__ import annotations
@@ -14,17 +14,18 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.store import view_to_json
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.frame_rate import FrameRate
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
 from brdf_viewer.traced.process import TracedPicture, TraceProcess
 from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
 from brdf_viewer.traced.section import DEFAULT_SAMPLES
-from brdf_viewer.traced.wanted import Wanted, wanted_of
+from brdf_viewer.traced.trace_input import TraceInput, make_trace_input
 from brdf_viewer.traced.words import SHORT_TITLES, picture_words, rate_words
 from brdf_viewer.window import ViewerWindow
 
@@ -38,13 +39,13 @@ LIVE_S = 0.125
 _KEEP_MS = 120_000
 """The process outlives a look at the real-time picture: to start it again takes seconds."""
 
-_TOLD_MS = 6000
+_MESSAGE_MS = 6000
 Ask = Callable[[QWidget, str, str, str], str]
 T = TypeVar("T", bound=str)
 
 
 class TracedControl(QObject):
-    """The renderer that is chosen, its process, and its newest picture on the stage.
+    """The renderer that is chosen, its process, and its newest picture on the viewer state.
 
     A picture that was asked for is dropped as soon as the scene is another one, by its generation.
 
@@ -64,7 +65,7 @@ class TracedControl(QObject):
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         runner: TaskRunner,
         ask: Ask,
@@ -73,11 +74,11 @@ class TracedControl(QObject):
         make_process: Callable[[QObject], TraceProcess] = TraceProcess,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._runner, self._ask = stage, window, runner, ask
+        self._state, self._window, self._runner, self._ask = state, window, runner, ask
         self._make_process = make_process
         self._process: TraceProcess | None = None
         self._generation = 0
-        self._asked: Wanted | None = None  # what is traced, or was
+        self._asked: TraceInput | None = None  # what is traced, or was
         self._answered = True  # whether there is a picture of what was asked for last
         self._stopped = False
         self._step = ""
@@ -87,30 +88,30 @@ class TracedControl(QObject):
         self.quality: Quality = _known(str(settings().value("traced/quality")), QUALITIES, "fast")
         self.samples = int(str(settings().value("traced/samples", DEFAULT_SAMPLES)))
         self.denoised = bool(settings().value("traced/denoised", False, type=bool))
-        self._rest = QTimer(self, singleShot=True, timeout=self._begin)
-        self._leave = QTimer(self, singleShot=True, interval=_KEEP_MS, timeout=self._end_process)
+        self._rest = make_timer(self, self._begin)
+        self._leave = make_timer(self, self._end_process, _KEEP_MS)
         section, commands = window.renderer, window.commands
-        for signal in (section.renderer_edited, commands.renderer_wanted):
+        for signal in (section.renderer_edited, commands.renderer_requested):
             signal.connect(self.set_renderer)
-        for signal in (section.quality_edited, commands.quality_wanted):
+        for signal in (section.quality_edited, commands.quality_requested):
             signal.connect(self.set_quality)
         section.samples_edited.connect(self.set_samples)
         section.denoised_edited.connect(self.set_denoised)
-        for signal in (section.stop_wanted, commands.trace_stop_wanted):
+        for signal in (section.stop_requested, commands.trace_stop_requested):
             signal.connect(self.stop)
-        for signal in (section.resume_wanted, commands.trace_resume_wanted):
+        for signal in (section.resume_requested, commands.trace_resume_requested):
             signal.connect(self.resume)
-        for signal in (section.save_wanted, commands.trace_save_wanted):
+        for signal in (section.save_requested, commands.trace_save_requested):
             signal.connect(self.save)
-        stage.view_changed.connect(lambda *_: self._follow())
-        stage.contents_changed.connect(self._follow)
+        state.view_changed.connect(lambda *_: self._follow())
+        state.contents_changed.connect(self._follow)
         window.picture.frame_drawn.connect(self._follow)  # of another size, perhaps
         self._show()
 
     @property
     def renderer(self) -> Renderer:
         """The renderer that is chosen."""
-        return self._stage.renderer
+        return self._state.renderer
 
     @property
     def process_id(self) -> int:
@@ -119,8 +120,8 @@ class TracedControl(QObject):
 
     @property
     def is_settled(self) -> bool:
-        """Whether nothing is traced that somebody waits for."""
-        return self.renderer == "realtime" or (self._stage.traced is not None and self._stage.traced.done)
+        """Whether no trace is pending."""
+        return self.renderer == "realtime" or (self._state.traced is not None and self._state.traced.done)
 
     def set_renderer(self, key: str) -> None:
         """Take another renderer; the real-time one ends what is traced."""
@@ -128,7 +129,7 @@ class TracedControl(QObject):
         if renderer == self.renderer:
             return
         self._window.messages.dismiss(KIND)
-        self._stage.set_renderer(renderer)
+        self._state.set_renderer(renderer)
         self._drop()
         self._notices, self._stopped = (), False
         self.rate.clear()
@@ -152,7 +153,7 @@ class TracedControl(QObject):
         """Stop the reference at so many samples a pixel, 0: never; remembered."""
         self.samples = max(0, count)
         settings().setValue("traced/samples", self.samples)
-        picture = self._stage.traced
+        picture = self._state.traced
         if self.renderer == "reference" and (
             self.samples == 0 or picture is None or picture.samples < self.samples
         ):
@@ -184,19 +185,19 @@ class TracedControl(QObject):
 
     def save(self) -> None:
         """Ask for a file, and have the newest picture written to it as EXR."""
-        fit = self._stage.fit
-        if self._stage.traced is None or fit is None or self._process is None:
+        fit = self._state.fit
+        if self._state.traced is None or fit is None or self._process is None:
             todo = tr("Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.")
             what = tr("There is no traced picture yet.")
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         name = f"{fit.name} {self.renderer}"
-        chosen = self._ask(self._window, name, tr("EXR, radiance with its variance"), ".exr")
+        chosen = self._ask(self._window, name, tr("EXR, radiance with variance"), ".exr")
         if not chosen:
             return
         path = Path(chosen)
         path = path.with_name(path.name + ".exr") if path.suffix.lower() != ".exr" else path
-        view = view_to_json(self._stage.exposed_view)
+        view = view_to_json(self._state.exposed_view)
         self._send({"do": "save", "path": str(path.absolute()), "view": view})
 
     def close(self) -> None:
@@ -208,14 +209,14 @@ class TracedControl(QObject):
     def _limit(self) -> int:
         return self.samples if self.renderer == "reference" else 0
 
-    def _wanted(self) -> Wanted | None:
-        return wanted_of(self._stage, self.renderer, self.quality, self._window.picture.device_size)
+    def _trace_input(self) -> TraceInput | None:
+        return make_trace_input(self._state, self.renderer, self.quality, self._window.picture.device_size)
 
     def _follow(self, *_: object) -> None:
         """The scene may be another one: what is shown of the old one goes, and a new one is begun."""
         if self.renderer == "realtime":
             return
-        wanted = self._wanted()
+        wanted = self._trace_input()
         if wanted is None:
             self._drop()
             return
@@ -239,7 +240,7 @@ class TracedControl(QObject):
         return 0.0 < self.rate.frame_s <= LIVE_S
 
     def _begin(self) -> None:
-        wanted = self._wanted()
+        wanted = self._trace_input()
         if wanted is None or (self._asked is not None and self._asked.same(wanted)):
             return
         if self._process is None:
@@ -266,7 +267,7 @@ class TracedControl(QObject):
         process.opened.connect(self._opened)
         process.moved.connect(self._moved)
         process.pictured.connect(self._pictured)
-        process.failed.connect(lambda generation, text: generation == self._generation and self._fail(text))
+        process.failed.connect(self._trace_failed)
         process.crashed.connect(self._crashed)
         process.saved.connect(self._saved)
         process.not_saved.connect(self._not_saved)
@@ -301,11 +302,11 @@ class TracedControl(QObject):
         self._answered = True
         if picture.done:
             self.rate.add(picture.seconds)
-        wanted = self._wanted()
+        wanted = self._trace_input()
         current = wanted is not None and self._asked is not None and self._asked.same(wanted)
         fits = wanted is not None and picture.size == wanted.size
         if current or (self.renderer == "raytraced" and self._is_live and fits):
-            self._stage.set_traced(picture)
+            self._state.set_traced(picture)
             self._window.picture.redraw()
         self._show()
         if not current:
@@ -322,6 +323,10 @@ class TracedControl(QObject):
         if self.renderer != "realtime":
             self._fail(text)
 
+    def _trace_failed(self, generation: int, text: str) -> None:
+        if generation == self._generation:
+            self._fail(text)
+
     def _fail(self, text: str) -> None:
         """Say why there is no traced picture, and go on with the real-time one."""
         wanted = self.renderer
@@ -329,7 +334,7 @@ class TracedControl(QObject):
         message = Message(
             KIND,
             text,
-            todo=tr("The real-time picture goes on."),
+            todo=tr("The real-time picture continues."),
             severity="error",
             actions=((tr("Try Again"), lambda: self.set_renderer(wanted)),),
         )
@@ -338,7 +343,7 @@ class TracedControl(QObject):
 
     def _saved(self, path: str) -> None:
         self._window.messages.dismiss(KIND)
-        self._window.status.showMessage(tr("Saved {name}").format(name=Path(path).name), _TOLD_MS)
+        self._window.status.showMessage(tr("Saved {name}").format(name=Path(path).name), _MESSAGE_MS)
 
     def _not_saved(self, path: str, text: str) -> None:
         todo = tr("Choose another name or folder.")
@@ -355,13 +360,13 @@ class TracedControl(QObject):
         self._hide()
 
     def _hide(self) -> None:
-        if self._stage.traced is not None:
-            self._stage.set_traced(None)
+        if self._state.traced is not None:
+            self._state.set_traced(None)
             self._window.picture.redraw()
 
     def _show(self) -> None:
         """Bring section, menu, status bar and the words over the picture to what there is."""
-        window, renderer, picture = self._window, self.renderer, self._stage.traced
+        window, renderer, picture = self._window, self.renderer, self._state.traced
         section = window.renderer
         section.show_renderer(renderer, self.quality, self.samples, denoised=self.denoised)
         window.commands.show_renderer(renderer, self.quality)
@@ -372,7 +377,7 @@ class TracedControl(QObject):
         window.overlay.show_mark(words)
         window.status.cell("renderer").set(
             words,
-            tr("Which renderer made the picture, and how far it is"),
+            tr("Renderer of the picture, and its progress"),
             "fresh" if picture is not None else "stale",
         )
         self.changed.emit()
@@ -382,7 +387,9 @@ class TracedControl(QObject):
         if picture is None:
             if self._stopped:
                 return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
-            step = self._step or (tr("waits for things to rest") if self._asked is None else tr("begins"))
+            step = self._step or (
+                tr("waiting for changes to end") if self._asked is None else tr("starting…")
+            )
             return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
         words = picture_words(self.renderer, self.quality, picture)
         if self.renderer == "raytraced":

@@ -1,4 +1,4 @@
-"""The renderers that trace, behind one face: a scene is opened, and gives ever better pictures until nobody asks.
+"""The renderers that trace, behind one face: a scene is opened, and gives ever better pictures until it is closed.
 
 Only the process that traces imports this: Mitsuba can end a process, and holds the interpreter while it renders.
 """
@@ -148,14 +148,12 @@ class ReferenceJob:
         self.title = live.scene.renderer
         self.notices = live.scene.notices
         if grounded:
-            self.notices = (*self.notices, "The shadow on the ground is the real-time picture's.")
+            self.notices = (*self.notices, "The ground shadow is that of the real-time picture.")
         self.no_denoiser = ""
         try:
             check_denoiser()
         except SuiteError:
-            self.no_denoiser = (
-                "The denoiser is OptiX's: it needs an NVIDIA graphics card, which is not used here."
-            )
+            self.no_denoiser = "The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here."
 
     def frames(self) -> Iterator[Frame]:
         """Yield ever better pictures without end; first what there is of this very light already."""
@@ -184,10 +182,10 @@ class ReferenceJob:
         if estimate is None:
             raise SuiteError("There is no picture yet.")
         scene = replace(self._live.scene, view=replace(view, camera=self._live.scene.view.camera))
-        told = (
+        comments = (
             f"{scene.name} on {scene.surface} in {scene.environment}, path-traced, {estimate.samples} samples"
         )
-        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": told})
+        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": comments})
 
 
 class RaytracedJob:
@@ -198,9 +196,7 @@ class RaytracedJob:
         self._newest: RaytracedImage | None = None
         self.title = session.scene.renderer
         self.notices = session.scene.notices
-        self.no_denoiser = (
-            "The ray tracer's lights are the same in each pixel: there is no noise to be taken out."
-        )
+        self.no_denoiser = "The ray tracer uses the same lights in each pixel: there is no noise to remove."
 
     def frames(self) -> Iterator[Frame]:
         """Yield ever better pictures until the preset's samples are there."""

@@ -1,4 +1,4 @@
-"""A scene from the stage to files that another process reads; what has been written already is named again."""
+"""A scene from the viewer state to files that another process reads; what has been written already is named again."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import write_environment, write_surface
-from brdf_viewer.traced.wanted import Wanted
+from brdf_viewer.traced.trace_input import TraceInput
 
 
 @dataclass(frozen=True, eq=False)
 class Pieces:
     """What a thread is to write; ``surface`` and ``paint`` are numbered, each number is one content."""
 
-    wanted: Wanted
+    wanted: TraceInput
     generation: int
     folder: Path
     surface: int
@@ -35,7 +35,7 @@ class HandOver:
         self._paint: tuple[AnyPaint | None, int] = (None, 0)
 
     def pieces(
-        self, wanted: Wanted, generation: int, folder: Path, samples: int, *, denoised: bool = False
+        self, wanted: TraceInput, generation: int, folder: Path, samples: int, *, denoised: bool = False
     ) -> Pieces:
         """Return what is to be written for a scene."""
         if wanted.surface is not self._surface[0]:
@@ -48,7 +48,7 @@ class HandOver:
 def write_request(pieces: Pieces, progress: Progress) -> TraceRequest:
     """Write what is not written yet and return the request; FileError where the disk does not take it."""
     wanted, folder = pieces.wanted, pieces.folder
-    report(progress, 0.0, "handing the scene over")
+    report(progress, 0.0, "preparing the scene")
     environment = write_environment(wanted.environment, folder)
     surface = write_surface(wanted.surface, folder, pieces.surface)
     paint = wanted.paint_key

@@ -1,7 +1,7 @@
 """Pictures from the process that traces to the window: in files that both map, taken in turns.
 
-The tracer writes into a slot that is free and tells of it; the window copies the picture and gives the slot back. A
-picture is never written over while it is read, and a window that is busy holds nobody up: the tracer goes on
+The tracer writes into a slot that is free and reports it; the window copies the picture and gives the slot back. A
+picture is never written over while it is read, and a window that is busy blocks nothing: the tracer goes on
 refining and hands over what it has when a slot is free again.
 """
 

@@ -60,7 +60,7 @@ class TraceProcess(QObject):
     saved(path), not_saved(path, text)
         What became of a picture that was to be saved.
     crashed(text)
-        The process has ended, and nobody asked it to.
+        The process has ended without a request.
     """
 
     opened = Signal(int, list, str)
@@ -77,7 +77,7 @@ class TraceProcess(QObject):
         self._program = [*(program or child_command(WORKER))]
         self._rest = b""
         self._words = ""
-        self._wanted = True
+        self._is_wanted = True
         self._process = QProcess(self)
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.readyReadStandardError.connect(self._listen)
@@ -101,7 +101,7 @@ class TraceProcess(QObject):
 
     def end(self) -> None:
         """End it, in the middle of whatever it does: it holds nothing that is not asked for again."""
-        self._wanted = False
+        self._is_wanted = False
         if self._process.state() != QProcess.ProcessState.NotRunning:
             self._process.kill()
             self._process.waitForFinished(_END_MS)
@@ -110,7 +110,7 @@ class TraceProcess(QObject):
     def _read(self) -> None:
         *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
         for line in lines:
-            if self._wanted and line:
+            if self._is_wanted and line:
                 self._take(json.loads(line))
 
     def _take(self, answer: dict[str, Any]) -> None:
@@ -151,25 +151,25 @@ class TraceProcess(QObject):
         )
 
     def _listen(self) -> None:
-        found = self._process.readAllStandardError().data().decode("utf-8", errors="replace")
+        found = bytes(self._process.readAllStandardError().data()).decode("utf-8", errors="replace")
         self._words = (self._words + found)[-_LAST_WORDS:]
 
     def _not_started(self, error: QProcess.ProcessError) -> None:
-        if error == QProcess.ProcessError.FailedToStart and self._wanted:
-            self._wanted = False
+        if error == QProcess.ProcessError.FailedToStart and self._is_wanted:
+            self._is_wanted = False
             reason = self._process.errorString()
             self.crashed.emit(tr("The renderer could not be started: {reason}.").format(reason=reason))
 
     def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
         self._read()
-        if not self._wanted:
+        if not self._is_wanted:
             return
-        self._wanted = False
+        self._is_wanted = False
         self._listen()
-        # Where Python tells the places of a crash, what was said of its cause stands before them.
+        # Where Python reports the places of a crash, what was said of its cause stands before them.
         words = self._words.partition("Fatal Python error:")[0] or self._words
         lines = [line for line in words.splitlines() if line.strip()]
-        last = lines[-1].strip() if lines else tr("it left no word; the computer may be out of memory")
+        last = lines[-1].strip() if lines else tr("no message; the computer may be out of memory")
         if status == QProcess.ExitStatus.CrashExit:
             text = tr("The renderer crashed (signal {code}): {words}.")
         else:

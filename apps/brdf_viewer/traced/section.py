@@ -1,4 +1,4 @@
-"""Which renderer makes the picture, how good it is to become, and how far it is."""
+"""Renderer of the picture, how good it is to become, and how far it is."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ DEFAULT_SAMPLES = 1024
 
 class RendererSection(Section):
     """Signals: ``renderer_edited(key)``, ``quality_edited(key)``, ``samples_edited(count)``,
-    ``denoised_edited(on)``, ``stop_wanted()``, ``resume_wanted()``, ``save_wanted()``.
+    ``denoised_edited(on)``, ``stop_requested()``, ``resume_requested()``, ``save_requested()``.
     """
 
     renderer_edited = Signal(str)
     quality_edited = Signal(str)
     samples_edited = Signal(int)
     denoised_edited = Signal(bool)
-    stop_wanted = Signal()
-    resume_wanted = Signal()
-    save_wanted = Signal()
+    stop_requested = Signal()
+    resume_requested = Signal()
+    save_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Renderer"), "renderer", parent)
@@ -39,17 +39,17 @@ class RendererSection(Section):
         self.quality.picked.connect(self.quality_edited)
         self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
         self.samples.edited.connect(lambda value: self.samples_edited.emit(round(value)))
-        self.denoised = QCheckBox(tr("Without its noise"))
+        self.denoised = QCheckBox(tr("Denoise"))
         self.denoised.clicked.connect(self.denoised_edited)
         self.stop = QPushButton(tr("Stop"))
-        self.stop.setToolTip(tr("Keep the picture as it is, and leave the processors to others"))
-        self.stop.clicked.connect(lambda: self.stop_wanted.emit())
-        self.resume = QPushButton(tr("Go On"))
+        self.stop.setToolTip(tr("Stop refining and free the processors"))
+        self.stop.clicked.connect(lambda: self.stop_requested.emit())
+        self.resume = QPushButton(tr("Resume"))
         self.resume.setToolTip(tr("Refine the picture further"))
-        self.resume.clicked.connect(lambda: self.resume_wanted.emit())
+        self.resume.clicked.connect(lambda: self.resume_requested.emit())
         self.save = QPushButton(tr("Save EXR…"))
-        self.save.setToolTip(tr("Radiance of the picture as it is now, with the variance of each pixel"))
-        self.save.clicked.connect(lambda: self.save_wanted.emit())
+        self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
+        self.save.clicked.connect(lambda: self.save_requested.emit())
         buttons = QWidget()
         row = QGridLayout(buttons)
         row.setContentsMargins(0, 0, 0, 0)
@@ -59,10 +59,10 @@ class RendererSection(Section):
         self.state = note()
         self.facts = note()
         form = Form()
-        form.add_row(tr("Picture"), self.renderer, tr("Which renderer makes the picture"))
+        form.add_row(tr("Picture"), self.renderer, tr("Renderer of the picture"))
         tip = tr("Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64")
-        samples_tip = tr("Samples a pixel at which the path tracer stops; 0: it goes on without end")
-        self._rows = {
+        samples_tip = tr("Samples per pixel at which the path tracer stops; 0: unlimited")
+        self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
             "raytraced": [(form.add_row(tr("Quality"), self.quality, tip), self.quality)],
             "reference": [
                 (form.add_row(tr("Samples"), self.samples, samples_tip), self.samples),
@@ -95,7 +95,7 @@ class RendererSection(Section):
         self.denoised.setEnabled(not missing)
         self.denoised.setToolTip(
             plain_tip(
-                missing or tr("A denoiser guesses what the noise hides: good to look at, nothing to measure")
+                missing or tr("A denoiser estimates detail hidden by noise: for viewing, not for measuring")
             )
         )
 

@@ -9,20 +9,18 @@ from brdf_viewer.traced.process import TracedPicture
 RENDERER_TITLES = {
     "realtime": mark("Real-time"),
     "raytraced": mark("Ray-traced"),
-    "reference": mark("Reference (path-traced)"),
+    "reference": mark("Path-traced"),
 }
 RENDERER_TIPS = {
-    "realtime": mark("Drawn from fitted lobes in prefiltered light, at once"),
-    "raytraced": mark("The paint itself in many lights, with shadows and reflections; a picture in a moment"),
-    "reference": mark(
-        "The paint itself, path-traced: the truth to compare with; refines while nothing changes"
-    ),
+    "realtime": mark("Fitted lobes in prefiltered light"),
+    "raytraced": mark("The paint itself under many lights, with shadows and self-reflections"),
+    "reference": mark("The paint itself, path-traced, as ground truth; refines while nothing changes"),
 }
 QUALITY_TITLES = {"fast": mark("Fast"), "medium": mark("Medium"), "high": mark("High")}
 SHORT_TITLES = {
     "realtime": mark("Real-time"),
     "raytraced": mark("Ray-traced"),
-    "reference": mark("Reference"),
+    "reference": mark("Path-traced"),
 }
 
 

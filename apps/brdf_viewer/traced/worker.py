@@ -1,7 +1,7 @@
 """``python -m brdf_viewer.traced.worker FOLDER``: traces what it is asked for on its input, until that is closed.
 
 Requests are lines of JSON, answers too; pictures lie in :mod:`.picture_slots`. Between two passes it looks for a
-newer request, so nothing is ever finished that nobody waits for. It imports no Qt: it opens no window. When its input
+newer request, so no outdated picture is ever finished. It imports no Qt: it opens no window. When its input
 ends, however the window ended, it removes ``FOLDER`` and is gone.
 
 Requests: ``render`` (:mod:`.request`), ``pause``, ``resume`` with the samples to stop at, ``denoise`` on or not,
@@ -66,7 +66,7 @@ class Inbox:
 
 
 class Worker:
-    """Traces the newest request; everything else waits for nobody."""
+    """Traces the newest request; everything else is dropped."""
 
     def __init__(self, folder: Path, inbox: Inbox, say: Say, engines: Engines) -> None:
         self._slots = SlotWriter(folder)
@@ -75,7 +75,7 @@ class Worker:
         self._job: Job | None = None
         self._frames: Iterator[Frame] | None = None
         self._newest: Frame | None = None
-        self._untold: Frame | None = None
+        self._unsent: Frame | None = None
         self._denoised = False
         self._paused = False
         self._samples = 0
@@ -97,7 +97,7 @@ class Worker:
         what = message["do"]
         if what == "render":
             self._request = TraceRequest.from_json(message)
-            self._job = self._frames = self._newest = self._untold = None
+            self._job = self._frames = self._newest = self._unsent = None
             self._paused, self._samples = False, self._request.samples
             self._denoised = self._request.denoised
         elif what == "pause":
@@ -107,11 +107,11 @@ class Worker:
         elif what == "denoise":
             self._denoised = bool(message["on"])
             if self._newest is not None:
-                self._attempt(lambda: self._tell(self._newest))
+                self._attempt(lambda: self._report(self._newest))
         elif what == "taken":
             self._slots.give_back(int(message["slot"]))
-            if self._untold is not None:
-                self._attempt(lambda: self._tell(self._untold))
+            if self._unsent is not None:
+                self._attempt(lambda: self._report(self._unsent))
         elif what == "save":
             self._save(Path(message["path"]), message)
 
@@ -138,15 +138,15 @@ class Worker:
             return
         if self._samples and frame.samples >= self._samples:
             self._paused = True
-        self._tell(frame)
+        self._report(frame)
 
-    def _tell(self, frame: Frame | None) -> None:
-        self._newest = self._untold = frame
+    def _report(self, frame: Frame | None) -> None:
+        self._newest = self._unsent = frame
         if frame is None or self._request is None or self._job is None or not self._slots.is_free:
             return
         denoised = self._denoised and not self._job.no_denoiser
-        slot = self._slots.put(self._job.denoised(frame.pixels) if denoised else frame.pixels)
-        self._untold = None
+        slot = self._slots.put(self._job.denoise_picture(frame.pixels) if denoised else frame.pixels)
+        self._unsent = None
         height, width = frame.pixels.shape[:2]
         done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)
         self._say(
@@ -181,14 +181,14 @@ class Worker:
             self._say({"say": "saved", "path": str(path)})
 
     def _attempt(self, step: Callable[[], None]) -> None:
-        """Do a step; what fails is told and not tried again: the window asks anew where that makes sense."""
+        """Do a step; a failure is reported and not tried again: the window asks anew where that makes sense."""
         try:
             step()
         except Exception as error:  # whatever went wrong, the user must hear of it
             if not isinstance(error, SuiteError | MemoryError | OSError):
-                log.exception("the tracer met a fault of its own")
+                log.exception("internal error of the tracer")
             generation = -1 if self._request is None else self._request.generation
-            self._request = self._job = self._frames = self._newest = self._untold = None
+            self._request = self._job = self._frames = self._newest = self._unsent = None
             self._say({"say": "failed", "generation": generation, "text": _words(error)})
 
 
@@ -197,7 +197,7 @@ def _words(error: BaseException) -> str:
         return "There is not enough memory for a picture of this size; make the window smaller."
     if isinstance(error, SuiteError | OSError):
         return str(error)
-    return f"The renderer met a fault of its own: {type(error).__name__}: {error}"
+    return f"Internal error of the renderer: {type(error).__name__}: {error}"
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -217,7 +217,7 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         Worker(folder, Inbox(sys.stdin), say, Engines()).run()
     except BrokenPipeError:
-        pass  # the window is gone, and nobody listens
+        pass  # the window is gone, and nothing listens
     finally:
         shutil.rmtree(folder, ignore_errors=True)  # in the system's temporary folder, which is emptied anyway
     return 0

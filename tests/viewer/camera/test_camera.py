@@ -63,7 +63,7 @@ def test_a_left_drag_orbits(viewer) -> None:
 
 @pytest.mark.parametrize(("button", "modifiers"), [(MIDDLE, NONE), (LEFT, SHIFT)])
 def test_a_pan_takes_the_surface_with_the_cursor(viewer, button, modifiers) -> None:
-    viewer.stage.change_view(background="grey")
+    viewer.state.change_view(background="grey")
     grey = viewer.pixels()[2, 2]
     x, y = object_centre(viewer.pixels(), grey)
     drag(viewer.canvas, 50, -30, button, modifiers)
@@ -72,7 +72,7 @@ def test_a_pan_takes_the_surface_with_the_cursor(viewer, button, modifiers) -> N
 
 
 def test_the_wheel_zooms(viewer) -> None:
-    viewer.stage.change_view(background="grey")
+    viewer.state.change_view(background="grey")
     grey = viewer.pixels()[2, 2]
 
     def area() -> int:
@@ -136,10 +136,10 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
     """The light stands still before the camera, so behind the object nothing moves."""
     from brdf_suite.output.turning import turned
 
-    viewer.stage.change_view(surface=viewer.view.surface)
+    viewer.state.change_view(surface=viewer.view.surface)
     wheel(viewer.canvas, -6)
     first = viewer.pixels()
-    viewer.stage.set_view(turned(viewer.view, 120.0, viewer.stage.bounds.centre))
+    viewer.state.set_view(turned(viewer.view, 120.0, viewer.state.bounds.centre))
     second = viewer.pixels()
     corner = np.s_[: first.shape[0] // 6, : first.shape[1] // 6]
     assert np.abs(first[corner].astype(int) - second[corner]).max() <= 3
@@ -152,17 +152,17 @@ def test_the_turntable_leaves_the_background_where_it_is(viewer) -> None:
 def test_the_turntable_turns_the_object_about_itself_where_the_camera_looks_past_it(viewer) -> None:
     from brdf_suite.output.turning import turned
 
-    viewer.stage.change_view(background="grey")
+    viewer.state.change_view(background="grey")
     grey = viewer.pixels()[2, 2]
     drag(viewer.canvas, 60, 20, MIDDLE)
     place = object_centre(viewer.pixels(), grey)
     for degrees in (30.0, 120.0):
-        viewer.stage.set_view(turned(viewer.view, degrees, viewer.stage.bounds.centre))
+        viewer.state.set_view(turned(viewer.view, degrees, viewer.state.bounds.centre))
         assert object_centre(viewer.pixels(), grey) == pytest.approx(place, abs=1.0)
 
 
 def test_the_wheel_keeps_what_is_under_the_cursor(viewer) -> None:
-    viewer.stage.change_view(background="grey")
+    viewer.state.change_view(background="grey")
     grey = viewer.pixels()[2, 2]
     x, y = object_centre(viewer.pixels(), grey)
     cursor = QPointF(viewer.canvas.width() / 2 + 100, viewer.canvas.height() / 2 - 50)

@@ -35,7 +35,7 @@ def compare_with(viewer, key: str) -> None:
 
 def wait_second(viewer, key: str) -> None:
     viewer.qtbot.waitUntil(
-        lambda: viewer.stage.second is not None and viewer.stage.second.key == key, timeout=60_000
+        lambda: viewer.state.second is not None and viewer.state.second.key == key, timeout=60_000
     )
 
 
@@ -75,14 +75,14 @@ def test_a_swipe_is_dragged_by_its_line_as_one_step(start) -> None:
     pick(viewer, "swipe")
     canvas = viewer.canvas
     width = canvas.width()
-    steps, camera = viewer.stage.history.steps, viewer.view.camera
+    steps, camera = viewer.state.history.steps, viewer.view.camera
     QTest.mousePress(canvas, LEFT, NONE, QPoint(width // 2 + 3, 100))
     for share in (0.6, 0.5, 0.25):
         send_move(canvas, share * width + 3)
     QTest.mouseRelease(canvas, LEFT, NONE, QPoint(width // 4 + 3, 100))
     assert viewer.view.compare.divider == pytest.approx(0.25, abs=0.01)
     assert viewer.view.camera == camera
-    assert viewer.stage.history.steps == steps + 1
+    assert viewer.state.history.steps == steps + 1
     pixels = viewer.pixels()
     split = round(viewer.view.compare.divider * width)
     assert (pixels[:, : split - 1] == blue[:, : split - 1]).all()
@@ -103,7 +103,7 @@ def test_b_blinks_and_goes_back_and_shift_b_blinks_by_hand(viewer, qtbot) -> Non
     qtbot.waitUntil(viewer.canvas.hasFocus)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_B)
     assert viewer.view.compare.mode == "blink"
-    assert viewer.stage.shows_second
+    assert viewer.state.shows_second
     seen = set()
 
     def both_were_named() -> bool:
@@ -112,16 +112,16 @@ def test_b_blinks_and_goes_back_and_shift_b_blinks_by_hand(viewer, qtbot) -> Non
 
     qtbot.waitUntil(both_were_named)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_B, Qt.KeyboardModifier.ShiftModifier)
-    held = viewer.stage.shows_second
+    held = viewer.state.shows_second
     qtbot.wait(350)
-    assert viewer.stage.shows_second == held
+    assert viewer.state.shows_second == held
     first = viewer.pixels()
     QTest.keyClick(viewer.canvas, Qt.Key.Key_B, Qt.KeyboardModifier.ShiftModifier)
-    assert viewer.stage.shows_second != held
+    assert viewer.state.shows_second != held
     assert np.abs(viewer.pixels().astype(int) - first).max() > 40
     QTest.keyClick(viewer.canvas, Qt.Key.Key_B)
     assert viewer.view.compare.mode == "swipe"
-    assert not viewer.stage.shows_second
+    assert not viewer.state.shows_second
 
 
 def test_the_difference_of_a_paint_with_itself_is_nothing(viewer) -> None:
@@ -140,21 +140,21 @@ def test_the_difference_of_a_paint_with_itself_is_nothing(viewer) -> None:
 
 
 def test_a_frozen_paint_stays_while_the_first_changes(viewer, tmp_path) -> None:
-    viewer.window.commands.freeze_wanted.emit()
+    viewer.window.commands.freeze_requested.emit()
     wait_second(viewer, viewer.view.compare.paint)
-    frozen = viewer.stage.second.value.name
-    assert frozen == viewer.stage.fit.name
+    frozen = viewer.state.second.value.name
+    assert frozen == viewer.state.fit.name
     assert str(tmp_path) in viewer.view.compare.paint
     assert viewer.window.compare.chooser.list.currentText() == f"{frozen} (frozen)"
     viewer.controller.paint.open("solid_red")
-    assert viewer.stage.second.value.name == frozen
+    assert viewer.state.second.value.name == frozen
     assert viewer.window.overlay.labels[0].text != f"A  {frozen}"
     assert viewer.window.overlay.labels[1].text == f"B  {frozen}"
 
 
 def test_without_a_second_paint_it_says_how_to_get_one(viewer) -> None:
     pick(viewer, "swipe")
-    assert "There is no second paint yet." in viewer.messages()["no second paint"]
+    assert "No second paint is selected." in viewer.messages()["no second paint"]
     assert viewer.window.overlay.labels == ()
     viewer.window.findChild(QWidget, "message_action_Freeze A as B").click()
     wait_second(viewer, viewer.view.compare.paint)
@@ -162,21 +162,21 @@ def test_without_a_second_paint_it_says_how_to_get_one(viewer) -> None:
     assert viewer.view.compare.mode == "swipe"
 
 
-def test_a_file_that_is_no_paint_is_told_and_the_second_stays(viewer, tmp_path, qtbot) -> None:
+def test_a_file_that_is_no_paint_is_reported_and_the_second_stays(viewer, tmp_path, qtbot) -> None:
     compare_with(viewer, "solid_red")
     bad = tmp_path / "bad.brdfpaint"
     bad.write_text("{}")
     viewer.controller.compare.choose(str(bad))
     qtbot.waitUntil(lambda: "compare" in viewer.messages())
     assert "bad.brdfpaint" in viewer.messages()["compare"]
-    assert viewer.view.compare.paint == viewer.stage.second.key == "solid_red"
+    assert viewer.view.compare.paint == viewer.state.second.key == "solid_red"
 
 
 def test_undo_takes_the_comparison_back(viewer, qtbot) -> None:
     compare_with(viewer, "solid_red")
     viewer.window.commands.undo.trigger()
     assert viewer.view.compare == Compare()
-    assert viewer.stage.second is None
+    assert viewer.state.second is None
     viewer.window.commands.redo.trigger()
     wait_second(viewer, "solid_red")
 
@@ -188,7 +188,7 @@ def test_a_picture_of_light_is_compared_with_the_paint(start, lights, tmp_path, 
     from brdf_suite.files.images.environments import write_exr
 
     viewer = start(follow=False)
-    viewer.stage.set_camera(Camera(distance=0.6, target=(0.0, 0.1, 0.0)))
+    viewer.state.set_camera(Camera(distance=0.6, target=(0.0, 0.1, 0.0)))
     qtbot.waitUntil(viewer.window.progress.isHidden)  # its strip takes height from the picture
     drawer, size = viewer.controller.drawer, viewer.window.picture.device_size
     light = []
@@ -208,7 +208,7 @@ def test_a_picture_of_light_is_compared_with_the_paint(start, lights, tmp_path, 
     assert np.percentile(far, 99.9) <= 12
     assert far.max() <= 40
     assert "picture of" in viewer.window.compare.facts.text()
-    viewer.stage.change_view(camera=replace(viewer.view.camera, distance=1.2))
+    viewer.state.change_view(camera=replace(viewer.view.camera, distance=1.2))
     assert np.abs(viewer.pixels().astype(int) - shown).max() > 100
 
 

@@ -143,7 +143,7 @@ def test_a_sliders_drag_and_a_typed_number_are_a_step_each(viewer) -> None:
     for steps in (3, 7, 12):
         exposure.slider.setValue(steps)
     viewer.window.camera.elevation.setValue(40.0)
-    assert viewer.stage.history.steps == 2
+    assert viewer.state.history.steps == 2
     viewer.window.commands.undo.trigger()
     viewer.window.commands.undo.trigger()
     assert (exposure.value(), viewer.window.camera.elevation.value()) == (0.0, 7.0)
@@ -153,7 +153,7 @@ def test_presets_are_a_step_each_however_fast(viewer) -> None:
     commands = viewer.window.commands
     for action in commands.presets:
         action.trigger()
-    assert viewer.stage.history.steps == len(commands.presets)
+    assert viewer.state.history.steps == len(commands.presets)
 
 
 def test_the_turntable_is_one_step_and_stops_for_undo(viewer, qtbot) -> None:
@@ -164,7 +164,7 @@ def test_the_turntable_is_one_step_and_stops_for_undo(viewer, qtbot) -> None:
     commands.undo.trigger()
     assert not commands.turntable.isChecked()
     assert viewer.view.rotation_deg == before.rotation_deg
-    assert viewer.stage.history.steps == 0
+    assert viewer.state.history.steps == 0
 
 
 def test_the_turntables_speed_and_direction(viewer, qtbot) -> None:
@@ -188,24 +188,24 @@ def test_an_environment_and_a_surface_are_brought_back(viewer, lights, qtbot) ->
     viewer.wait_idle()
     scene.open("surface", "panel")
     viewer.wait_idle()
-    assert viewer.stage.history.steps == 2
+    assert viewer.state.history.steps == 2
     commands = viewer.window.commands
     commands.undo.trigger()
     viewer.wait_idle()
-    assert viewer.stage.surface.key == "sphere"
+    assert viewer.state.surface.key == "sphere"
     assert viewer.view.camera == camera
     commands.undo.trigger()
     viewer.wait_idle()
-    assert viewer.stage.environment.key == viewer.view.environment == str(lights["dim"])
-    assert viewer.stage.history.steps == 0
+    assert viewer.state.environment.key == viewer.view.environment == str(lights["dim"])
+    assert viewer.state.history.steps == 0
     commands.redo.trigger()
     commands.redo.trigger()
     viewer.wait_idle()
-    assert (viewer.stage.environment.key, viewer.stage.surface.key) == (str(lights["bright"]), "panel")
+    assert (viewer.state.environment.key, viewer.state.surface.key) == (str(lights["bright"]), "panel")
     assert viewer.window.surface.chooser.list.currentData() == "panel"
 
 
-def test_an_environment_that_is_gone_is_told_and_the_view_names_what_is_drawn(
+def test_an_environment_that_is_gone_is_reported_and_the_view_names_what_is_drawn(
     viewer, lights, tmp_path
 ) -> None:
     copy = tmp_path / "copy.exr"
@@ -218,4 +218,4 @@ def test_an_environment_that_is_gone_is_told_and_the_view_names_what_is_drawn(
     viewer.window.commands.undo.trigger()
     viewer.wait_idle()
     assert "copy.exr" in viewer.messages()["environment"]
-    assert viewer.view.environment == viewer.stage.environment.key == str(lights["dim"])
+    assert viewer.view.environment == viewer.state.environment.key == str(lights["dim"])

@@ -44,7 +44,7 @@ def test_a_view_is_saved_opened_and_undone(start, lights, tmp_path) -> None:
     viewer = start(dialogs=answers)
     first = viewer.view
     answers.path = tmp_path / "evening"
-    viewer.stage.change_view(
+    viewer.state.change_view(
         exposure_ev=1.25,
         camera=Camera(azimuth_deg=200.0, distance=1.0, target=(0.0, 0.1, 0.0)),
         light_colour=LightColour("A", adapted=False),
@@ -58,11 +58,11 @@ def test_a_view_is_saved_opened_and_undone(start, lights, tmp_path) -> None:
     file = tmp_path / "evening.brdfview"
     assert answers.asked == ["save view.brdfview"]
     assert load_view(file) == saved
-    viewer.stage.set_view(first)
-    steps = viewer.stage.history.steps
+    viewer.state.set_view(first)
+    steps = viewer.state.history.steps
     viewer.controller.open_file(str(file))
     assert viewer.view == saved
-    assert viewer.stage.history.steps == steps + 1
+    assert viewer.state.history.steps == steps + 1
     assert (viewer.pixels() == pixels).all()
     # A double click on a number now goes back to what the file has.
     viewer.window.camera.elevation.setValue(70.0)
@@ -78,20 +78,20 @@ def test_saving_again_asks_nothing_unless_the_file_has_changed(start, tmp_path) 
     answers = Answers()
     viewer = start(dialogs=answers)
     file = answers.path = tmp_path / "a.brdfview"
-    viewer.window.commands.view_save_wanted.emit()
-    viewer.stage.change_view(exposure_ev=2.0)
-    viewer.window.commands.view_save_wanted.emit()
+    viewer.window.commands.view_save_requested.emit()
+    viewer.state.change_view(exposure_ev=2.0)
+    viewer.window.commands.view_save_requested.emit()
     assert answers.asked == ["save view.brdfview"]
     assert load_view(file).exposure_ev == 2.0
     save_view(View(exposure_ev=-3.0), file)
-    viewer.window.commands.view_save_wanted.emit()
+    viewer.window.commands.view_save_requested.emit()
     assert answers.asked[1:] == ["changed a.brdfview"]
     assert load_view(file).exposure_ev == -3.0
     answers.overwrite = Overwrite.OVERWRITE
-    viewer.window.commands.view_save_wanted.emit()
+    viewer.window.commands.view_save_requested.emit()
     assert load_view(file).exposure_ev == 2.0
     answers.path = tmp_path / "b.brdfview"
-    viewer.window.commands.view_save_as_wanted.emit()
+    viewer.window.commands.view_save_as_requested.emit()
     assert answers.path.exists()
 
 
@@ -100,11 +100,11 @@ def test_a_framed_camera_is_saved_where_it_stands(start, tmp_path) -> None:
     viewer = start(dialogs=answers)
     answers.path = tmp_path / "a.brdfview"
     assert viewer.view.camera.distance is None
-    viewer.window.commands.view_save_wanted.emit()
+    viewer.window.commands.view_save_requested.emit()
     saved = load_view(answers.path).camera
     assert saved.distance is not None
     pixels = viewer.pixels()
-    viewer.stage.set_camera(saved)
+    viewer.state.set_camera(saved)
     assert (viewer.pixels() == pixels).all()
 
 
@@ -115,12 +115,12 @@ def test_a_view_brings_its_light_and_surface(start, lights, tmp_path) -> None:
     save_view(View(camera, str(lights["bright"]), "panel", compare=Compare("side", "solid_red")), file)
     viewer.window.files_dropped.emit([str(file)])
     viewer.wait_idle()
-    assert (viewer.stage.environment.key, viewer.stage.surface.key) == (str(lights["bright"]), "panel")
+    assert (viewer.state.environment.key, viewer.state.surface.key) == (str(lights["bright"]), "panel")
     assert viewer.view.camera == camera
-    viewer.qtbot.waitUntil(lambda: viewer.stage.second is not None)
+    viewer.qtbot.waitUntil(lambda: viewer.state.second is not None)
 
 
-def test_a_view_that_cannot_be_read_is_told(viewer, tmp_path) -> None:
+def test_a_view_that_cannot_be_read_is_reported(viewer, tmp_path) -> None:
     bad = tmp_path / "bad.brdfview"
     bad.write_text('{"format": "brdfview", "version": 3, "camera": {}, "exposure_ev": "bright"}')
     before = viewer.view
@@ -129,11 +129,11 @@ def test_a_view_that_cannot_be_read_is_told(viewer, tmp_path) -> None:
     assert viewer.view == before
 
 
-def test_a_view_that_cannot_be_written_is_told(start, tmp_path) -> None:
+def test_a_view_that_cannot_be_written_is_reported(start, tmp_path) -> None:
     answers = Answers()
     viewer = start(dialogs=answers)
     answers.path = tmp_path / "missing" / "a.brdfview"
-    viewer.window.commands.view_save_wanted.emit()
+    viewer.window.commands.view_save_requested.emit()
     assert "a.brdfview" in viewer.messages()["view"]
     assert viewer.controller.views.path is None
 

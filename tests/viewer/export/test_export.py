@@ -27,7 +27,7 @@ def exporting(start, tmp_path):
     folder.mkdir()
     viewer = start()
     control = viewer.controller.export
-    control._ask = lambda _parent, name, _title, ending: str(folder / (name + ending))
+    control.ask = lambda _parent, name, _title, ending: str(folder / (name + ending))
     viewer.folder, viewer.export = folder, control
     return viewer
 
@@ -48,7 +48,7 @@ def test_a_picture_as_it_is_on_screen(exporting) -> None:
     assert wanted.size == exporting.window.picture.device_size
     assert wanted.form.title == "PNG, 8 bits"
     shown = exporting.pixels().astype(int)
-    dialog._export.click()
+    dialog.export_button.click()
     exporting.qtbot.waitUntil(lambda: not exporting.export.running)
     assert "export" not in exporting.messages()
     with Image.open(exporting.folder / "Blue.png") as image:
@@ -68,10 +68,10 @@ def test_the_dialog_offers_what_each_kind_has(exporting) -> None:
         ]
         assert dialog.source.isVisible() == (kind == "sheet")
         assert dialog.frames.isVisible() == (kind == "turntable")
-    assert not dialog._export.isEnabled()  # no palette yet
-    dialog._ask_source = lambda _parent: "/somewhere/a.brdfpalette"
-    dialog._browse.click()
-    assert dialog._export.isEnabled()
+    assert not dialog.export_button.isEnabled()  # no palette yet
+    dialog.ask_source = lambda _parent: "/somewhere/a.brdfpalette"
+    dialog.browse_button.click()
+    assert dialog.export_button.isEnabled()
     dialog.open_for("picture")
     dialog.format.setCurrentIndex(2)
     assert dialog.settings().colour_space == "rec2020"
@@ -98,36 +98,36 @@ def test_exr_turntable_and_sheet(exporting, tmp_path) -> None:
     assert "export" not in exporting.messages()
 
 
-def test_what_fails_is_told_in_the_window(exporting) -> None:
+def test_what_fails_is_reported_in_the_window(exporting) -> None:
     control: ExportControl = exporting.export
-    control._ask = lambda *_: str(exporting.folder / "no" / "a.png")
+    control.ask = lambda *_: str(exporting.folder / "no" / "a.png")
     run(exporting, ExportSettings("picture", FORMATS["picture"][0], (32, 24)))
     assert "folder does not exist" in exporting.messages()["export"]
-    control._ask = lambda *_: ""
+    control.ask = lambda *_: ""
     control.export(ExportSettings("picture", FORMATS["picture"][0], (32, 24)))
     assert not control.running
     assert list(exporting.folder.iterdir()) == []
 
 
 def test_cancelled_it_leaves_nothing(exporting) -> None:
-    """Cancelled as the user does, at the first step that it tells."""
-    told: list[float] = []
+    """Cancelled as the user does, at the first step that it reports."""
+    reported: list[float] = []
 
     def stop(kind: str, fraction: float, what: str) -> None:
-        if "frame" in what and not told:
-            told.append(fraction)
+        if "frame" in what and not reported:
+            reported.append(fraction)
             exporting.window.busy_cancelled.emit(kind)
 
     exporting.window.set_busy = stop
     run(exporting, ExportSettings("turntable", FORMATS["turntable"][2], (64, 48), frames=7200))
-    assert told
+    assert reported
     assert list(exporting.folder.iterdir()) == []
     assert "export" not in exporting.messages()
 
 
 def test_closing_the_window_ends_an_export(exporting) -> None:
     exporting.export.export(ExportSettings("turntable", FORMATS["turntable"][2], (64, 48), frames=7200))
-    process = exporting.export._process._process
+    process = exporting.export.process.process
     exporting.qtbot.waitUntil(lambda: process.processId() != 0)
     number = process.processId()
     exporting.close()
@@ -149,6 +149,6 @@ def test_ended_by_force_its_leftovers_are_taken_away(qtbot, tmp_path) -> None:
         process.start()
     assert job.leftovers()
     with qtbot.waitSignal(process.failed):
-        process._process.kill()
+        process.process.kill()
     assert not [path for path in tmp_path.iterdir() if path.name.startswith(".turn")]
-    assert not job._folder.exists()
+    assert not job.folder.exists()

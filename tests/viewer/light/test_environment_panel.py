@@ -39,7 +39,7 @@ def test_the_figures_of_the_light_are_shown(viewer, lights, qtbot) -> None:
     viewer.controller.open_file(str(lights["bright"]))
     viewer.wait_idle()
     qtbot.waitUntil(lambda: not figures(viewer).isHidden() and figures(viewer).text.text() != first)
-    expected = environment_statistics(viewer.stage.environment.value.environment)
+    expected = environment_statistics(viewer.state.environment.value.environment)
     assert figures(viewer).text.text().splitlines() == lines(expected)
     assert figures(viewer).bars.histogram == expected.histogram
     assert "%" in figures(viewer).bars.accessibleDescription()
@@ -67,7 +67,7 @@ def test_an_even_and_a_black_light_have_figures_too(qtbot) -> None:
     for value in (0.0, 1.0):
         environment = Environment("x", np.full((8, 16, 3), value, np.float32))
         statistics = environment_statistics(environment)
-        assert any("Even" in line for line in lines(statistics))
+        assert any("No dominant" in line for line in lines(statistics))
         bars.set_histogram(statistics.histogram)
         assert not bars.grab().isNull()
     bars.set_histogram(Histogram(-3.0, (0.5, 0.0, 0.5), 0.0))
@@ -86,7 +86,7 @@ def edited(path: Path, **fields: object) -> None:
 
 
 def is_another_whole_one(viewer, before) -> bool:
-    now = viewer.stage.environment.value
+    now = viewer.state.environment.value
     return now is not before and now.is_final
 
 
@@ -97,16 +97,16 @@ def test_a_studio_is_drawn_again_when_it_is_edited(viewer, tmp_path, qtbot) -> N
     viewer.wait_idle()
     assert viewer.view.environment == str(path)
     assert viewer.window.status.cell("environment").text() == "mine.brdfstudio"
-    dark = viewer.stage.environment.value
+    dark = viewer.state.environment.value
     assert not viewer.window.environment.layout_list.isEnabled()
     edited(path, ground_albedo=0.9)
     qtbot.waitUntil(lambda: is_another_whole_one(viewer, dark))
-    bright = viewer.stage.environment.value
+    bright = viewer.state.environment.value
     assert bright.environment.average()[1] > 1.2 * dark.environment.average()[1]
 
-    edited(path, ground_albedo=9.0)  # a slip of the finger: told, and the picture stays
+    edited(path, ground_albedo=9.0)  # a typing error: reported, and the picture stays
     qtbot.waitUntil(lambda: "environment" in viewer.window.messages.shown())
-    assert viewer.stage.environment.value is bright
+    assert viewer.state.environment.value is bright
     edited(path, ground_albedo=0.4)
     qtbot.waitUntil(lambda: is_another_whole_one(viewer, bright))
     assert "environment" not in viewer.window.messages.shown()
@@ -117,20 +117,20 @@ def test_only_another_content_counts_as_a_change(tmp_path, qtbot) -> None:
     path.write_text("one")
     watch = FileWatch()
     watch.watch(str(path))
-    told = []
-    watch.changed.connect(told.append)
+    reported = []
+    watch.changed.connect(reported.append)
     os.utime(path, (1, 1))
     (tmp_path / "other").write_text("beside it")
     qtbot.wait(500)
-    assert told == []
+    assert reported == []
     path.unlink()
     qtbot.wait(300)
     path.write_text("two")
-    qtbot.waitUntil(lambda: told == [str(path)])
+    qtbot.waitUntil(lambda: reported == [str(path)])
     watch.watch("")
     path.write_text("three")
     qtbot.wait(400)
-    assert told == [str(path)]
+    assert reported == [str(path)]
 
 
 def test_another_layout_is_read_and_kept_in_the_view(viewer, tmp_path, qtbot) -> None:
@@ -140,12 +140,12 @@ def test_another_layout_is_read_and_kept_in_the_view(viewer, tmp_path, qtbot) ->
     write_exr(path, pixels)
     viewer.controller.open_file(str(path))
     viewer.wait_idle()
-    probe = viewer.stage.environment.value.environment
+    probe = viewer.state.environment.value.environment
     viewer.window.environment.layout_edited.emit("mirror_ball")
     viewer.wait_idle()
     assert viewer.view.environment_layout == "mirror_ball"
     assert viewer.window.environment.layout_list.currentData() == "mirror_ball"
-    assert viewer.stage.environment.value.environment.content_hash != probe.content_hash
+    assert viewer.state.environment.value.environment.content_hash != probe.content_hash
     viewer.window.environment.layout_edited.emit("vertical_cross")  # cannot be, by its shape
     qtbot.waitUntil(lambda: "environment" in viewer.window.messages.shown())
     assert viewer.view.environment_layout == "mirror_ball"

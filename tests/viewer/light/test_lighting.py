@@ -20,7 +20,7 @@ from brdf_suite.pipeline.scene import environment_names
 
 
 def press(viewer, key: str) -> None:
-    button = viewer.window.lighting._buttons[key]
+    button = viewer.window.lighting.preset_buttons[key]
     QTest.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
@@ -44,15 +44,15 @@ def test_a_preset_is_one_step_that_can_be_undone(viewer) -> None:
     before = viewer.view
     press(viewer, "a")
     viewer.wait_idle()
-    assert viewer.stage.environment.key == "booth"
+    assert viewer.state.environment.key == "booth"
     assert viewer.view.light_colour.illuminant == "A"
-    assert viewer.window.lighting._buttons["a"].isChecked()
-    assert not viewer.window.lighting._buttons["d65"].isChecked()
-    viewer.controller._undo()
+    assert viewer.window.lighting.preset_buttons["a"].isChecked()
+    assert not viewer.window.lighting.preset_buttons["d65"].isChecked()
+    viewer.controller.undo()
     viewer.wait_idle()
     assert viewer.view == before
-    assert viewer.stage.environment.key == before.environment
-    assert not any(button.isChecked() for button in viewer.window.lighting._buttons.values())
+    assert viewer.state.environment.key == before.environment
+    assert not any(button.isChecked() for button in viewer.window.lighting.preset_buttons.values())
 
 
 def test_the_tint_is_seen_until_the_eye_has_adapted(viewer) -> None:
@@ -82,20 +82,20 @@ def test_what_is_assumed_of_the_paint_is_said() -> None:
 
 
 def test_automatic_exposure_follows_the_light_and_locked_does_not(viewer, lights, qtbot) -> None:
-    viewer.stage.change_view(background="grey")
+    viewer.state.change_view(background="grey")
     cell, section = viewer.window.status.cell("exposure"), viewer.window.lighting
     choose(section.exposure_mode, "automatic")
     dim = viewer.pixels().astype(int)
-    dim_ev = viewer.stage.exposed_view.exposure_ev
+    dim_ev = viewer.state.exposed_view.exposure_ev
     qtbot.waitUntil(lambda: "automatic" in cell.text())
     viewer.controller.open_file(str(lights["bright"]))
     viewer.wait_idle()
-    qtbot.waitUntil(lambda: viewer.stage.exposed_view.exposure_ev < dim_ev - 0.5)
+    qtbot.waitUntil(lambda: viewer.state.exposed_view.exposure_ev < dim_ev - 0.5)
     automatic = viewer.pixels().astype(int)
     rows, columns = (n // 2 for n in automatic.shape[:2])
     middle = np.s_[rows - 15 : rows + 15, columns - 15 : columns + 15]
     assert abs(np.median(automatic[middle]) - np.median(dim[middle])) < 25
-    ev = viewer.stage.exposed_view.exposure_ev
+    ev = viewer.state.exposed_view.exposure_ev
     choose(section.exposure_mode, "locked")  # the picture stays, and so does the number from now on
     assert viewer.view.exposure_ev == pytest.approx(ev)
     assert np.array_equal(viewer.pixels(), automatic)
@@ -108,11 +108,11 @@ def test_automatic_exposure_follows_the_light_and_locked_does_not(viewer, lights
 def test_the_meter_waits_until_the_camera_rests(viewer, qtbot) -> None:
     choose(viewer.window.lighting.exposure_mode, "automatic")
     viewer.pixels()
-    measured = viewer.stage.metered_ev
-    viewer.stage.set_camera(Camera(elevation_deg=80.0))
+    measured = viewer.state.metered_ev
+    viewer.state.set_camera(Camera(elevation_deg=80.0))
     viewer.pixels()
-    assert viewer.stage.metered_ev == measured
-    qtbot.waitUntil(lambda: viewer.stage.metered_ev != measured)
+    assert viewer.state.metered_ev == measured
+    qtbot.waitUntil(lambda: viewer.state.metered_ev != measured)
 
 
 def test_the_meter_looks_at_light_and_object_alone() -> None:
@@ -152,7 +152,7 @@ def test_no_more_lamps_than_a_view_may_have(qtbot) -> None:
     qtbot.addWidget(fields)
     for _ in range(MOST_LAMPS + 3):
         fields.add_button.click()
-    assert len(fields._lamps) == MOST_LAMPS
+    assert len(fields.lamps) == MOST_LAMPS
     assert not fields.add_button.isEnabled()
 
 
@@ -160,13 +160,13 @@ def test_a_moving_lamp_goes_round_and_is_one_step(viewer, qtbot) -> None:
     press(viewer, "point")
     viewer.wait_idle()
     _, elevation, distance = polar(viewer.view.lamps[0])
-    start, steps = viewer.view.lamps[0].position, viewer.stage.history.steps
+    start, steps = viewer.view.lamps[0].position, viewer.state.history.steps
     viewer.window.lighting.lamps.moving.click()
     qtbot.waitUntil(lambda: viewer.view.lamps[0].position != start)
     viewer.window.lighting.lamps.moving.click()
     assert polar(viewer.view.lamps[0])[1:] == pytest.approx((elevation, distance))
-    assert viewer.stage.history.steps == steps + 1
-    viewer.controller._undo()
+    assert viewer.state.history.steps == steps + 1
+    viewer.controller.undo()
     assert viewer.view.lamps[0].position == start
     assert preset_of(viewer.view) == "point"
 
@@ -181,26 +181,26 @@ def test_a_lamp_is_where_it_was_put(kind: str) -> None:
 def test_a_paint_with_spectra_is_computed_in_the_lamp(viewer, shared_data, qtbot) -> None:
     def pixels() -> np.ndarray:
         # Where work takes long, a bar of progress takes some of the picture's height.
-        qtbot.waitUntil(lambda: not viewer.window._busy)
+        qtbot.waitUntil(lambda: not viewer.window.busy)
         QApplication.processEvents()
         return viewer.pixels()
 
     viewer.controller.open_file(str(shared_data / "brdf" / "krylon_blue.brdf"))
-    qtbot.waitUntil(lambda: viewer.stage.paint_key.endswith("krylon_blue.brdf"))
+    qtbot.waitUntil(lambda: viewer.state.paint_key.endswith("krylon_blue.brdf"))
     section = viewer.window.lighting
-    fit, plain = viewer.stage.fit, pixels().astype(int)
+    fit, plain = viewer.state.fit, pixels().astype(int)
     choose(section.illuminant, "A")
-    qtbot.waitUntil(lambda: viewer.stage.relit is not None)
+    qtbot.waitUntil(lambda: viewer.state.relit is not None)
     assert "were computed from the paint's spectra" in section.metamerism.text()
-    assert viewer.stage.drawn_fit is not fit
+    assert viewer.state.drawn_fit is not fit
     assert np.abs(pixels() - plain).max() > 5  # though the eye has adapted
-    viewer.controller.compare.choose(viewer.stage.paint_key)  # B is the same paint, and in the same lamp
-    qtbot.waitUntil(lambda: viewer.stage.second_relit is not None)
+    viewer.controller.compare.choose(viewer.state.paint_key)  # B is the same paint, and in the same lamp
+    qtbot.waitUntil(lambda: viewer.state.second_relit is not None)
     np.testing.assert_allclose(
-        viewer.stage.drawn_second.value.weights.kd, viewer.stage.drawn_fit.weights.kd, atol=1e-9
+        viewer.state.drawn_second.value.weights.kd, viewer.state.drawn_fit.weights.kd, atol=1e-9
     )
     viewer.controller.compare.set_mode("off")
     choose(section.illuminant, "D65")
-    assert viewer.stage.drawn_second is viewer.stage.second
-    assert viewer.stage.drawn_fit is fit
+    assert viewer.state.drawn_second is viewer.state.second
+    assert viewer.state.drawn_fit is fit
     assert np.array_equal(pixels(), plain)

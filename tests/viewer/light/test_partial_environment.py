@@ -60,7 +60,7 @@ def light(tmp_path: Path) -> Callable[[int], Path]:
 
 
 def is_partial(viewer) -> bool:
-    present = viewer.stage.environment
+    present = viewer.state.environment
     return present is not None and not present.value.is_final
 
 
@@ -72,24 +72,24 @@ def test_the_first_picture_comes_early_and_is_near_the_last(start, held, light, 
     complete = []
     viewer.controller.picture_complete.connect(lambda: complete.append(True))
     qtbot.waitUntil(lambda: is_partial(viewer) and viewer.controller.drawer is not None, timeout=60_000)
-    qtbot.waitUntil(lambda: viewer.stage.fit is not None and viewer.stage.surface is not None, timeout=60_000)
+    qtbot.waitUntil(lambda: viewer.state.fit is not None and viewer.state.surface is not None, timeout=60_000)
     assert np.ptp(viewer.pixels()) > 50  # a picture, not the grey of an empty window
-    part = viewer.stage.environment
+    part = viewer.state.environment
     cell = viewer.window.status.cell("environment")
     wanted = part.value.wanted
     assert cell.text() == f"(light1.exr, maps {wanted - 1} of {wanted})"
-    assert "sharp reflections follow" in viewer.window.environment.facts.text()
+    assert "Refining reflections" in viewer.window.environment.facts.text()
     qtbot.waitUntil(viewer.window.progress.isVisible, timeout=5000)
-    assert not viewer.stage.is_complete
+    assert not viewer.state.is_complete
     assert complete == []
     held.go_on.set()
     viewer.wait_idle()
     qtbot.waitUntil(lambda: complete == [True], timeout=20_000)
     assert not is_partial(viewer)
     assert cell.text() == "light1.exr"
-    assert "maps are there" not in viewer.window.environment.facts.text()
+    assert "Refining reflections" not in viewer.window.environment.facts.text()
     whole = viewer.pixels().astype(int)
-    viewer.stage.set_environment(part.key, part.value)  # again, in a picture of the same size
+    viewer.state.set_environment(part.key, part.value)  # again, in a picture of the same size
     assert np.abs(viewer.pixels() - whole).mean() < 1.0
 
 
@@ -103,8 +103,8 @@ def test_cancel_brings_the_whole_picture_back(start, held, light, qtbot) -> None
     assert viewer.view == view  # it names what is whole
     assert not np.array_equal(viewer.pixels()[:40], before[:40])
     viewer.controller.scene.cancel("environment")
-    assert viewer.stage.environment.key == view.environment
-    assert viewer.stage.is_complete
+    assert viewer.state.environment.key == view.environment
+    assert viewer.state.is_complete
     assert viewer.window.environment.facts.text() == facts
     assert viewer.window.status.cell("environment").text() == "light2.exr"
     qtbot.waitUntil(lambda: viewer.pixels().shape == before.shape, timeout=5000)
@@ -116,7 +116,7 @@ def test_cancel_of_the_first_keeps_what_is_there_and_says_so(start, held, light,
     qtbot.waitUntil(lambda: is_partial(viewer), timeout=60_000)
     viewer.controller.scene.cancel("environment")
     assert is_partial(viewer)
-    assert "Choose the light again" in viewer.window.environment.facts.text()
+    assert "Select the light again" in viewer.window.environment.facts.text()
     assert "light4.exr, maps" in viewer.window.status.cell("environment").text()
     held.go_on.set()
     with qtbot.waitSignal(viewer.controller.picture_complete, timeout=60_000):
@@ -128,15 +128,15 @@ def test_a_stale_part_is_dropped(start, held, light, lights, qtbot) -> None:
     viewer = start()
     held.hold = True
     seen = []
-    viewer.stage.contents_changed.connect(lambda: seen.append(viewer.stage.environment.key))
-    old, loader = str(light(5)), viewer.controller._loader
+    viewer.state.contents_changed.connect(lambda: seen.append(viewer.state.environment.key))
+    old, loader = str(light(5)), viewer.controller.loader
     viewer.controller.open_file(old)
-    generation, part = loader._generation, viewer.stage.environment.value
+    generation, part = loader.generation, viewer.state.environment.value
     viewer.controller.open_file(str(lights["bright"]))
-    loader._partial.emit(generation, old, part)  # as the worker's, posted before it noticed
+    loader.partly_made.emit(generation, old, part)  # as the worker's, posted before it noticed
     held.go_on.set()
     viewer.wait_idle()
-    assert viewer.stage.environment.key == str(lights["bright"])
+    assert viewer.state.environment.key == str(lights["bright"])
     assert old not in seen
 
 
@@ -144,23 +144,23 @@ def test_a_refused_part_ends_the_loading(start, held, light, qtbot) -> None:
     held.hold = False
     viewer = start()
     held.hold = True
-    environment = viewer.stage.environment.value
-    upload = viewer.controller.drawer._uploads["environment"]
+    environment = viewer.state.environment.value
+    upload = viewer.controller.drawer.uploads["environment"]
 
     def refuse(prepared: object) -> None:
         if getattr(prepared, "value", prepared) is not environment:
             raise GraphicsError("The graphics driver failed while making a texture: GL_OUT_OF_MEMORY.")
         upload(prepared)
 
-    viewer.controller.drawer._uploads["environment"] = refuse
+    viewer.controller.drawer.uploads["environment"] = refuse
     viewer.controller.open_file(str(light(6)))
     qtbot.waitUntil(lambda: "environment" in viewer.messages(), timeout=60_000)
     assert not viewer.controller.scene.loading
-    assert viewer.stage.environment.value is environment
-    assert viewer.stage.is_complete
+    assert viewer.state.environment.value is environment
+    assert viewer.state.is_complete
 
 
-def test_what_was_repaired_and_what_the_cache_says_is_told(start, tmp_path, monkeypatch) -> None:
+def test_what_was_repaired_and_what_the_cache_says_is_reported(start, tmp_path, monkeypatch) -> None:
     pixels = np.full((32, 64, 3), 0.5, np.float32)
     pixels[3, 4] = np.nan
     path = tmp_path / "broken.exr"
@@ -171,4 +171,4 @@ def test_what_was_repaired_and_what_the_cache_says_is_told(start, tmp_path, monk
     text = viewer.window.environment.facts.text()
     assert "NaN" in text
     assert "no_folder" in text
-    assert text == environment_facts(viewer.stage.environment.value, False)
+    assert text == environment_facts(viewer.state.environment.value, False)

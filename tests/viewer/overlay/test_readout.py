@@ -41,7 +41,7 @@ def hover(viewer, place: QPoint | None = None):
 
 
 def test_the_pixel_under_the_cursor(viewer) -> None:
-    viewer.stage.change_view(exposure_ev=0.5)
+    viewer.state.change_view(exposure_ev=0.5)
     viewer.qtbot.waitUntil(viewer.window.progress.isHidden)  # its strip takes height from the picture
     place = viewer.canvas.rect().center()
     reading = hover(viewer, place)
@@ -56,8 +56,8 @@ def test_the_pixel_under_the_cursor(viewer) -> None:
     # In the middle of a framed sphere the surface looks at the viewer.
     assert reading.angles[0] == pytest.approx(0.0, abs=4.0)
     assert one.point.part
-    assert np.linalg.norm(np.subtract(one.point.position, viewer.stage.bounds.centre)) == pytest.approx(
-        viewer.stage.bounds.radius / math.sqrt(3.0), rel=0.02
+    assert np.linalg.norm(np.subtract(one.point.position, viewer.state.bounds.centre)) == pytest.approx(
+        viewer.state.bounds.radius / math.sqrt(3.0), rel=0.02
     )
     cell = viewer.window.status.cell("readout")
     assert lab_words(one.lab) in cell.text()
@@ -67,7 +67,7 @@ def test_the_pixel_under_the_cursor(viewer) -> None:
 def test_past_the_surface_there_is_a_colour_and_no_angle(viewer) -> None:
     reading = hover(viewer, QPoint(3, 3))
     assert reading.angles is None
-    assert "past the surface" in viewer.controller.readout.lines
+    assert "background" in viewer.controller.readout.lines
     QApplication.sendEvent(viewer.canvas, QEvent(QEvent.Type.Leave))
     assert viewer.controller.readout.reading is None
     assert viewer.window.status.cell("readout").text() == ""
@@ -81,15 +81,15 @@ def test_the_readout_follows_the_picture_and_no_drag(viewer, qtbot) -> None:
 
 def test_it_says_whose_pixel_it_is_and_how_far_they_are_apart(viewer, qtbot) -> None:
     viewer.controller.compare.choose("solid_red")
-    qtbot.waitUntil(lambda: viewer.stage.second is not None)
-    viewer.stage.change_view(compare=replace(viewer.view.compare, mode="swipe"))
+    qtbot.waitUntil(lambda: viewer.state.second is not None)
+    viewer.state.change_view(compare=replace(viewer.view.compare, mode="swipe"))
     width, height = viewer.canvas.width(), viewer.canvas.height()
     left = hover(viewer, QPoint(width // 2 - 20, height // 2)).readings[0]
     right = hover(viewer, QPoint(width // 2 + 20, height // 2)).readings[0]
     assert (left.which, right.which) == ("A", "B")
     assert left.lab[2] < right.lab[2] - 20
     assert viewer.window.status.cell("readout").text().startswith("B  L*")
-    viewer.stage.change_view(compare=replace(viewer.view.compare, mode="difference"))
+    viewer.state.change_view(compare=replace(viewer.view.compare, mode="difference"))
     both = hover(viewer, QPoint(width // 2 + 20, height // 2))
     assert [one.which for one in both.readings] == ["A", "B"]
     assert both.readings[1].lab == pytest.approx(right.lab, abs=0.2)
@@ -107,7 +107,7 @@ def test_h_shows_the_figures_and_hides_them(viewer, qtbot) -> None:
     assert overlay.isVisible()
     hover(viewer)
     qtbot.waitUntil(lambda: any("L*" in line for line in overlay.figures))
-    viewer.stage.change_view(exposure_ev=-1.5)
+    viewer.state.change_view(exposure_ev=-1.5)
     assert any("-1.5 EV" in line for line in overlay.figures)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_H)
     assert overlay.figures == ()
@@ -154,7 +154,7 @@ def test_the_strongest_light_is_the_sun_and_turns_with_the_environment() -> None
     figures = sunny(40.0, 30.0)
     light = dominant_light(View(rotation_deg=25.0), figures)
     np.testing.assert_allclose(light.seen_from((1.0, 2.0, 3.0)), direction(65.0, 30.0), atol=0.05)
-    assert f"{figures.sun_elevation_deg:.0f}° high" in light.words
+    assert f"elevation {figures.sun_elevation_deg:.0f}°" in light.words
     weak, strong = Lamp("directional", azimuth_deg=-90.0, strength=1e-3), Lamp("point", strength=1e4)
     assert dominant_light(View(lamps=(weak,)), figures).words == dominant_light(View(), figures).words
     lamp = dominant_light(View(lamps=(weak, strong)), figures)

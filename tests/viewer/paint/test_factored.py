@@ -25,12 +25,12 @@ def factored(tmp_path: Path) -> Path:
 
 
 def test_lamps_move_over_a_factored_paint(viewer, factored, qtbot) -> None:
-    QTest.mouseClick(viewer.window.lighting._buttons["three"], Qt.MouseButton.LeftButton)
+    QTest.mouseClick(viewer.window.lighting.preset_buttons["three"], Qt.MouseButton.LeftButton)
     viewer.wait_idle()
     assert len(viewer.view.lamps) == 3
     assert viewer.view.light_colour.brightness == 0.0
     viewer.controller.open_file(str(factored))
-    qtbot.waitUntil(lambda: viewer.stage.paint_key.endswith("red.brdftable"))
+    qtbot.waitUntil(lambda: viewer.state.paint_key.endswith("red.brdftable"))
     viewer.wait_idle()
     assert "Factored" in viewer.window.paint.facts.text()
     before = viewer.pixels().astype(int)
@@ -38,7 +38,7 @@ def test_lamps_move_over_a_factored_paint(viewer, factored, qtbot) -> None:
     assert 0.02 < lit.mean() < 0.9
     assert (before[lit][:, 0] >= before[lit][:, 2]).mean() > 0.95
     # Drawn by its factors, not by its lobes.
-    lobes = viewer.controller.drawer._renderer
+    lobes = viewer.controller.drawer.scene_renderer
     fields = viewer.window.lighting.lamps
     fields.azimuth.setValue(150.0)
     moved = viewer.pixels().astype(int)

@@ -37,39 +37,39 @@ def test_the_arrow_keys_go_through_the_shipped_paints_round_and_round(start) -> 
     viewer = start(paint=names[-1], follow=True)
     focus(viewer)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Right)
-    assert viewer.stage.paint_key == names[0]
+    assert viewer.state.paint_key == names[0]
     assert not viewer.controller.paint.source.following
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Left)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Left)
-    assert viewer.stage.paint_key == names[-2]
+    assert viewer.state.paint_key == names[-2]
     assert viewer.window.paint.chooser.list.currentData() == names[-2]
 
 
 def test_a_palette_is_gone_through_and_closed(viewer, palette) -> None:
     viewer.controller.open_file(str(palette))
     cell = viewer.window.status.cell("palette")
-    assert (viewer.stage.fit.name, cell.text()) == ("white", "Summer, 1 of 3")
+    assert (viewer.state.fit.name, cell.text()) == ("white", "Summer, 1 of 3")
     focus(viewer)
     for name, words in (("sky", "Summer, 2 of 3"), ("brick", "Summer, 3 of 3"), ("white", "Summer, 1 of 3")):
         QTest.keyClick(viewer.canvas, Qt.Key.Key_Right)
-        assert (viewer.stage.fit.name, cell.text()) == (name, words)
-    viewer.window.commands.step_wanted.emit(-1)
-    assert viewer.stage.fit.name == "brick"
+        assert (viewer.state.fit.name, cell.text()) == (name, words)
+    viewer.window.commands.step_requested.emit(-1)
+    assert viewer.state.fit.name == "brick"
     box = viewer.window.paint.chooser.list
     assert box.currentText() == "brick"
     assert [box.itemText(i) for i in range(3)] == list(COLOURS)
     box.activated.emit(1)
-    assert viewer.stage.fit.name == "sky"
+    assert viewer.state.fit.name == "sky"
     assert viewer.window.commands.palette_close.isEnabled()
     viewer.window.commands.palette_close.trigger()
-    assert viewer.stage.fit.name == "sky"
+    assert viewer.state.fit.name == "sky"
     assert cell.text() == ""
     assert not viewer.window.commands.palette_close.isEnabled()
-    viewer.window.commands.step_wanted.emit(1)
-    assert viewer.stage.paint_key in paint_names()
+    viewer.window.commands.step_requested.emit(1)
+    assert viewer.state.paint_key in paint_names()
 
 
-def test_a_paint_of_a_palette_that_cannot_be_is_told_and_gone_past(viewer, tmp_path) -> None:
+def test_a_paint_of_a_palette_that_cannot_be_is_reported_and_gone_past(viewer, tmp_path) -> None:
     from dataclasses import replace
 
     good, other = (solid_paint(name, COLOURS[name]) for name in ("sky", "brick"))
@@ -77,29 +77,29 @@ def test_a_paint_of_a_palette_that_cannot_be_is_told_and_gone_past(viewer, tmp_p
     path = tmp_path / "mixed.brdfpalette"
     save_palette(Palette("Mixed", (Entry(good), Entry(impossible), Entry(other))), path)
     viewer.controller.open_file(str(path))
-    viewer.window.commands.step_wanted.emit(1)
+    viewer.window.commands.step_requested.emit(1)
     assert "paint" in viewer.messages()
-    assert viewer.stage.fit.name == "sky"
-    viewer.window.commands.step_wanted.emit(1)
-    assert viewer.stage.fit.name == "brick"
+    assert viewer.state.fit.name == "sky"
+    viewer.window.commands.step_requested.emit(1)
+    assert viewer.state.fit.name == "brick"
     assert "paint" not in viewer.messages()
 
 
-def test_a_palette_that_cannot_be_read_is_told(viewer, tmp_path) -> None:
+def test_a_palette_that_cannot_be_read_is_reported(viewer, tmp_path) -> None:
     bad = tmp_path / "bad.brdfpalette"
     bad.write_text("{}")
     viewer.controller.open_file(str(bad))
     assert "bad.brdfpalette" in viewer.messages()["paint"]
-    assert viewer.stage.fit is not None
+    assert viewer.state.fit is not None
 
 
 def test_a_measured_file_is_fitted_in_the_background(viewer, shared_data, qtbot) -> None:
     file = shared_data / "brdf" / "krylon_blue.brdf"
-    name = viewer.stage.fit.name
+    name = viewer.state.fit.name
     viewer.window.files_dropped.emit([str(file)])
-    assert viewer.stage.fit.name == name
-    qtbot.waitUntil(lambda: viewer.stage.paint_key == str(file))
-    assert viewer.stage.fit.kind == "measured"
+    assert viewer.state.fit.name == name
+    qtbot.waitUntil(lambda: viewer.state.paint_key == str(file))
+    assert viewer.state.fit.kind == "measured"
     assert viewer.window.paint.chooser.list.currentData() == str(file)
     assert not viewer.controller.paint.source.following
     viewer.controller.compare.freeze()
@@ -111,17 +111,17 @@ def test_another_paint_gives_a_measured_file_up(viewer, shared_data, qtbot) -> N
     viewer.controller.paint.open(str(file))
     viewer.controller.paint.open("solid_red")
     qtbot.wait(300)
-    assert viewer.stage.paint_key == "solid_red"
+    assert viewer.state.paint_key == "solid_red"
     assert viewer.window.paint.chooser.list.currentData() == "solid_red"
 
 
-def test_a_file_that_is_not_measured_is_told(viewer, tmp_path, qtbot) -> None:
+def test_a_file_that_is_not_measured_is_reported(viewer, tmp_path, qtbot) -> None:
     bad = tmp_path / "bad.bsdf"
     bad.write_bytes(b"no measurement")
     viewer.controller.open_file(str(bad))
     qtbot.waitUntil(lambda: "paint" in viewer.messages())
     assert "bad.bsdf" in viewer.messages()["paint"]
-    assert viewer.window.paint.chooser.list.currentData() == viewer.stage.paint_key
+    assert viewer.window.paint.chooser.list.currentData() == viewer.state.paint_key
 
 
 def test_every_measured_format_is_opened() -> None:
@@ -139,7 +139,7 @@ def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str
 
 def test_every_kind_of_material_is_opened(viewer, materials, qtbot) -> None:
     for kind, asked in materials.items():
-        before = viewer.stage.fit
+        before = viewer.state.fit
         viewer.controller.paint.open(asked)
-        qtbot.waitUntil(lambda before=before: viewer.stage.fit is not before)
+        qtbot.waitUntil(lambda before=before: viewer.state.fit is not before)
         assert "paint" not in viewer.messages(), kind

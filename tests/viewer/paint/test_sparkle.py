@@ -68,18 +68,18 @@ def test_lights_and_strength(near) -> None:
     section.strength.number.setValue(0.0)
     choose(near, "off")
     smooth = near.pixels().astype(int)
-    near.stage.change_view(sparkle=Sparkle("glints", strength=0.0))
+    near.state.change_view(sparkle=Sparkle("glints", strength=0.0))
     assert np.abs(near.pixels().astype(int) - smooth).max() <= 1
 
 
 def test_it_shows_a_view_that_comes_from_elsewhere(near) -> None:
-    near.stage.change_view(sparkle=Sparkle("texture", 5, 2.5))
+    near.state.change_view(sparkle=Sparkle("texture", 5, 2.5))
     section = near.window.sparkle
     assert section.mode.currentData() == "texture"
     assert (section.lights.value(), section.strength.value()) == (5.0, 2.5)
 
 
-def test_the_paints_flakes_are_told(near) -> None:
+def test_the_paints_flakes_are_reported(near) -> None:
     facts = near.window.sparkle.facts
     assert facts.text() == "55 flakes per mm² of 38 µm, tilts spread by 0.15, of one colour"
     near.controller.paint.open("solid_white")
@@ -94,5 +94,5 @@ def test_the_paints_flakes_are_told(near) -> None:
 def test_flakes_in_words() -> None:
     assert flake_facts(None) == NO_FLAKES
     assert flake_facts(Flakes(density_per_mm2=0.0)) == NO_FLAKES
-    told = flake_facts(dataclasses.replace(Flakes(), colour_spread=0.25))
-    assert told.endswith("colours spread by 0.25")
+    reported = flake_facts(dataclasses.replace(Flakes(), colour_spread=0.25))
+    assert reported.endswith("colours spread by 0.25")

@@ -79,7 +79,7 @@ def test_shipped_environments_and_surfaces_are_in_the_lists(viewer) -> None:
     assert "triangles" in viewer.window.surface.facts.text()
 
 
-def test_a_bad_environment_is_told_and_the_old_picture_stays(filled, tmp_path) -> None:
+def test_a_bad_environment_is_reported_and_the_old_picture_stays(filled, tmp_path) -> None:
     first, view = filled.pixels(), filled.view
     bad = tmp_path / "notes.hdr"
     bad.write_text("this is no picture\n" * 10)
@@ -105,7 +105,7 @@ def test_a_message_leaves_when_the_next_file_is_good(viewer, tmp_path, lights) -
     assert "environment" not in viewer.messages()
 
 
-def test_a_bad_mesh_is_told_and_the_old_one_stays(viewer, tmp_path) -> None:
+def test_a_bad_mesh_is_reported_and_the_old_one_stays(viewer, tmp_path) -> None:
     bad = tmp_path / "empty.obj"
     bad.write_text("# no faces\nv 0 0 0\n")
     first = viewer.pixels()
@@ -125,12 +125,12 @@ def test_a_dropped_mesh_is_drawn_and_framed(viewer, tmp_path) -> None:
     drop(viewer, mesh)
     viewer.wait_idle()
     assert viewer.view.surface == str(mesh)
-    assert viewer.stage.surface.value.triangle_count == 4
+    assert viewer.state.surface.value.triangle_count == 4
     assert np.abs(viewer.pixels().astype(int) - first).max() > 20
     assert "4 triangles" in viewer.window.surface.facts.text()
 
 
-def test_a_file_of_another_kind_is_told(viewer, tmp_path) -> None:
+def test_a_file_of_another_kind_is_reported(viewer, tmp_path) -> None:
     drop(viewer, tmp_path / "letter.docx")
     assert ".exr" in viewer.messages()["dropped"]
     assert "letter.docx" in viewer.messages()["dropped"]
@@ -181,8 +181,8 @@ class SlowLoad:
 @pytest.fixture
 def slow(monkeypatch) -> SlowLoad:
     slow = SlowLoad()
-    slow.real = loading._environment
-    monkeypatch.setattr(loading, "_environment", slow)
+    slow.real = loading.prepare_environment
+    monkeypatch.setattr(loading, "prepare_environment", slow)
     yield slow
     slow.go_on.set()
 
@@ -231,21 +231,21 @@ def test_only_the_newest_of_several_requests_is_shown(viewer, lights) -> None:
         viewer.controller.scene.open("environment", str(lights[name]))
     viewer.wait_idle()
     assert viewer.view.environment == str(lights["bright"])
-    assert viewer.stage.environment.key == str(lights["bright"])
+    assert viewer.state.environment.key == str(lights["bright"])
 
 
-def test_what_the_graphics_card_refuses_is_told_and_the_old_one_drawn(
+def test_what_the_graphics_card_refuses_is_reported_and_the_old_one_drawn(
     viewer, lights, monkeypatch, qtbot
 ) -> None:
-    first, environment = viewer.pixels(), viewer.stage.environment.value
-    upload = viewer.controller.drawer._uploads["environment"]
+    first, environment = viewer.pixels(), viewer.state.environment.value
+    upload = viewer.controller.drawer.uploads["environment"]
 
     def refuse(prepared) -> None:
         if prepared is not environment:
             raise GraphicsError("The graphics driver failed while making a texture: GL_OUT_OF_MEMORY.")
         upload(prepared)
 
-    viewer.controller.drawer._uploads["environment"] = refuse
+    viewer.controller.drawer.uploads["environment"] = refuse
     drop(viewer, lights["bright"])
     qtbot.waitUntil(lambda: "environment" in viewer.messages())
     assert "OUT_OF_MEMORY" in viewer.messages()["environment"]
@@ -259,11 +259,11 @@ def test_recent_files_are_in_the_menu_and_in_the_next_viewer(start, lights, qtbo
     viewer = start()
     drop(viewer, lights["bright"])
     viewer.wait_idle()
-    menu = viewer.window.commands._recent["environment"]
+    menu = viewer.window.commands.recent_menus["environment"]
     assert next(a.text() for a in menu.actions()) == str(lights["bright"])
     viewer.close()
     again = start()
-    recent = again.window.commands._recent["environment"].actions()
+    recent = again.window.commands.recent_menus["environment"].actions()
     assert str(lights["bright"]) in [a.text() for a in recent]
     next(a for a in recent if a.text() == str(lights["bright"])).trigger()
     again.wait_idle()
@@ -275,14 +275,14 @@ def test_a_dropped_paint_is_shown(viewer, tmp_path) -> None:
     save_paint(solid_paint("Ruby", (35.0, 60.0, 35.0)), file)
     before = viewer.pixels()
     drop(viewer, file)
-    assert viewer.stage.fit.paint.name == "Ruby"
+    assert viewer.state.fit.paint.name == "Ruby"
     assert np.abs(viewer.pixels().astype(int) - before).max() > 30
     assert not viewer.window.paint.follow.isChecked()
     assert viewer.window.windowTitle() == "Ruby, Sphere, dim.exr"
     file.write_text("{}")
     drop(viewer, file)
     assert str(file) in viewer.messages()["paint"]
-    assert viewer.stage.fit.paint.name == "Ruby"
+    assert viewer.state.fit.paint.name == "Ruby"
 
 
 def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
@@ -290,18 +290,18 @@ def test_a_cook_torrance_paint_is_shown(viewer, tmp_path) -> None:
     save_paint(load_document("table1_2k_acrylack"), file)
     before = viewer.pixels()
     drop(viewer, file)
-    assert viewer.stage.fit.name == "2K Acrylack"
+    assert viewer.state.fit.name == "2K Acrylack"
     assert np.abs(viewer.pixels().astype(int) - before).max() > 30
     assert viewer.window.windowTitle() == "2K Acrylack, Sphere, dim.exr"
     assert "ΔE 0." in viewer.window.status.cell("fit").text()
     drop(viewer, file.with_name("missing.brdfpaint"))
-    assert viewer.stage.fit.name == "2K Acrylack"
+    assert viewer.state.fit.name == "2K Acrylack"
     assert "2K Acrylack" in viewer.messages()["paint"]
 
 
 def test_many_environments_leave_nothing_behind(start, lights) -> None:
     viewer = start(size=(1, 1))
-    viewer.stage.change_view(background="grey", camera=Camera(distance=6.0))
+    viewer.state.change_view(background="grey", camera=Camera(distance=6.0))
 
     def change(times: int) -> None:
         for index in range(times):
@@ -328,7 +328,7 @@ def resident() -> int:
 def test_after_a_failure_a_new_context_draws_the_same_picture(viewer, qtbot) -> None:
     before = viewer.pixels()
     old = viewer.controller.drawer
-    viewer.controller.drawer._renderer.draw = lambda *_: (_ for _ in ()).throw(
+    viewer.controller.drawer.scene_renderer.draw = lambda *_: (_ for _ in ()).throw(
         GraphicsError("Out of memory.")
     )
     with qtbot.waitSignal(viewer.window.picture.failed):

@@ -49,7 +49,7 @@ def wait_images(viewer, qtbot) -> None:
     qtbot.waitUntil(lambda: not viewer.controller.relief.loading)
 
 
-def test_orange_peel_is_seen_and_its_height_told(ball) -> None:
+def test_orange_peel_is_seen_and_its_height_reported(ball) -> None:
     before = ball.pixels()
     section(ball).orange_peel.edited.emit(2.0)
     assert ball.view.relief.orange_peel == 2.0
@@ -62,11 +62,11 @@ def test_orange_peel_is_seen_and_its_height_told(ball) -> None:
 
 
 def test_a_paint_brings_its_own_orange_peel(ball, qtbot) -> None:
-    stage = ball.controller.stage
-    smooth, before = ball.pixels(), stage.paint
+    state = ball.controller.state
+    smooth, before = ball.pixels(), state.paint
     fitter = PaintFitter(time_limit_s=60.0)
     waved = replace(before, orange_peel=OrangePeel(14.0, 2.5))
-    stage.set_fit(fitter.fit(waved), waved)
+    state.set_fit(fitter.fit(waved), waved)
     fitter.close()
     own = ball.pixels()
     assert not np.array_equal(own, smooth)
@@ -74,7 +74,7 @@ def test_a_paint_brings_its_own_orange_peel(ball, qtbot) -> None:
     # What the view sets takes its place.
     section(ball).orange_peel.edited.emit(1.0)
     assert not np.array_equal(ball.pixels(), own)
-    assert "in place of the paint's own" in section(ball).peel_facts.text()
+    assert "instead of the paint's own" in section(ball).peel_facts.text()
     section(ball).orange_peel.edited.emit(0.0)
     assert np.array_equal(ball.pixels(), own)
 
@@ -103,7 +103,7 @@ def test_two_tone_wants_a_paint_and_a_mask(ball, images, asked, qtbot) -> None:
     assert ball.view.two_tone.paint == "red"
     assert "mask" in own.two_tone_facts.text()
     asked.append(images["mask"])
-    own.mask.open.click()
+    own.mask_file.open.click()
     own.projection.activated.emit(own.projection.findData("front"))
     assert not own.mask_width_mm.isEnabled()
     wait_images(ball, qtbot)
@@ -120,7 +120,7 @@ def test_two_tone_wants_a_paint_and_a_mask(ball, images, asked, qtbot) -> None:
     assert np.array_equal(ball.pixels(), before)
 
 
-def test_what_cannot_be_read_is_told_and_the_picture_stays(ball, images, asked, qtbot) -> None:
+def test_what_cannot_be_read_is_reported_and_the_picture_stays(ball, images, asked, qtbot) -> None:
     before = ball.pixels()
     asked.append(images["broken"])
     section(ball).normal_map.open.click()

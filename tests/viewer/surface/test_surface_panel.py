@@ -47,7 +47,7 @@ def section(viewer):
 
 
 def wait_baked(viewer, qtbot) -> None:
-    qtbot.waitUntil(lambda: viewer.stage.surface.baked is not None)
+    qtbot.waitUntil(lambda: viewer.state.surface.baked is not None)
 
 
 def wait_shape(viewer, picture: np.ndarray) -> None:
@@ -57,7 +57,7 @@ def wait_shape(viewer, picture: np.ndarray) -> None:
 
 def test_occlusion_comes_in_the_background_and_goes_with_its_switch(balls, qtbot) -> None:
     before = balls.pixels()
-    assert balls.stage.surface.baked is None
+    assert balls.state.surface.baked is None
     section(balls).occlusion.click()
     assert balls.view.surface_look.occlusion
     wait_baked(balls, qtbot)
@@ -92,7 +92,7 @@ def test_a_picture_is_settled_only_with_its_occlusion(start, lights, two_balls, 
     view = View(environment=str(lights["dim"]), surface=str(two_balls), sparkle=Sparkle("off"))
     viewer = start(view=view, wait=False)  # waiting until it is idle would wait for the occlusion
     baked: list[bool] = []
-    viewer.controller.settled.connect(lambda: baked.append(viewer.stage.surface.baked is not None))
+    viewer.controller.settled.connect(lambda: baked.append(viewer.state.surface.baked is not None))
     frame_time = viewer.window.status.cell("frame")
     qtbot.waitUntil(lambda: bool(frame_time.text()))  # the frame's time has been measured and is shown
     go_on.set()
@@ -100,7 +100,7 @@ def test_a_picture_is_settled_only_with_its_occlusion(start, lights, two_balls, 
     assert all(baked)
 
 
-def test_baking_is_told_cancelled_and_offered_again(balls, qtbot, monkeypatch) -> None:
+def test_baking_is_reported_cancelled_and_offered_again(balls, qtbot, monkeypatch) -> None:
     hold, started = threading.Event(), threading.Event()
     bake = surface_control.baked_occlusion
 
@@ -113,11 +113,11 @@ def test_baking_is_told_cancelled_and_offered_again(balls, qtbot, monkeypatch) -
     monkeypatch.setattr(surface_control, "baked_occlusion", slow)
     section(balls).occlusion.click()
     qtbot.waitUntil(started.is_set)
-    assert section(balls).baking.text() == "Occlusion is being baked."
+    assert section(balls).baking.text() == "Computing ambient occlusion…"
     balls.window.busy_cancelled.emit(surface_control.OCCLUSION)
     assert not balls.controller.surface.baking
-    assert "Not baked" in section(balls).baking.text()
-    assert balls.stage.surface.baked is None
+    assert "Shown without ambient occlusion" in section(balls).baking.text()
+    assert balls.state.surface.baked is None
     hold.set()
     section(balls).again.click()
     wait_baked(balls, qtbot)
@@ -125,14 +125,14 @@ def test_baking_is_told_cancelled_and_offered_again(balls, qtbot, monkeypatch) -
     assert section(balls).baking.isHidden()
 
 
-def test_a_failure_is_told_and_the_picture_stays(balls, qtbot, monkeypatch) -> None:
+def test_a_failure_is_reported_and_the_picture_stays(balls, qtbot, monkeypatch) -> None:
     def failing(*_: object) -> None:
         raise SuiteError("Occlusion cannot be baked: a test.")
 
     monkeypatch.setattr(surface_control, "baked_occlusion", failing)
     section(balls).occlusion.click()
     qtbot.waitUntil(lambda: "occlusion" in balls.messages())
-    assert "without occlusion" in balls.messages()["occlusion"]
+    assert "without ambient occlusion" in balls.messages()["occlusion"]
     assert not balls.window.picture.failure
 
 
@@ -179,17 +179,17 @@ def test_the_paint_goes_on_the_parts_that_are_picked(balls) -> None:
     blue = picture[..., 2] - picture[..., 0]
     half = blue.shape[1] // 2
     assert blue[:, half:].max() > 20
-    balls.stage.history.undo()
+    balls.state.history.undo()
     assert balls.view.surface_look.materials == ()
     assert parts.list.topLevelItem(1).text(1) == "Neutral grey"
 
 
 def test_a_scale_loads_the_surface_again(balls, qtbot) -> None:
-    old = balls.stage.surface
+    old = balls.state.surface
     low, high = old.value.bounds()
     section(balls).scale.edited.emit(3.0)
-    qtbot.waitUntil(lambda: balls.stage.surface is not old)
-    found_low, found_high = balls.stage.surface.value.bounds()
+    qtbot.waitUntil(lambda: balls.state.surface is not old)
+    found_low, found_high = balls.state.surface.value.bounds()
     np.testing.assert_allclose(found_high - found_low, 3.0 * (high - low), rtol=1e-5)
     assert "0.72" in section(balls).facts.text() or "1.32" in section(balls).facts.text()
 
@@ -206,14 +206,14 @@ def test_unit_place_and_normals_are_edited(balls, qtbot) -> None:
         box.activated.emit(box.findData(key))
         assert getattr(balls.view.surface_look, field) == key
     qtbot.waitUntil(lambda: "centimetres" in own.facts.text())
-    low, high = balls.stage.surface.value.bounds()
+    low, high = balls.state.surface.value.bounds()
     assert (high - low).max() == pytest.approx(0.0044, rel=0.05)
     assert low[1] == pytest.approx(0.0, abs=1e-6)
 
 
 def test_a_view_from_elsewhere_is_shown(balls) -> None:
     look = replace(PLAIN, ground=True, materials=(PartMaterial("left", "glass"),))
-    balls.stage.change_view(surface_look=look)
+    balls.state.change_view(surface_look=look)
     assert section(balls).ground.isChecked()
     assert section(balls).parts.list.topLevelItem(0).text(1) == "Glass"
     assert section(balls).parts.list.topLevelItem(0).font(1).bold()

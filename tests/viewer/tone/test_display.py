@@ -116,7 +116,7 @@ def test_look_up(viewer) -> None:
 
 
 def test_the_picture_goes_to_the_clipboard(viewer, qapp) -> None:
-    viewer.window.commands.copy_wanted.emit()
+    viewer.window.commands.copy_requested.emit()
     image = qapp.clipboard().image()
     assert (image.width(), image.height()) == viewer.window.picture.device_size
 
@@ -129,20 +129,20 @@ def test_the_picture_is_saved_with_what_it_shows(start, tmp_path) -> None:
         return str(tmp_path / "mine")
 
     viewer = start(ask_picture=ask)
-    viewer.stage.change_view(exposure_ev=1.0)
+    viewer.state.change_view(exposure_ev=1.0)
     run(viewer, "File ▸ Save Picture…")
     assert asked == ["Blue"]
     with Image.open(tmp_path / "mine.png") as saved:
         text = dict(saved.text)
         pixels = np.asarray(saved)
     assert np.array_equal(pixels, viewer.pixels())
-    assert text == picture_metadata(viewer.stage.fit, viewer.view)
+    assert text == picture_metadata(viewer.state.fit, viewer.view)
     assert "+1 EV" in text["Description"]
     assert viewer.messages() == {}
     assert "mine.png" in viewer.window.status.currentMessage()
 
 
-def test_a_picture_that_cannot_be_saved_is_told_until_one_is(start, tmp_path) -> None:
+def test_a_picture_that_cannot_be_saved_is_reported_until_one_is(start, tmp_path) -> None:
     names = [tmp_path / "missing" / "a.png", tmp_path / "a.jpg", "", tmp_path / "a.png"]
     viewer = start(ask_picture=lambda *_: str(names.pop(0)))
     run(viewer, "File ▸ Save Picture…")
@@ -158,7 +158,7 @@ def test_a_picture_that_cannot_be_saved_is_told_until_one_is(start, tmp_path) ->
 
 def test_before_there_is_a_picture_none_is_saved(start) -> None:
     viewer = start(wait=False, ask_picture=lambda *_: pytest.fail("nothing to ask for"))
-    viewer.controller.stage.environment = None
+    viewer.controller.state.environment = None
     run(viewer, "File ▸ Save Picture…")
     assert "no picture yet" in viewer.messages()["picture"]
 
@@ -181,7 +181,7 @@ def test_everything_shipped_is_found_by_name(viewer, query, command) -> None:
     QTest.keyClick(palette.query, Qt.Key.Key_Return)
     viewer.wait_idle()
     if query == "copper":
-        assert viewer.stage.fit.paint.name == "Copper"
+        assert viewer.state.fit.paint.name == "Copper"
         assert viewer.view == before
         return
     changed = {

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from brdf_qt.program import monitor_profile
 from brdf_qt.program.monitor_profile import monitor_of
-from brdf_viewer.tone.section import TONE_TITLES, told
+from brdf_viewer.tone.section import TONE_TITLES, describe_clipping
 from PIL import Image
 
 from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE
@@ -25,7 +25,7 @@ def choose(viewer, key: str) -> None:
 
 def test_every_curve_has_its_title_and_its_picture(viewer) -> None:
     assert set(TONE_TITLES) == set(TONE_CURVES)
-    viewer.stage.change_view(exposure_ev=2.0)  # some of it is above 0.8
+    viewer.state.change_view(exposure_ev=2.0)  # some of it is above 0.8
     seen = []
     for key in TONE_CURVES:
         choose(viewer, key)
@@ -51,16 +51,20 @@ def test_linear_comes_with_its_clipping_marked_and_takes_the_marks_along(viewer)
 def test_marks_and_count(viewer) -> None:
     choose(viewer, "linear")
     viewer.window.tone.clipping.click()
-    viewer.stage.change_view(exposure_ev=5.0, background="grey")
+    viewer.state.change_view(exposure_ev=5.0, background="grey")
     plain = viewer.pixels()
     tone = viewer.controller.tone
 
-    def told_of_bright() -> bool:
+    def reports_bright() -> bool:
         # Counted again after every frame: a count from before the exposure, or none yet, may still be there.
         seen = tone.counted
-        return seen is not None and seen.too_bright > 0 and viewer.window.tone.counted.text() == told(seen)
+        return (
+            seen is not None
+            and seen.too_bright > 0
+            and viewer.window.tone.counted.text() == describe_clipping(seen)
+        )
 
-    viewer.qtbot.waitUntil(told_of_bright)
+    viewer.qtbot.waitUntil(reports_bright)
     counted = tone.counted
     assert "of the object" in viewer.window.tone.counted.text()
     viewer.window.tone.clipping.click()
@@ -73,10 +77,10 @@ def test_marks_and_count(viewer) -> None:
 
 
 def test_words_of_the_count() -> None:
-    assert told(Unshowable(0, 0, 0)) == "The object is not in the picture"
-    assert told(Unshowable(1000, 0, 0)) == "Too bright for the screen: none; out of its gamut: none"
-    assert "less than 0.1 % of the object" in told(Unshowable(100_000, 3, 70_000))
-    assert "70.0 %" in told(Unshowable(100_000, 3, 70_000))
+    assert describe_clipping(Unshowable(0, 0, 0)) == "The object is outside the picture"
+    assert describe_clipping(Unshowable(1000, 0, 0)) == "Clipped highlights: none; out of gamut: none"
+    assert "less than 0.1 % of the object" in describe_clipping(Unshowable(100_000, 3, 70_000))
+    assert "70.0 %" in describe_clipping(Unshowable(100_000, 3, 70_000))
 
 
 class RootProperty:
@@ -110,11 +114,11 @@ def test_the_monitors_profile_is_read_and_drawn_with(start, tmp_path) -> None:
         viewer = start(ask_picture=lambda _window, name: asked.append(name) or str(tmp_path / "a.png"))
         tone = viewer.controller.tone
         viewer.qtbot.waitUntil(lambda: tone.display.space is not SRGB_SPACE)
-        assert viewer.window.tone.profile_told.text() == "Monitor profile: Display P3"
+        assert viewer.window.tone.profile_note.text() == "Monitor profile: Display P3"
         by_profile = viewer.pixels().astype(int)
         viewer.window.tone.profile.click()
         assert tone.display.space is SRGB_SPACE
-        assert viewer.window.tone.profile_told.text().startswith("sRGB;")
+        assert viewer.window.tone.profile_note.text().startswith("sRGB;")
         plain = viewer.pixels().astype(int)
         # Blue within sRGB is less than all of P3's blue, and has some of its red.
         difference = by_profile - plain
@@ -132,19 +136,19 @@ def test_without_a_profile_or_with_a_bad_one_srgb_is_assumed_and_said(qapp) -> N
     screen = qapp.primaryScreen()
     monitor = monitor_of(screen)
     assert monitor.space is SRGB_SPACE
-    assert monitor.told == "sRGB assumed: the system tells no profile of this monitor"
+    assert monitor.description == "No monitor profile found; assuming sRGB"
     with RootProperty("_ICC_PROFILE", b"not a profile"):
         bad = monitor_of(screen)
     assert bad.space is SRGB_SPACE
-    assert "is not an ICC profile" in bad.told
+    assert "is not an ICC profile" in bad.description
 
 
 @pytest.mark.parametrize(
-    ("platform", "word"), [("cocoa", "macOS"), ("wayland-egl", "Wayland"), ("offscreen", "assumed")]
+    ("platform", "word"), [("cocoa", "macOS"), ("wayland-egl", "Wayland"), ("offscreen", "assuming")]
 )
 def test_other_platforms_say_what_is_shown(platform: str, word: str) -> None:
     monitor = monitor_of(None, platform)
-    assert word in monitor.told
+    assert word in monitor.description
     assert not monitor.is_measured
 
 

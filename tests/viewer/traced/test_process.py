@@ -88,7 +88,7 @@ class Job:
             pixels = np.full((height, width, 4), float(samples), np.float32)
             yield Frame(pixels, samples, 0, 1.0 / samples, 0.1 * samples)
 
-    def denoised(self, pixels: np.ndarray) -> np.ndarray:
+    def denoise_picture(self, pixels: np.ndarray) -> np.ndarray:
         return -pixels
 
     def save(self, path: Path, view: View) -> None:
@@ -149,7 +149,7 @@ def test_the_newest_request_is_traced_alone_and_no_picture_is_written_over(tmp_p
         take(tmp_path, 0, (5, 5))
 
 
-def test_it_stops_at_the_samples_asked_for_and_goes_on_when_told(tmp_path) -> None:
+def test_it_stops_at_the_samples_asked_for_and_goes_on_when_reported(tmp_path) -> None:
     start = request_in(tmp_path, samples=2).to_json()
     back = [{"do": "taken", "slot": 0}, {"do": "taken", "slot": 1}]
     said = answers(
@@ -172,13 +172,13 @@ def test_the_noise_is_taken_out_when_asked_and_put_back(tmp_path) -> None:
     assert (take(tmp_path, 1, (6, 4)) == 1.0).all()
 
 
-def test_what_fails_is_told_with_its_generation_and_the_next_request_is_taken(tmp_path) -> None:
+def test_what_fails_is_reported_with_its_generation_and_the_next_request_is_taken(tmp_path) -> None:
     engines = Engines(ReferenceUnavailableError("install this"))
     said = answers(tmp_path, engines, [request_in(tmp_path, 7).to_json()], [], [])
     assert said == [{"say": "failed", "generation": 7, "text": "install this"}]
-    for error, words in ((MemoryError(), "not enough memory"), (ZeroDivisionError("x"), "fault of its own")):
-        (told,) = answers(tmp_path, Engines(error), [request_in(tmp_path, 7).to_json()], [])
-        assert words in told["text"]
+    for error, words in ((MemoryError(), "not enough memory"), (ZeroDivisionError("x"), "nternal error")):
+        (reported,) = answers(tmp_path, Engines(error), [request_in(tmp_path, 7).to_json()], [])
+        assert words in reported["text"]
 
 
 def test_the_newest_picture_is_saved_in_the_view_of_the_moment(tmp_path) -> None:
@@ -209,14 +209,14 @@ def run(qtbot):
         assert not process.folder.exists()
 
 
-def test_a_crash_is_told_with_its_last_words(run, qtbot) -> None:
+def test_a_crash_is_reported_with_its_last_words(run, qtbot) -> None:
     dies = "import os, sys; sys.stdin.readline(); print('LLVM ERROR: no', file=sys.stderr, flush=True); os.abort()"
     process = run("-c", dies)
     with qtbot.waitSignal(process.crashed) as crash:
         process.send({"do": "render"})
     assert "LLVM ERROR: no" in crash.args[0]
     assert f"signal {int(signal.SIGABRT)}" in crash.args[0]
-    process.send({"do": "render"})  # nobody is there to hear it
+    process.send({"do": "render"})  # no process is there to receive it
     ends = run("-c", "raise SystemExit(3)")
     with qtbot.waitSignal(ends.crashed) as crash:
         pass
@@ -224,7 +224,7 @@ def test_a_crash_is_told_with_its_last_words(run, qtbot) -> None:
     assert "out of memory" in crash.args[0]
 
 
-def test_a_process_that_was_told_to_end_has_not_crashed(run, qtbot) -> None:
+def test_a_process_that_was_reported_to_end_has_not_crashed(run, qtbot) -> None:
     process = run(
         "-c", 'import sys; print(\'{"say": "saved", "path": "here"}\', flush=True); sys.stdin.read()'
     )

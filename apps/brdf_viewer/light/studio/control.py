@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.store import DocumentStore
@@ -27,7 +29,7 @@ from brdf_viewer.light.studio.recovery_offer import offer_recovered
 from brdf_viewer.light.studio.surroundings_form import changed_surroundings
 from brdf_viewer.light.studio.templates import TEMPLATES
 from brdf_viewer.scene.control import SceneControl
-from brdf_viewer.scene.stage import Prop, Stage
+from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
 from brdf_viewer.window import ViewerWindow
 
 _BUSY = "studio"
@@ -41,26 +43,26 @@ class StudioControl(QObject):
 
     def __init__(
         self,
-        stage: Stage,
+        state: ViewerState,
         window: ViewerWindow,
         scene: SceneControl,
         dialogs: Dialogs,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._stage, self._window, self._scene = stage, window, scene
+        self._state, self._window, self._scene = state, window, scene
         self._panel = window.studio
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
         self.files = StudioFiles(self.store, dialogs, self)
-        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, self._tell, self)
+        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, self._report, self)
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
-        self._seen: Prop[PreparedEnvironment] | None = None
+        self._seen: LoadedAsset[PreparedEnvironment] | None = None
         self._live = LiveLight(self)
         self._live.drawn.connect(self._drawn)
         self._live.failed.connect(self._not_drawn)
-        self._live.moved.connect(lambda fraction, what: window.set_busy(_BUSY, fraction, self._told(what)))
+        self._live.moved.connect(lambda fraction, what: window.set_busy(_BUSY, fraction, self._message(what)))
         self._live.ended.connect(lambda: window.set_idle(_BUSY))
         window.busy_cancelled.connect(self._cancelled)
         window.close_guards.append(self.may_close)
@@ -76,15 +78,15 @@ class StudioControl(QObject):
 
     def edit(self) -> bool:
         """Edit the light of the picture, where it has a description; otherwise say what can be done."""
-        key = self._stage.view.environment
+        key = self._state.view.environment
         if key == "booth":
             return self.new("booth")
         if not key.lower().endswith(STUDIO_ENDING):
             self._window.messages.show_message(
                 Message(
                     _BUSY,
-                    "The light of the picture is an image, which has no lamps to edit.",
-                    todo="Begin a studio with File ▸ Studio ▸ New, or take the light booth.",
+                    "The current light is an image, which has no lamps to edit.",
+                    todo="Create a studio with File ▸ Studio ▸ New, or choose the light booth.",
                     severity="error",
                 )
             )
@@ -99,7 +101,7 @@ class StudioControl(QObject):
             return False
         self._opened()
         # The picture shows it already; nothing is drawn until it is edited.
-        present = self._stage.environment
+        present = self._state.environment
         lit = present is not None and present.key == str(path) and present.value.is_final
         if present is not None and lit:
             self._shown = present.value
@@ -130,13 +132,13 @@ class StudioControl(QObject):
         self._show()
         return True
 
-    def _tell(self, error: BaseException) -> None:
+    def _report(self, error: BaseException) -> None:
         self._window.messages.show_message(message_of(error, "autosave"))
 
     def _take(self, light: LightDocument) -> bool:
         if self._open and not self.files.may_discard():
             return False
-        self.store.replace(light, None)  # clean: a template that nobody has edited is no work to be lost
+        self.store.replace(light, None)  # clean: an unedited template is no work to be lost
         self._opened()
         self._live.show(light)
         self._show()
@@ -157,24 +159,24 @@ class StudioControl(QObject):
             signal.connect(lambda *_: self._show_state())
         self.files.failed.connect(self._window.messages.show_message)
         self.files.succeeded.connect(self._written)
-        self._stage.contents_changed.connect(self._contents_changed)
-        self._stage.view_changed.connect(lambda _old, new: self._show_editable(new))
+        self._state.contents_changed.connect(self._contents_changed)
+        self._state.view_changed.connect(lambda _old, new: self._show_editable(new))
 
     def _connect_panel(self) -> None:
         panel, store = self._panel, self.store
-        panel.new_wanted.connect(self.new)
-        panel.edit_wanted.connect(self.edit)
-        self._window.environment.edit_wanted.connect(self.edit)
-        panel.save_wanted.connect(self.files.save)
-        panel.save_as_wanted.connect(self.files.save_as)
-        panel.undo_wanted.connect(store.undo)
-        panel.redo_wanted.connect(store.redo)
-        panel.show_wanted.connect(lambda: self._live.show(store.value))
+        panel.new_requested.connect(self.new)
+        panel.edit_requested.connect(self.edit)
+        self._window.environment.edit_requested.connect(self.edit)
+        panel.save_requested.connect(self.files.save)
+        panel.save_as_requested.connect(self.files.save_as)
+        panel.undo_requested.connect(store.undo)
+        panel.redo_requested.connect(store.redo)
+        panel.show_requested.connect(lambda: self._live.show(store.value))
         panel.renamed.connect(lambda text: self._do("Rename", lambda light: _renamed(light, text)))
         panel.chosen.connect(self._choose)
-        panel.add_wanted.connect(self._add)
-        panel.double_wanted.connect(self._double)
-        panel.remove_wanted.connect(self._remove)
+        panel.add_requested.connect(self._add)
+        panel.double_requested.connect(self._double)
+        panel.remove_requested.connect(self._remove)
         panel.lamp.edits.changed.connect(self._edit_lamp)
         panel.around.edits.changed.connect(
             lambda name, value: self._do(
@@ -194,18 +196,18 @@ class StudioControl(QObject):
     def _add_commands(self) -> None:
         window, menu = self._window, self._window.commands.studio
         for key, (title, _) in TEMPLATES.items():
-            window.add_action(menu, f"New Studio: {title}", lambda key=key: self.new(key))
+            window.add_action(menu, f"New Studio: {title}", partial(self.new, key))
         menu.addSeparator()
-        window.add_action(menu, "&Edit the Picture's Light", self.edit, icon="pencil-simple")
+        window.add_action(menu, "&Edit Current Light", self.edit, icon="pencil-simple")
         self._save = window.add_action(menu, "&Save Studio", self.files.save, icon="floppy-disk")
         self._save_as = window.add_action(menu, "Save Studio &As…", self.files.save_as)
 
     def _do(self, name: str, edit: Callable[[LightDocument], LightDocument]) -> None:
-        """Make an edit; what cannot be is told in the panel, and the fields go back to what is."""
+        """Make an edit; an invalid edit is reported in the panel, and the fields go back to what is."""
         try:
             value = edit(self.store.value)
         except ValueRangeError as error:
-            self._panel.set_mistake(f"Not taken: {error.place}: {error.reason}")
+            self._panel.set_mistake(f"Not applied: {error.place}: {error.reason}")
             self._show()
             return
         self._panel.set_mistake("")
@@ -248,7 +250,7 @@ class StudioControl(QObject):
     def _double(self) -> None:
         index = self._index
         self._index = index + 1
-        self._do("Double Lamp", lambda light: edits.doubled(_studio(light), index))
+        self._do("Duplicate Lamp", lambda light: edits.doubled(_studio(light), index))
 
     def _remove(self) -> None:
         index = self._index
@@ -279,7 +281,7 @@ class StudioControl(QObject):
     def _not_drawn(self, error: Exception) -> None:
         if not isinstance(error, SuiteError):
             raise error
-        todo = "The picture shows what could be drawn last."
+        todo = "The picture shows the last valid light."
         self._window.messages.show_message(message_of(error, _BUSY, todo=todo))
 
     def _cancelled(self, kind: str) -> None:
@@ -287,43 +289,44 @@ class StudioControl(QObject):
             self._live.stop()
 
     def _written(self, what: str) -> None:
-        if what == "save" and self.store.path is not None and self._is_lit():
+        if what == "save" and self.store.path is not None and self.is_lit():
             self._scene.name_edited(str(self.store.path))
 
     def _contents_changed(self) -> None:
         """Another light came into the picture: stop drawing this one, and offer it again."""
-        present = self._stage.environment
+        present = self._state.environment
         if present is self._seen:
             return  # it was the paint or the surface that changed
         self._seen = present
-        if self._open and not self._is_lit():
+        if self._open and not self.is_lit():
             self._live.stop()
         if self._open and present is not None and present.key == str(self.store.path) and self.store.is_clean:
             self._shown = present.value  # read from the file that holds the same
-        self._show_editable(self._stage.view)
-        self._panel.set_lit(self._is_lit())
+        self._show_editable(self._state.view)
+        self._panel.set_lit(self.is_lit())
 
     def _show_editable(self, view: View) -> None:
         self._window.environment.set_editable(_has_description(view.environment))
 
-    def _is_lit(self) -> bool:
-        present = self._stage.environment
+    def is_lit(self) -> bool:
+        """Return whether the picture is lit by the open studio."""
+        present = self._state.environment
         return present is not None and present.value is self._shown
 
     def _show(self) -> None:
         self._panel.set_light(self.store.value if self._open else None, self._index)
-        self._panel.set_lit(self._is_lit() or not self._open or self._shown is None)
+        self._panel.set_lit(self.is_lit() or not self._open or self._shown is None)
         self._show_state()
 
     def _show_state(self) -> None:
-        where = "Not saved in a file yet" if self.store.path is None else self.store.path.name
+        where = "Not saved to a file yet" if self.store.path is None else self.store.path.name
         changed = "" if self.store.is_clean else ", changed" if self.store.path is not None else ""
         stack = self.store.stack
         self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())
         for action in (self._save, self._save_as):
             action.setEnabled(self._open)
 
-    def _told(self, what: str) -> str:
+    def _message(self, what: str) -> str:
         return f"{self.store.value.name}: {what}"
 
 
@@ -336,8 +339,9 @@ def _renamed(light: LightDocument, name: str) -> LightDocument:
     return _changed(light, "name", name)
 
 
-def _changed(light: LightDocument, name: str, value: object) -> LightDocument:
-    return dataclasses.replace(light, **{name: value})
+def _changed(light: LightDocument, name: str, value: Any) -> LightDocument:
+    changed: LightDocument = dataclasses.replace(light, **{name: value})
+    return changed
 
 
 def _gesture(source: object) -> str:

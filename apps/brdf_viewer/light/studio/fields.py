@@ -1,4 +1,4 @@
-"""Fields of a studio that tell of edits as changes of one value, with the gestures around them."""
+"""Fields of a studio that report edits as changes of one value, with the gestures around them."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class TemperatureField(QWidget):
         self._edits, self._name = edits, name
         self.kelvin = edits.of_document(name, 50.0, 0, "colour_temperature_k")
         self.neutral = QCheckBox("Neutral")
-        self.neutral.setToolTip("The white of the picture, D65")
+        self.neutral.setToolTip("White of the picture, D65")
         self.neutral.clicked.connect(self._clicked)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)

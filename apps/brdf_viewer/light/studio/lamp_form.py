@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_suite.documents.studio import PARAMETERS, Point, StudioLamp
+from brdf_suite.documents.studio import PARAMETERS, Point, Shape, StudioLamp
 from brdf_viewer.light.studio.fields import Edits, TemperatureField, show_choice
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 
@@ -21,7 +22,7 @@ _SIZE_LABELS = {
 
 
 class LampForm(QWidget):
-    """Shows a lamp; ``edits`` tells what was changed, :func:`changed_lamp` makes a lamp of it."""
+    """Shows a lamp; ``edits`` reports what was changed, :func:`changed_lamp` makes a lamp of it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,7 +35,7 @@ class LampForm(QWidget):
         self.first = edits.number("first", "Width", "°", 0.05, 170.0, 1.0, 2, 30.0)
         self.second = edits.number("second", "Height", "°", 0.05, 170.0, 1.0, 2, 30.0)
         self.roll = edits.of_document("roll_deg", 1.0, 1)
-        self.aimed = edits.tick("aimed", "Faces the middle", "Off: it shines where the two angles say")
+        self.aimed = edits.tick("aimed", "Face the centre", "Off: the direction is set by the two angles")
         self.facing_azimuth = edits.number("facing_azimuth", "Facing", "°", -180.0, 180.0, 1.0, 1, 180.0)
         self.facing_azimuth.setWrapping(True)
         self.facing_elevation = edits.number("facing_elevation", "Up", "°", -90.0, 90.0, 1.0, 1, -45.0)
@@ -43,21 +44,23 @@ class LampForm(QWidget):
         self.softness = edits.number("softness_cm", "Soft edge", "cm", 0.01, 1000.0, 0.5, 2, 6.0)
         form = Form()
         form.add_row("Shape", self.shape, "A box is brightest in its middle; strips and rings are even")
-        form.add_row("Azimuth", self.azimuth, "Where it is: from the front (+z) towards the right (+x)")
-        form.add_row("Elevation", self.elevation, "Above the horizon of the scene's middle")
-        form.add_row("Distance", self.distance, "From the middle of the scene; its size in metres stays")
-        size = "The angle that it takes up, seen squarely from the middle of the scene"
+        form.add_row("Azimuth", self.azimuth, "Position: from the front (+z) towards the right (+x)")
+        form.add_row("Elevation", self.elevation, "Above the horizon at the centre of the scene")
+        form.add_row(
+            "Distance", self.distance, "Distance from the centre of the scene; the size in metres stays"
+        )
+        size = "Angular size, seen face-on from the centre of the scene"
         self._first_label = form.add_row("Width", self.first, size)
         self._second_label = form.add_row("Height", self.second, size)
         form.add_row("Roll", self.roll, PARAMETERS["roll_deg"].meaning)
         form.add_row("", self.aimed)
         self._facing_labels = [
-            form.add_row("Shines to", self.facing_azimuth, "Azimuth towards which it shines"),
-            form.add_row("and up", self.facing_elevation, "Elevation towards which it shines"),
+            form.add_row("Shines to", self.facing_azimuth, "Azimuth of the direction of emission"),
+            form.add_row("and up", self.facing_elevation, "Elevation of the direction of emission"),
         ]
-        self._luminance_label = form.add_row("Luminance", self.luminance, "In its middle")
-        form.add_row("Colour", self.colour, "Planck's below 4,000 K, daylight from there on")
-        form.add_row("Soft edge", self.softness, "Width over which its edge fades in")
+        self._luminance_label = form.add_row("Luminance", self.luminance, "At its centre")
+        form.add_row("Colour", self.colour, "Planckian below 4,000 K, daylight above")
+        form.add_row("Soft edge", self.softness, "Width of the fade at its edge")
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(form)
@@ -79,7 +82,7 @@ class LampForm(QWidget):
             field.set_value(angle_of(size, distance))
             label.setText(text)
             metres = f"{size:.3g} m"
-            field.setToolTip(plain_tip(f"{text}: {metres}, as the angle that it takes up seen squarely"))
+            field.setToolTip(plain_tip(f"{text}: {metres}; the angle is its face-on angular size"))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
         facing_azimuth, facing_elevation = facing_deg(lamp)
@@ -93,7 +96,7 @@ class LampForm(QWidget):
         self.softness.set_value(100.0 * lamp.softness_m)
 
 
-def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
+def changed_lamp(lamp: StudioLamp, name: str, value: Any) -> StudioLamp:
     """Return the lamp after an edit of a field of :class:`LampForm`; :class:`ValueRangeError` where it cannot be."""
     azimuth, elevation, distance = polar(lamp.position_m)
     if name in ("azimuth", "elevation", "distance"):
@@ -104,7 +107,7 @@ def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
         both = (size, lamp.size_m[1]) if name == "first" else (lamp.size_m[0], size)
         return dataclasses.replace(lamp, size_m=both)
     if name == "shape":
-        return _shaped(lamp, str(value))
+        return _shaped(lamp, value)
     if name == "aimed":
         x, y, z = lamp.position_m
         return dataclasses.replace(lamp, facing=None if value else (-x, -y, -z))
@@ -118,7 +121,7 @@ def changed_lamp(lamp: StudioLamp, name: str, value: object) -> StudioLamp:
     return dataclasses.replace(lamp, **{name: value})
 
 
-def _shaped(lamp: StudioLamp, shape: str) -> StudioLamp:
+def _shaped(lamp: StudioLamp, shape: Shape) -> StudioLamp:
     """Return the lamp in another shape, its sides brought to what that can have."""
     first, second = lamp.size_m
     if shape == "strip":

@@ -5,7 +5,8 @@ from __future__ import annotations
 from functools import partial as bound
 
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Qt, Signal
 
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.pipeline.light_in_work import prepare_light
@@ -42,7 +43,7 @@ class LiveLight(QObject):
         self._drafted: LightDocument | None = None
         self._generation = 0
         self._drafting = False
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS, timeout=self._make_whole)
+        self._rest = make_timer(self, self._make_whole, REST_MS)
         self._handed_out.connect(self._on_handed_out, Qt.ConnectionType.QueuedConnection)
 
     def show(self, light: LightDocument) -> None:

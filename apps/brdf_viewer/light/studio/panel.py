@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.text import TextLine
 from brdf_qt.program.icons import icon
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QFrame,
@@ -37,28 +39,28 @@ class StudioPanel(QScrollArea):
 
     Signals
     -------
-    new_wanted(template), edit_wanted(), save_wanted(), save_as_wanted(), undo_wanted(), redo_wanted()
+    new_requested(template), edit_requested(), save_requested(), save_as_requested(), undo_requested(), redo_requested()
         Of the document.
-    show_wanted()
+    show_requested()
         The picture is to be lit with it again.
     renamed(text)
         The studio's name.
-    chosen(index), add_wanted(shape), double_wanted(), remove_wanted()
-        Of the lamps. The fields tell of their edits by the forms' ``edits``.
+    chosen(index), add_requested(shape), double_requested(), remove_requested()
+        Of the lamps. The fields report their edits by the forms' ``edits``.
     """
 
-    new_wanted = Signal(str)
-    edit_wanted = Signal()
-    save_wanted = Signal()
-    save_as_wanted = Signal()
-    undo_wanted = Signal()
-    redo_wanted = Signal()
-    show_wanted = Signal()
+    new_requested = Signal(str)
+    edit_requested = Signal()
+    save_requested = Signal()
+    save_as_requested = Signal()
+    undo_requested = Signal()
+    redo_requested = Signal()
+    show_requested = Signal()
     renamed = Signal(str)
     chosen = Signal(int)
-    add_wanted = Signal(str)
-    double_wanted = Signal()
-    remove_wanted = Signal()
+    add_requested = Signal(str)
+    double_requested = Signal()
+    remove_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -77,23 +79,23 @@ class StudioPanel(QScrollArea):
         self.lamp, self.around, self.sky = LampForm(), SurroundingsForm(), SkyForm()
         self._quiet = False
         self._light: LightDocument | None = None
-        self.save = _tool("floppy-disk", "Save the studio (Ctrl+S in this panel)", self.save_wanted)
-        self.save_as = _tool("copy", "Save the studio under another name", self.save_as_wanted)
-        self.undo = _tool("arrow-counter-clockwise", "Undo (Ctrl+Z in this panel)", self.undo_wanted)
-        self.redo = _tool("arrow-clockwise", "Redo", self.redo_wanted)
+        self.save = _tool("floppy-disk", "Save the studio (Ctrl+S in this panel)", self.save_requested)
+        self.save_as = _tool("copy", "Save the studio under another name", self.save_as_requested)
+        self.undo = _tool("arrow-counter-clockwise", "Undo (Ctrl+Z in this panel)", self.undo_requested)
+        self.redo = _tool("arrow-clockwise", "Redo", self.redo_requested)
         self.add = _tool("plus", "Add a lamp", None)
         menu = QMenu(self.add)
         for shape, title in SHAPE_TITLES.items():
-            menu.addAction(title, lambda shape=shape: self.add_wanted.emit(shape))
+            menu.addAction(title, partial(self.add_requested.emit, shape))
         self.add.setMenu(menu)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.double = _tool("copy-simple", "Double this lamp", self.double_wanted)
-        self.remove = _tool("trash", "Remove this lamp", self.remove_wanted)
-        self.relight = QPushButton("Light the picture with it")
-        self.relight.clicked.connect(self.show_wanted)
+        self.double = _tool("copy-simple", "Duplicate this lamp", self.double_requested)
+        self.remove = _tool("trash", "Remove this lamp", self.remove_requested)
+        self.relight = QPushButton("Light the picture with this studio")
+        self.relight.clicked.connect(self.show_requested)
         self._lamps = self._lamp_part()
         self._begin, self._open = self._begin_part(), self._open_part()
-        inside = QWidget()
+        self._inside = inside = QWidget()
         box = QVBoxLayout(inside)
         box.setContentsMargins(8, 8, 8, 8)
         box.addWidget(self._begin)
@@ -109,7 +111,7 @@ class StudioPanel(QScrollArea):
         return QSize(self._inner_width(), 120)
 
     def _inner_width(self) -> int:
-        return self.widget().minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
+        return self._inside.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width() + 2
 
     def set_light(self, light: LightDocument | None, index: int) -> None:
         """Show a light and its lamp of that index, without a signal; None offers to begin one."""
@@ -176,15 +178,15 @@ class StudioPanel(QScrollArea):
         part = QWidget()
         box = QVBoxLayout(part)
         box.setContentsMargins(0, 0, 0, 0)
-        text = PlainLabel("No studio is open. Begin one, or edit the light of the picture.")
+        text = PlainLabel("No studio is open. Create one, or edit the current light.")
         text.setWordWrap(True)
         box.addWidget(text)
         for key, (title, _) in TEMPLATES.items():
             button = QPushButton(title)
-            button.clicked.connect(lambda _=False, key=key: self.new_wanted.emit(key))
+            button.clicked.connect(lambda _=False, key=key: self.new_requested.emit(key))
             box.addWidget(button)
-        edit = QPushButton("Edit the picture's light")
-        edit.clicked.connect(self.edit_wanted)
+        edit = QPushButton("Edit current light")
+        edit.clicked.connect(self.edit_requested)
         box.addWidget(edit)
         return part
 
@@ -236,15 +238,15 @@ class StudioPanel(QScrollArea):
         else:
             signal.emit()
 
-    def _signal(self, event: QKeyEvent) -> Signal | None:
+    def _signal(self, event: QKeyEvent) -> SignalInstance | None:
         """Return what a key of the document asks for; None for another key, or where no document is open."""
         if self._light is None:
             return None
         for keys, signal in (
-            (_KEYS.Undo, self.undo_wanted),
-            (_KEYS.Redo, self.redo_wanted),
-            (_KEYS.SaveAs, self.save_as_wanted),
-            (_KEYS.Save, self.save_wanted),
+            (_KEYS.Undo, self.undo_requested),
+            (_KEYS.Redo, self.redo_requested),
+            (_KEYS.SaveAs, self.save_as_requested),
+            (_KEYS.Save, self.save_requested),
         ):
             if event.matches(keys):
                 return signal
@@ -264,7 +266,7 @@ def lamp_line(index: int, lamp: StudioLamp) -> str:
     return f"{index + 1}  {SHAPE_TITLES[lamp.shape]}, {place}, {lamp.luminance:g}, {colour}"
 
 
-def _tool(name: str, tip: str, signal: object) -> QToolButton:
+def _tool(name: str, tip: str, signal: SignalInstance | None) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
     button.setToolTip(plain_tip(tip))

@@ -61,7 +61,7 @@ class StudioPreview(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._light: LightDocument | None = None
-        self._image = QImage()
+        self.panorama = QImage()
         self._outlines: list[NDArray[np.float64]] = []
         self._middles: list[NDArray[np.float64]] = []
         self._chosen = -1
@@ -74,14 +74,14 @@ class StudioPreview(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName("Panorama of the studio")
         self.setToolTip(
-            "All around, in front in the middle. Click a lamp to choose it, drag it to move it, turn the wheel over "
-            "it to size it, arrow keys move it by 1°"
+            "Full panorama, front at the centre. Click a lamp to select it, drag it to move it, turn the wheel "
+            "over it to resize it, arrow keys move it by 1°"
         )
 
     def set_light(self, light: LightDocument) -> None:
         """Show where the lamps are; the picture behind them follows when it is drawn."""
         if isinstance(self._light, Studio) != isinstance(light, Studio):
-            self._image = QImage()
+            self.panorama = QImage()
         self._light = light
         lamps = light.lamps if isinstance(light, Studio) else ()
         self._outlines = [panorama_place(outline(lamp)) for lamp in lamps]
@@ -101,7 +101,7 @@ class StudioPreview(QWidget):
         pixels = np.ascontiguousarray(codes)
         height, width = pixels.shape[:2]
         # A copy, because the image does not keep the array alive.
-        self._image = QImage(pixels.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+        self.panorama = QImage(pixels.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888).copy()
         self.update()
 
     def set_chosen(self, index: int) -> None:
@@ -194,10 +194,10 @@ class StudioPreview(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         area, palette = QRectF(self.rect()), self.palette()
-        if self._image.isNull():
+        if self.panorama.isNull():
             painter.fillRect(area, palette.color(QPalette.ColorRole.Base))
         else:
-            painter.drawImage(area, self._image)
+            painter.drawImage(area, self.panorama)
         for index, middle in enumerate(self._middles):
             chosen = index == self._chosen
             line = palette.color(QPalette.ColorRole.Highlight) if chosen else QColor(255, 255, 255)

@@ -37,11 +37,11 @@ def _offer(
         _offer(rest, recovery, messages, take)
 
     name = item.path.name if item.path else item.value.name
-    what = tr("Unsaved work on the studio “{name}” was found, from {when}.").format(
+    what = tr("Unsaved work on the studio “{name}” from {when} was found.").format(
         name=name, when=moment(item.when)
     )
     if rest:
         what = tr("{what} After it: {count} more.").format(what=what, count=len(rest))
-    todo = tr("An earlier run ended before it was saved. Recover opens it; the file on disk is unchanged.")
+    todo = tr("Viewer closed unexpectedly. Recover your unsaved work? The file on disk is unchanged.")
     actions = ((tr("Recover"), recover), (tr("Discard"), drop))
     messages.show_message(Message(_KEY, what, todo=todo, actions=actions))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
@@ -45,13 +46,11 @@ class SurroundingsForm(QWidget):
             for name, (_, parameter, step) in _ROOM.items()
         }
         form = Form()
-        form.add_row(
-            "Unit", self.unit, "What luminances are counted in; the picture is exposed for a white card"
-        )
-        form.add_row("Around", self.around, "What is seen where there is no lamp")
+        form.add_row("Unit", self.unit, "Unit of luminances; the exposure is set for a white card")
+        form.add_row("Surroundings", self.around, "Visible where there is no lamp")
         self._backdrop, self._room = Form(), Form()
-        self._backdrop.add_row("Luminance", self.backdrop_luminance, "The same from everywhere; 0 is black")
-        self._backdrop.add_row("Colour", self.backdrop_colour, "Of the backdrop")
+        self._backdrop.add_row("Luminance", self.backdrop_luminance, "Uniform; 0 is black")
+        self._backdrop.add_row("Colour", self.backdrop_colour, "Colour of the backdrop")
         for name, (label, parameter, _) in _ROOM.items():
             self._room.add_row(label, self.room[name], PARAMETERS[parameter].meaning)
         box = QVBoxLayout(self)
@@ -75,7 +74,7 @@ class SurroundingsForm(QWidget):
                 field.set_value(getattr(studio.room, name))
 
 
-def changed_surroundings(studio: Studio, name: str, value: object) -> Studio:
+def changed_surroundings(studio: Studio, name: str, value: Any) -> Studio:
     """Return the studio after an edit of a field; :class:`ValueRangeError` where it cannot be so."""
     if name == "around":
         return with_room(studio, value == "room")
@@ -88,7 +87,7 @@ def changed_surroundings(studio: Studio, name: str, value: object) -> Studio:
 
 
 class SkyForm(QWidget):
-    """The fields of a sky; ``edits`` tells them by the names of :class:`Sky`."""
+    """The fields of a sky; ``edits`` reports them by the names of :class:`Sky`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -98,9 +97,9 @@ class SkyForm(QWidget):
         self.elevation = edits.of_document("sun_elevation_deg", 1.0, 1)
         self.azimuth = edits.of_document("sun_azimuth_deg", 1.0, 1)
         self.ground = edits.of_document("ground_albedo", 0.01, 2)
-        self.disc = edits.tick("sun_disc", "Sun in the picture", "The sun itself, 0.53° across")
+        self.disc = edits.tick("sun_disc", "Sun in the picture", "The solar disc, 0.53° in diameter")
         form = Form()
-        form.add_row("Model", self.model, "Which published sky")
+        form.add_row("Model", self.model, "Published sky model")
         self._clear = [
             form.add_row("Turbidity", self.turbidity, PARAMETERS["turbidity"].meaning),
             form.add_row("Elevation", self.elevation, PARAMETERS["sun_elevation_deg"].meaning),

@@ -71,9 +71,9 @@ def settle(viewer) -> None:
     control = viewer.controller.studio
     viewer.qtbot.waitUntil(
         lambda: (
-            control._is_lit()
-            and viewer.stage.environment.value.is_final
-            and viewer.stage.environment.value.name == control.store.value.name
+            control.is_lit()
+            and viewer.state.environment.value.is_final
+            and viewer.state.environment.value.name == control.store.value.name
         )
     )
 
@@ -89,10 +89,10 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     assert viewer.controller.studio.new("three")
     panel = viewer.window.studio
     assert panel.list.count() == 3
-    assert panel.state.text() == "Not saved in a file yet"
+    assert panel.state.text() == "Not saved to a file yet"
     seen = []
-    viewer.stage.contents_changed.emit()  # as of a paint or a surface: the light goes on being drawn
-    viewer.stage.contents_changed.connect(lambda: seen.append(viewer.stage.environment.value))
+    viewer.state.contents_changed.emit()  # as of a paint or a surface: the light goes on being drawn
+    viewer.state.contents_changed.connect(lambda: seen.append(viewer.state.environment.value))
     settle(viewer)
     seen = [light.draft for light in seen if light.name == "My studio"]
     assert seen[0] is True  # a draft first
@@ -100,7 +100,7 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
     assert viewer.window.status.cell("environment").text() == "My studio"
     assert viewer.view == view  # it cannot name what no file holds
     assert not np.array_equal(viewer.pixels()[:100, :100], before[:100, :100])
-    assert not panel.preview._image.isNull()
+    assert not panel.preview.panorama.isNull()
     assert viewer.controller.studio.may_close()
     assert script.asked == []  # nothing of the user's would be lost
     panel.lamp.luminance.setValue(9.0)
@@ -112,7 +112,7 @@ def test_a_studio_is_begun_from_a_template(start, script, qtbot) -> None:
 
 def test_fields_of_a_lamp_are_edits_that_can_be_undone(edited) -> None:
     form, panel = edited.panel.lamp, edited.panel
-    dark = edited.stage.environment.value.environment.average()
+    dark = edited.state.environment.value.environment.average()
     form.azimuth.setValue(90.0)
     assert value(edited).lamps[0].position_m == pytest.approx((2.0, 2.0, 0.0))
     form.first.setValue(60.0)
@@ -124,7 +124,7 @@ def test_fields_of_a_lamp_are_edits_that_can_be_undone(edited) -> None:
     assert panel.list.item(0).text() == lamp_line(0, value(edited).lamps[0])
     assert panel.state.text() == "plain.brdfstudio, changed"
     settle(edited)
-    warm = edited.stage.environment.value.environment.average()
+    warm = edited.state.environment.value.environment.average()
     assert warm[0] / warm[2] > 1.3 * dark[0] / dark[2]
     for _ in range(10):
         panel.undo.click()
@@ -135,9 +135,9 @@ def test_fields_of_a_lamp_are_edits_that_can_be_undone(edited) -> None:
     assert value(edited).lamps[0].position_m == pytest.approx((2.0, 2.0, 0.0))
 
 
-def test_what_cannot_be_is_told_and_the_field_goes_back(edited) -> None:
+def test_what_cannot_be_is_reported_and_the_field_goes_back(edited) -> None:
     panel = edited.panel
-    panel.add_wanted.emit("ring")
+    panel.add_requested.emit("ring")
     assert panel.list.currentRow() == 1
     before = value(edited)
     panel.lamp.second.setValue(80.0)  # a band wider than half of the ring
@@ -153,7 +153,7 @@ def test_what_cannot_be_is_told_and_the_field_goes_back(edited) -> None:
 
 def test_lamps_are_added_doubled_and_removed(edited) -> None:
     panel = edited.panel
-    panel.add_wanted.emit("strip")
+    panel.add_requested.emit("strip")
     panel.double.click()
     assert [lamp.shape for lamp in value(edited).lamps] == ["box", "strip", "strip"]
     assert panel.list.currentRow() == 2
@@ -169,7 +169,7 @@ def test_lamps_are_added_doubled_and_removed(edited) -> None:
 
 
 def test_a_lamp_is_clicked_and_dragged_in_the_panorama(edited, qtbot) -> None:
-    edited.panel.add_wanted.emit("box")
+    edited.panel.add_requested.emit("box")
     preview = edited.panel.preview
     qtbot.waitUntil(lambda: preview.width() > 100)
     steps, before = edited.control.store.stack.index(), value(edited).lamps[0]
@@ -254,10 +254,10 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     settle(viewer)
     form = FORMATS["picture"][0]
     viewer.controller.export.export(ExportSettings("picture", form, (64, 48)))
-    assert "is not saved" in viewer.messages()["export"]  # an export would read another light
+    assert "unsaved changes" in viewer.messages()["export"]  # an export would read another light
     script.save_to = tmp_path / "mine.brdfview"
     assert viewer.controller.views.save()
-    assert "is not saved" in viewer.messages()["view"]  # a view cannot name it
+    assert "unsaved edits" in viewer.messages()["view"]  # a view cannot name it
     script.save_to = tmp_path / "mine.brdfstudio"
     viewer.window.studio.save.click()
     assert not viewer.controller.scene.edited
@@ -266,12 +266,12 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     assert viewer.window.studio.state.text() == "mine.brdfstudio"
     assert viewer.window.status.cell("environment").text() == "mine.brdfstudio"
     viewer.wait_idle()
-    assert viewer.stage.environment.key == str(script.save_to)
+    assert viewer.state.environment.key == str(script.save_to)
     assert control.may_close()
     assert script.asked == []
 
 
-def test_a_folder_that_cannot_be_written_is_told(edited, script, tmp_path) -> None:
+def test_a_folder_that_cannot_be_written_is_reported(edited, script, tmp_path) -> None:
     (tmp_path / "file").write_text("")
     script.save_to = tmp_path / "file" / "x.brdfstudio"
     edited.panel.lamp.luminance.setValue(9.0)
@@ -298,7 +298,7 @@ def test_another_light_takes_the_picture_and_gives_it_back(edited, lights) -> No
     assert edited.panel.relight.isHidden()
     edited.controller.open_file(str(lights["bright"]))
     edited.wait_idle()
-    assert edited.stage.environment.key == str(lights["bright"])
+    assert edited.state.environment.key == str(lights["bright"])
     assert not edited.panel.relight.isHidden()
     assert not edited.window.environment.edit.isVisible()
     edited.panel.relight.click()
@@ -308,12 +308,12 @@ def test_another_light_takes_the_picture_and_gives_it_back(edited, lights) -> No
 
 
 def test_keys_of_the_panel_are_the_documents(edited, qtbot) -> None:
-    steps = edited.stage.history.steps
+    steps = edited.state.history.steps
     edited.panel.lamp.luminance.setValue(9.0)
     edited.panel.list.setFocus()
     QTest.keySequence(edited.panel.list, QKeySequence(QKeySequence.StandardKey.Undo))
     assert value(edited) == PLAIN
-    assert edited.stage.history.steps == steps
+    assert edited.state.history.steps == steps
     edited.panel.lamp.luminance.setValue(7.0)
     QTest.keySequence(edited.panel.list, QKeySequence(QKeySequence.StandardKey.Save))
     assert load_light(edited.path).lamps[0].luminance == 7.0
@@ -334,7 +334,7 @@ def test_only_the_newest_of_many_edits_is_drawn_last(edited) -> None:
         edited.panel.lamp.luminance.setValue(float(luminance))
         QApplication.processEvents()
     settle(edited)
-    drawn = edited.stage.environment.value.environment.radiance
+    drawn = edited.state.environment.value.environment.radiance
     assert np.array_equal(drawn, draw_light(value(edited)).radiance)
 
 

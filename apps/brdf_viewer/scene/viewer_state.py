@@ -29,15 +29,15 @@ T = TypeVar("T")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Prop(Generic[T]):
-    """Something that stands on the stage, and the shipped name or path that it came from."""
+class LoadedAsset(Generic[T]):
+    """Something that stands on the viewer state, and the shipped name or path that it came from."""
 
     key: str
     value: T
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class SurfaceProp(Prop[Mesh]):
+class LoadedSurface(LoadedAsset[Mesh]):
     """A surface; ``baked`` is the occlusion that was baked for it, None until it is there."""
 
     baked: BakedMesh | None = None
@@ -52,11 +52,11 @@ class RealTimePicture:
 
 OWN_KEY = ""
 """The key of what a traced picture is compared with where nothing else is chosen: its own paint in real time."""
-_OWN = Prop(OWN_KEY, RealTimePicture())
+_OWN = LoadedAsset(OWN_KEY, RealTimePicture())
 
 
-class Stage(QObject):
-    """Holds frozen values and tells of their changes.
+class ViewerState(QObject):
+    """Holds frozen values and reports their changes.
 
     Signals
     -------
@@ -79,16 +79,16 @@ class Stage(QObject):
         self.fit: LobeFit | None = None
         self.relit: LobeFit | None = None
         self.paint_key = ""
-        self.second: Prop[LobeFit | ComparedPicture] | None = None
-        self.second_relit: Prop[LobeFit | ComparedPicture] | None = None
+        self.second: LoadedAsset[LobeFit | ComparedPicture] | None = None
+        self.second_relit: LoadedAsset[LobeFit | ComparedPicture] | None = None
         self.shows_second = False
         self.renderer: Renderer = "realtime"
         self.traced: TracedPicture | None = None
         self.metered_ev: float | None = None
         self.light_figures: EnvironmentStatistics | None = None
-        self._environment: Prop[PreparedEnvironment] | None = None
-        self._whole_environment: Prop[PreparedEnvironment] | None = None
-        self._surface: SurfaceProp | None = None
+        self._environment: LoadedAsset[PreparedEnvironment] | None = None
+        self._whole_environment: LoadedAsset[PreparedEnvironment] | None = None
+        self._surface: LoadedSurface | None = None
         self._bounds = Bounds.of([])
         self.images: SurfaceImages | None = None
 
@@ -108,12 +108,12 @@ class Stage(QObject):
         return self.fit if self.relit is None else self.relit
 
     @property
-    def drawn_second(self) -> Prop[LobeFit | ComparedPicture] | None:
+    def drawn_second(self) -> LoadedAsset[LobeFit | ComparedPicture] | None:
         """What is compared with, as it is drawn: see :attr:`drawn_fit`."""
         return self.second if self.second_relit is None else self.second_relit
 
     @property
-    def compared(self) -> Prop[LobeFit | ComparedPicture] | Prop[RealTimePicture] | None:
+    def compared(self) -> LoadedAsset[LobeFit | ComparedPicture] | LoadedAsset[RealTimePicture] | None:
         """What the picture is compared with: the second paint or picture, or the traced one's own in real time."""
         if self.second is not None or self.renderer == "realtime":
             return self.second
@@ -131,23 +131,23 @@ class Stage(QObject):
         return whole and None not in (self.fit, self.surface)
 
     @property
-    def environment(self) -> Prop[PreparedEnvironment] | None:
+    def environment(self) -> LoadedAsset[PreparedEnvironment] | None:
         """The light, maybe one of which sharp maps are still missing."""
         return self._environment
 
     @environment.setter
-    def environment(self, environment: Prop[PreparedEnvironment] | None) -> None:
+    def environment(self, environment: LoadedAsset[PreparedEnvironment] | None) -> None:
         self._environment = environment
         if environment is None or environment.value.is_final:
             self._whole_environment = environment
 
     @property
-    def surface(self) -> SurfaceProp | None:
+    def surface(self) -> LoadedSurface | None:
         """The surface that carries the paint."""
         return self._surface
 
     @surface.setter
-    def surface(self, surface: SurfaceProp | None) -> None:
+    def surface(self, surface: LoadedSurface | None) -> None:
         self._surface = surface
         self._bounds = Bounds.of([] if surface is None else [part.positions for part in surface.value.parts])
 
@@ -157,7 +157,7 @@ class Stage(QObject):
         return self._bounds
 
     def set_view(self, view: View) -> None:
-        """Take ``view``, as a step that can be undone; nothing is told where it is equal."""
+        """Take ``view``, as a step that can be undone; nothing is emitted where it is equal."""
         self.history.set(view)
 
     def change_view(self, **fields: Any) -> None:
@@ -193,14 +193,14 @@ class Stage(QObject):
     def set_second_relit(self, fit: LobeFit) -> None:
         """Draw the paint that is compared with so, too."""
         if self.second is not None:
-            self.second_relit = Prop(self.second.key, fit)
+            self.second_relit = LoadedAsset(self.second.key, fit)
             self.contents_changed.emit()
 
     def set_second(self, key: str | None, value: LobeFit | ComparedPicture | None = None) -> None:
         """Compare with this paint or picture from the next frame on; None: with nothing."""
         if value is None and self.second is None:
             return
-        self.second = None if key is None or value is None else Prop(key, value)
+        self.second = None if key is None or value is None else LoadedAsset(key, value)
         self.second_relit = None
         self.contents_changed.emit()
 
@@ -217,7 +217,7 @@ class Stage(QObject):
 
     def set_environment(self, key: str, environment: PreparedEnvironment) -> None:
         """Light with this environment from the next frame on; one of which maps are missing may be taken back."""
-        self.environment = Prop(key, environment)
+        self.environment = LoadedAsset(key, environment)
         self.contents_changed.emit()
 
     def take_partial_back(self) -> bool:
@@ -231,7 +231,7 @@ class Stage(QObject):
 
     def set_surface(self, key: str, surface: Mesh) -> None:
         """Draw this surface from the next frame on."""
-        self.surface = SurfaceProp(key, surface)
+        self.surface = LoadedSurface(key, surface)
         self.contents_changed.emit()
 
     def set_images(self, images: SurfaceImages) -> None:

@@ -11,7 +11,7 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.realtime.camera import resolve
 from brdf_suite.realtime.pictures.comparison import sides
 from brdf_suite.surface.mesh import Mesh
-from brdf_viewer.scene.stage import Stage
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.request import Quality, Renderer
 
 _SHOWN = (
@@ -36,7 +36,7 @@ _PLAIN = View()
 
 
 @dataclass(frozen=True, eq=False)
-class Wanted:
+class TraceInput:
     """A scene; ``paint`` is None where only a file is known, ``paint_key``, a measured one."""
 
     renderer: Renderer
@@ -48,7 +48,7 @@ class Wanted:
     paint: AnyPaint | None
     paint_key: str
 
-    def same(self, other: Wanted) -> bool:
+    def same(self, other: TraceInput) -> bool:
         """Whether both are one picture."""
         return (
             self.renderer == other.renderer
@@ -72,27 +72,27 @@ def lit_part(view: View) -> View:
     return dataclasses.replace(view, **{name: getattr(_PLAIN, name) for name in _SHOWN})
 
 
-def wanted_of(
-    stage: Stage, renderer: Renderer, quality: Quality, device_size: tuple[int, int]
-) -> Wanted | None:
+def make_trace_input(
+    state: ViewerState, renderer: Renderer, quality: Quality, device_size: tuple[int, int]
+) -> TraceInput | None:
     """Return what is to be traced; None while something is missing, or the light is only sketched."""
-    environment, surface = stage.environment, stage.surface
-    if renderer == "realtime" or stage.fit is None or environment is None or surface is None:
+    environment, surface = state.environment, state.surface
+    if renderer == "realtime" or state.fit is None or environment is None or surface is None:
         return None
     if environment.value.draft:
         return None
-    size = first_size(stage.view, device_size)
+    size = first_size(state.view, device_size)
     # Where it stands: without a place of its own a still picture's camera is placed otherwise than a window's.
-    camera = resolve(stage.view.camera, stage.bounds, size)
-    return Wanted(
+    camera = resolve(state.view.camera, state.bounds, size)
+    return TraceInput(
         renderer,
         quality,
-        dataclasses.replace(stage.view, camera=camera),
+        dataclasses.replace(state.view, camera=camera),
         size,
         environment.value.environment,
         surface.value,
-        stage.paint,
-        stage.paint_key,
+        state.paint,
+        state.paint_key,
     )
 
 
