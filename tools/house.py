@@ -25,12 +25,11 @@ LONG_FILE = 500
 
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
-    "import circles": 4,
-    "imports inside functions": 425,
-    "class names in several rooms": 29,
-    "attributes by text": 15,
-    "private accesses in tests": 326,
-    "unwanted words": 794,
+    "imports inside functions": 365,
+    "class names in several rooms": 27,
+    "attributes by text": 7,
+    "private accesses in tests": 185,
+    "unwanted words": 76,
 }
 
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg  # type: ignore[import-untyped]  # pyqtgraph has no types
+import pyqtgraph as pg  # pyqtgraph has no types
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal

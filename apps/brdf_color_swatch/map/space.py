@@ -8,7 +8,7 @@ import numpy as np
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
 from OpenGL import GL
-from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget  # type: ignore[import-untyped]  # pyqtgraph has no types
+from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem, GLViewWidget  # pyqtgraph has no types
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPalette, QVector3D
 from PySide6.QtOpenGL import QOpenGLVertexArrayObject
