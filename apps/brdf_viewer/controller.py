@@ -239,8 +239,9 @@ class ViewerController(QObject):
 
     @property
     def _awaits_parts(self) -> bool:
-        """Whether a part of the picture is still on its way: a paint to compare with or its fits, occlusion."""
-        return self.compare.loading is not None or self.paint.loading is not None or self.surface.baking
+        """Whether a part of the picture is still on its way: a paint to compare with, fits, or occlusion."""
+        loading = self.compare.loading is not None or self.paint.loading is not None
+        return loading or self.surface.baking or (self.drawer is not None and self.drawer.awaits_weights)
 
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""

@@ -77,6 +77,11 @@ class PaintAngles:
             if over_angle is not None:
                 over_angle.weights()
 
+    def is_pending(self, fit: LobeFit) -> bool:
+        """Whether weights of ``fit`` at every angle of the view were asked for and are not found yet."""
+        by_view = self._seen.get(fit)
+        return by_view is not None and by_view.is_pending
+
     def weights(self, fit: LobeFit) -> MaterialWeights:
         """Return the weights of ``fit`` with what is fitted over the angle by now, the same object while that stays."""
         over_angle, by_view = self._over.get(fit), self._seen.get(fit)

@@ -178,13 +178,18 @@ class SeenWeights:
         self.reflectance = reflectance
         self.exponents = exponents
         self._later = later
-        self._begun = False
+        self._begun = self._ended = False
         self._found: WeightsOverAngle | None = None
 
     @property
     def found(self) -> WeightsOverAngle | None:
         """The weights where they are found by now."""
         return self._found
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether the weights were asked for and the search for them has not ended."""
+        return self._begun and not self._ended
 
     def weights(self) -> WeightsOverAngle | None:
         """Return the weights, the same object from the first time on; None: not yet, or never."""
@@ -202,6 +207,8 @@ class SeenWeights:
             self._found = seen_weights(self.reflectance, self.exponents)
         except FittingError as error:
             _log.warning("The picture shows the fit of one incidence. %s", error)
+        finally:
+            self._ended = True
 
 
 class SeenQueue:

@@ -151,11 +151,19 @@ class SceneDrawer:
 
     def _prepare(self, *_: object) -> None:
         """Have the weights over the angle fitted that the next frame takes: here, and not in the frame."""
+        for fit in self._fits():
+            self.angle_fits.angles.prepare(fit, self._state.view)
+
+    @property
+    def awaits_weights(self) -> bool:
+        """Whether weights at every angle of the view are being fitted for a paint that is drawn."""
+        return any(self.angle_fits.angles.is_pending(fit) for fit in self._fits())
+
+    def _fits(self) -> list[LobeFit]:
         state = self._state
         second = None if state.drawn_second is None else state.drawn_second.value
-        for fit in (state.drawn_fit, second, None if state.images is None else state.images.second_paint):
-            if isinstance(fit, LobeFit):
-                self.angle_fits.angles.prepare(fit, state.view)
+        fits = (state.drawn_fit, second, None if state.images is None else state.images.second_paint)
+        return [fit for fit in fits if isinstance(fit, LobeFit)]
 
     def _bring_second(self) -> bool:
         """Bring what is compared with; return whether a picture was uploaded."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import threading
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import ILLUMINANTS, MOST_LAMPS, Lamp, LightColour
+from brdf_suite.pipeline import seen_weights
 from brdf_suite.pipeline.scene import environment_names
 
 
@@ -180,8 +182,8 @@ def test_a_lamp_is_where_it_was_put(kind: str) -> None:
 
 def test_a_paint_with_spectra_is_computed_in_the_lamp(viewer, shared_data, qtbot) -> None:
     def pixels() -> np.ndarray:
-        # Where work takes long, a bar of progress takes some of the picture's height.
-        qtbot.waitUntil(lambda: not viewer.window.busy)
+        # Weights at every angle of the view follow; and a bar of progress takes some of the picture's height.
+        qtbot.waitUntil(lambda: not (viewer.window.busy or viewer.controller.drawer.awaits_weights))
         QApplication.processEvents()
         return viewer.pixels()
 
@@ -204,3 +206,23 @@ def test_a_paint_with_spectra_is_computed_in_the_lamp(viewer, shared_data, qtbot
     assert viewer.state.drawn_second is viewer.state.second
     assert viewer.state.drawn_fit is fit
     assert np.array_equal(pixels(), plain)
+
+
+def test_a_picture_is_finished_only_with_its_weights_by_view(start, shared_data, qtbot, monkeypatch) -> None:
+    go_on = threading.Event()
+    find = seen_weights.seen_weights
+
+    def held(*arguments: object) -> object:
+        go_on.wait(60.0)
+        return find(*arguments)
+
+    monkeypatch.setattr(seen_weights, "seen_weights", held)
+    viewer = start(paint=str(shared_data / "brdf" / "krylon_blue.brdf"), wait=False)
+    finished: list[bool] = []
+    viewer.controller.picture_finished.connect(lambda: finished.append(True))
+    qtbot.waitUntil(lambda: bool(viewer.window.status.cell("frame").text()))
+    assert viewer.controller.drawer.awaits_weights
+    qtbot.wait(50)
+    assert not finished
+    go_on.set()
+    qtbot.waitUntil(lambda: bool(finished))
