@@ -32,7 +32,7 @@ NEEDED = (
     "brdf_designer/__main__.py",
     "brdf_viewer/__main__.py",
     "brdf_lobe_visualizer/__main__.py",
-    "brdf_lobe_visualizer/space_shaders/",
+    "brdf_lobe_visualizer/view3d/shaders/",
     "brdf_color_swatch/__main__.py",
 )
 _SPREAD = """

@@ -2562,11 +2562,11 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Dies sind die Werte des letzten möglichen Lacks.</translation>
     </message>
     <message>
-        <source>Linked: {programs}</source>
+        <source>Connected: {programs}</source>
         <translation>Verbunden: {programs}</translation>
     </message>
     <message>
-        <source>Not linked</source>
+        <source>Not connected</source>
         <translation>Nicht verbunden</translation>
     </message>
     <message>

@@ -349,11 +349,11 @@ def test_every_edit_reaches_the_other_programs(designer, qtbot):
     other.start()
     qtbot.waitUntil(lambda: bool(heard))
     assert paint_from_json(heard[-1][1]) == designer.store.value
-    assert designer.window.status.cell("Link").text() == "Linked: Viewer"
+    assert designer.window.status.cell("Link").text() == "Connected: Viewer"
     type_in(field(designer, 1, 0), "44")
     qtbot.waitUntil(lambda: paint_from_json(heard[-1][1]).lab_at(45.0)[0] == 44.0)
     other.close()
-    qtbot.waitUntil(lambda: designer.window.status.cell("Link").text() == "Not linked")
+    qtbot.waitUntil(lambda: designer.window.status.cell("Link").text() == "Not connected")
 
 
 def test_every_control_has_a_name_for_a_screen_reader(designer):

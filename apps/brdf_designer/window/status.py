@@ -87,7 +87,7 @@ class DeskStatus:
     def show_peers(self, roles: Sequence[str]) -> None:
         """Show who is linked."""
         names = ", ".join(role.capitalize() for role in roles)
-        self._link.set(tr("Linked: {programs}").format(programs=names) if roles else tr("Not linked"))
+        self._link.set(tr("Connected: {programs}").format(programs=names) if roles else tr("Not connected"))
 
     def _show_flop(self, asked: FlopIndex | None, reached: FlopIndex | None) -> None:
         if asked is None:

@@ -128,7 +128,8 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
         )
     return [
         f"Luminance: mean {statistics.average_luminance:.3g}, maximum {statistics.brightest_luminance:.3g}",
-        f"Dynamic range {reach} · Horizontal illuminance {statistics.horizontal_illuminance:.3g}",
+        f"Dynamic range {reach}",
+        f"Horizontal illuminance {statistics.horizontal_illuminance:.3g}",
         sun,
     ]
 
