@@ -128,7 +128,7 @@ def viewer(folder: Path) -> Walk:
     view = View(environment=str(folder / "light.exr"), surface="sphere", sparkle=Sparkle(mode="off"))
     program = ViewerController(view, "blue")
     program.window.picture.setMaximumSize(120, 90)
-    program.export._ask = lambda _parent, name, _title, ending: str(folder / (name + ending))
+    program.export.ask = lambda _parent, name, _title, ending: str(folder / (name + ending))
     messages = program.window.messages
 
     def more() -> Iterator[Step]:
