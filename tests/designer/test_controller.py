@@ -192,7 +192,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     qtbot.addWidget(row)
     row.show_colours(desk.view.show_colours.call_args.args[0])
     large = [2.0] * len(after.delta_e)
-    for state, told in ((before, "follows by itself"), (after, "no exact")):
+    for state, told in ((before, "follows automatically"), (after, "no exact")):
         status.show_fit(state)
         status.show_curves(desk.view.show_curves.call_args.args[0])
         assert told in status._fit.toolTip()

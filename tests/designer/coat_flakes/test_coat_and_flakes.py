@@ -192,7 +192,7 @@ def test_a_time_limit_is_told_at_every_patch(designer) -> None:
     given = [GivenColour((50.0, 0.0, 0.0), (119, 119, 119), True)] * 3
     patches.show_differences([0.5, 0.0, 2.0], given, time_limited=True, exact_follows=True)
     assert all("time-limited" in cell[3].accessibleName() for cell in cells)
-    assert "exact answer follows" in cells[2][3].toolTip()
+    assert "exact result follows" in cells[2][3].toolTip()
     assert "L* 50.0" in cells[0][3].toolTip()
     assert cells[0][0].given().name() == "#777777"
     patches.show_differences(None)
