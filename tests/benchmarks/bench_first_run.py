@@ -168,7 +168,7 @@ def _pictures(binaries: Path, folder: Path) -> dict[str, float]:
 
 def _windows(binaries: Path, folder: Path) -> float:
     found: dict[str, float] = {}
-    with load_module(_PACKAGING / "screenshots.py").virtual_screen() as display:
+    with load_module(_PACKAGING / "screenshots" / "screenshots.py").virtual_screen() as display:
         for program in ("brdf-designer", "brdf-viewer"):
             times = []
             for number in range(_RUNS):
