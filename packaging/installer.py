@@ -6,9 +6,11 @@ Standard library only, since it runs before anything is installed.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -96,6 +98,7 @@ class Installer:
             text=True,
             encoding="utf-8",
             errors="replace",
+            start_new_session=True,  # so that its own children can be stopped with it
         )
         with process, self._log.open("a", encoding="utf-8") as log:
             log.write(f"$ {' '.join(command)}\n")
@@ -107,7 +110,7 @@ class Installer:
                     if line.strip() and not line.lower().startswith("warning"):
                         last = [*last[1 - _LAST_LINES :], line.rstrip()]
             except BaseException:
-                process.terminate()
+                _stop(process)
                 raise
             finally:
                 progress.clear()
@@ -115,6 +118,18 @@ class Installer:
             raise InstallError(
                 "\n".join(last) or f"{command[0]} ended with status {process.returncode} and printed nothing"
             )
+
+
+def _stop(process: subprocess.Popen[str]) -> None:
+    """End an installer and the processes that it started, which would go on writing into the environment."""
+    process.terminate()
+    try:
+        process.wait(5)
+    except subprocess.TimeoutExpired:
+        process.kill()
+    if os.name != "nt":
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
 
 
 class _Progress:

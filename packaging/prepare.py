@@ -39,6 +39,7 @@ class Checkout:
         self.root = root
         self.environment = root / ".venv"
         self._former = root / ".venv.former"
+        self._unfinished = root / ".venv.unfinished"
         self._stamp = self.environment / "brdf-suite-prepared"
         self._lock = root / "packaging" / "lock.txt"
         self._log = root / ".venv" / "install.log"
@@ -97,7 +98,7 @@ class Checkout:
     def _renew(self, extras: set[str]) -> None:
         """Make the environment from nothing; the former one stays aside until the new one is complete."""
         if self.environment.exists() or self.environment.is_symlink():
-            self._remove_former()
+            _remove(self._former)
             self.environment.replace(self._former)
         try:
             self._make_environment()
@@ -105,24 +106,21 @@ class Checkout:
         except BaseException:
             self._restore_interrupted()
             raise
-        self._remove_former()
-
-    def _remove_former(self) -> None:
-        if self._former.is_dir() and not self._former.is_symlink():
-            shutil.rmtree(self._former)
-        else:
-            self._former.unlink(missing_ok=True)
+        _remove(self._former)
 
     def _restore_interrupted(self) -> None:
         """Put the former environment back where a renewal ended early, and keep the log of the failure."""
         if self._stamp.exists() or not self._former.exists():
             return
         log = self._log.read_bytes() if self._log.exists() else b""
-        if self.environment.is_dir():
-            shutil.rmtree(self.environment)
+        if self.environment.exists():
+            _remove(self._unfinished)
+            self.environment.replace(self._unfinished)  # works even while something still writes into it
         self._former.replace(self.environment)
         if log:
             self._log.write_bytes(log)
+        with contextlib.suppress(OSError):  # what is left of it is removed the next time
+            _remove(self._unfinished)
 
     def _make_environment(self) -> None:
         import venv  # Debian ships it in a package that may have been installed a moment ago
@@ -258,6 +256,14 @@ def prepare(*extras: str) -> Path:
         print("cancelled; run this command again to continue", file=sys.stderr, flush=True)
         raise SystemExit(130) from None
     return checkout.python
+
+
+def _remove(place: Path) -> None:
+    """Remove a folder, or a file or link in its place; nothing needs to be there."""
+    if place.is_dir() and not place.is_symlink():
+        shutil.rmtree(place)
+    else:
+        place.unlink(missing_ok=True)
 
 
 def _report_unavailable(requirements: list[str]) -> None:

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import time
 import zipfile
 from pathlib import Path
 from types import ModuleType
@@ -53,6 +54,24 @@ def build_editable(folder, config_settings=None, metadata_directory=None):
             wheel.writestr(info + file, text)
     return name
 """
+# A build that never ends, in a process of its own that does not stop when asked to, and writes into the environment.
+WRITE_FOREVER = '''
+import signal, subprocess, sys
+
+WRITER = """
+import itertools, os, signal
+signal.signal(signal.SIGTERM, signal.SIG_IGN)
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+for number in itertools.count():
+    os.makedirs(".venv/written", exist_ok=True)
+    open(f".venv/written/{number}", "w").close()
+    if number == 100:
+        print("Collecting forever", flush=True)
+"""
+
+def build_editable(*arguments, **named):
+    subprocess.run([sys.executable, "-c", WRITER])
+'''
 LOCK = "pigment==1.0\nmica==1.0\n"
 UV = Path(sys.executable).with_name("uv")
 
@@ -338,8 +357,7 @@ def test_a_place_without_permission_is_named(project: Path) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="an interrupt is sent in another way there")
 def test_an_interrupt_keeps_the_former_environment(prepared: Path) -> None:
-    hang = "import time\ndef build_editable(*a, **k):\n    print('Collecting hang', flush=True)\n    time.sleep(600)\n"
-    (prepared / "backend.py").write_text(hang)
+    (prepared / "backend.py").write_text(WRITE_FOREVER)
     lock = prepared / "packaging" / "lock.txt"
     lock.write_text(lock.read_text() + "# another\n")
     with subprocess.Popen(
@@ -352,11 +370,15 @@ def test_an_interrupt_keeps_the_former_environment(prepared: Path) -> None:
         assert running.stdout is not None
         while "Installing packages" not in (line := running.stdout.readline()):
             assert line, "ended before it began"
+        while not (prepared / ".venv" / "written" / "100").exists():
+            assert running.poll() is None
+            time.sleep(0.01)
         running.send_signal(signal.SIGINT)
         _, said = running.communicate(timeout=200)
     assert said == "cancelled; run this command again to continue\n"
     assert running.returncode == 130
     assert installed(prepared, "pigment") == "1.0"
+    assert not list((prepared / ".venv").glob("written*"))
 
 
 @pytest.fixture
