@@ -59,12 +59,12 @@ WRITE_FOREVER = '''
 import signal, subprocess, sys
 
 WRITER = """
-import itertools, os, signal
+import os, signal
 signal.signal(signal.SIGTERM, signal.SIG_IGN)
 signal.signal(signal.SIGINT, signal.SIG_IGN)
-for number in itertools.count():
+for number in range(10**6):
     os.makedirs(".venv/written", exist_ok=True)
-    open(f".venv/written/{number}", "w").close()
+    open(f".venv/written/{number % 1000}", "w").close()
     if number == 100:
         print("Collecting forever", flush=True)
 """
