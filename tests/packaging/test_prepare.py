@@ -81,7 +81,7 @@ def make_wheel(folder: Path, name: str, version: str = "1.0") -> None:
     folder.mkdir(exist_ok=True)
     info = f"{name}-{version}.dist-info"
     files = {
-        f"{name}.py": f"import sys\nVERSION = '{version}'\ndef main():\n    print(*sys.argv[1:])\n",
+        f"{name}.py": "import sys\ndef main():\n    print(*sys.argv[1:])\n",
         f"{info}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n",
         f"{info}/WHEEL": "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
     }
@@ -197,13 +197,19 @@ def run(
     return done
 
 
-def installed(project: Path, module: str) -> str:
-    """Return the version of a module in the project's environment, empty where it is missing."""
+def installed(project: Path, package: str) -> str:
+    """Return the version of a package in the project's environment, empty where it is missing.
+
+    Its modules are not imported: bytecode of another version could pass for theirs, which were written in the same
+    two seconds and have the same size.
+    """
     code = (
-        f"import importlib.util as u; print(u.find_spec({module!r}) and __import__({module!r}).VERSION or '')"
+        "import importlib.metadata as m, sys\n"
+        "print(next((one.version for one in m.distributions(name=sys.argv[1])), ''))"
     )
     python = project / ".venv" / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-    return subprocess.run([python, "-c", code], capture_output=True, text=True, check=True).stdout.strip()
+    asked = [python, "-c", code, package]
+    return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
 
 
 def test_first_run_installs_and_passes_the_arguments_on(project: Path) -> None:
