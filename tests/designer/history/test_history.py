@@ -15,8 +15,10 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
-def history(designer) -> HistoryControl:
-    return next(part for part in designer.sections if isinstance(part, HistoryControl))
+def history(designer, qtbot) -> HistoryControl:
+    history = next(part for part in designer.sections if isinstance(part, HistoryControl))
+    qtbot.waitUntil(lambda: shown(history) != [])  # filled when the program is idle
+    return history
 
 
 def shown(history) -> list[str]:

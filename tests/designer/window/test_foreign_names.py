@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.export.control import HandoverControl
+from brdf_designer.history.control import HistoryControl
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
@@ -63,6 +64,8 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     designer.documents.show(designer.documents.row[0])
     qtbot.waitUntil(lambda: designer.controller.is_complete)
     window.show_recent(designer.files.recent())
+    history = part(designer, HistoryControl).strip.states
+    qtbot.waitUntil(lambda: history.rowCount() > 0)  # filled when the program is idle
     wrong, seen = walks.drawn_as_html()
     assert wrong == []
     assert seen > 20
