@@ -91,12 +91,13 @@ def compile_now() -> ModuleType | None:
 
 def _import() -> ModuleType | None:
     try:
+        from brdf_suite.lighting.filter.kernels import cube
         from brdf_suite.lighting.filter.kernels import filter as compiled_filter
     except ExtraError as error:
         _log.info("Environments are filtered by numpy alone: %s", error)
         return None
-    except RuntimeError as error:  # numba's "cannot cache function: no locator available"
-        _log.warning("numba has no folder for its cache (%s); environments are filtered without it.", error)
+    if cube.side_band.stats.cache_path is None:
+        _log.warning("numba finds no folder for its cache; environments are filtered without it.")
         return None
     return compiled_filter
 
