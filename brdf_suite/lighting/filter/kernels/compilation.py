@@ -91,15 +91,20 @@ def compile_now() -> ModuleType | None:
 
 def _import() -> ModuleType | None:
     try:
-        from brdf_suite.lighting.filter.kernels import cube
         from brdf_suite.lighting.filter.kernels import filter as compiled_filter
     except ExtraError as error:
         _log.info("Environments are filtered by numpy alone: %s", error)
         return None
-    if cube.side_band.stats.cache_path is None:
+    if _folder(compiled_filter) is None:
         _log.warning("numba finds no folder for its cache; environments are filtered without it.")
         return None
     return compiled_filter
+
+
+def _folder(module: ModuleType) -> str | None:
+    """Return where numba keeps the compiled kernels; None where it finds no place."""
+    folder: str | None = module.compiled_cube.side_band.stats.cache_path
+    return folder
 
 
 def _stamp(module: ModuleType) -> Path:
@@ -122,8 +127,7 @@ def _stamp(module: ModuleType) -> Path:
     )
     for source in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(f"{source.name} {source.stat().st_mtime_ns}".encode())
-    folder: str = module.compiled_cube.side_band.stats.cache_path
-    return Path(folder) / f"brdf_suite-{digest.hexdigest()[:16]}.compiled"
+    return Path(_folder(module) or "") / f"brdf_suite-{digest.hexdigest()[:16]}.compiled"
 
 
 def _start() -> subprocess.Popen[bytes] | None:
