@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 Channel = Literal["colour", "r", "g", "b", "luminance"]
 Radius = Literal["linear", "cbrt", "log"]

@@ -17,7 +17,8 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options, Part
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import spherical
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.weights import LobeWeights

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.hardened_xml import Element, PathLike
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.hardened_xml import Element
 
 _MOST_ANGLES = 100
 

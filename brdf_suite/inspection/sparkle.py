@@ -20,9 +20,10 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.realtime.material.flake_share import visible_flake_lobe
 from brdf_suite.reflectance.flakes.spots import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place

@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
-
-Pixels = npt.NDArray[np.float64]
 
 
 def check_denoiser() -> None:
@@ -23,7 +21,7 @@ def check_denoiser() -> None:
         )
 
 
-def denoise_picture(radiance: Pixels) -> Pixels:
+def denoise_picture(radiance: Floats) -> Floats:
     """Return radiance (h, w, 3) without its noise.
 
     Raises

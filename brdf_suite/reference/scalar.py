@@ -17,9 +17,9 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError, ValueRangeError
 from brdf_suite.files.measured.rgl import write_rgl
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 from brdf_suite.reflectance.protocol import Reflectance

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 class Reflectance(Protocol):

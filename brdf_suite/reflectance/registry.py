@@ -147,7 +147,7 @@ def _poulin_fournier() -> Reflectance:
 def _factored() -> Reflectance:
     import numpy as np
 
-    from brdf_suite.geometry.directions import Floats
+    from brdf_suite.arrays import Floats
     from brdf_suite.reflectance.factored.model import Factored
 
     # Satin: facets with a broad and a narrow part, and a colour that pales towards grazing.

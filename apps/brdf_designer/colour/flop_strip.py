@@ -21,11 +21,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 
-from brdf_designer.colour.display import Rgb
 from brdf_designer.colour.flop_grips import GRIPS, RADIUS, FlopOfPaint, centres, flop_of, paint_grip
 from brdf_designer.colour.patches import GIVEN_SHARE, OUTSIDE_TIP, paint_corner
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
+from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 
 _FRESH = (
@@ -358,7 +358,7 @@ class Band(QWidget):
             )
 
 
-def _row(codes: Rgb) -> QImage:
+def _row(codes: Bytes) -> QImage:
     """One line of pixels (n, 3)."""
     count = len(codes)
     return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

@@ -22,12 +22,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_designer.colour.display import Flags, Rgb, component_tracks
+from brdf_designer.colour.display import component_tracks
 from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
 from brdf_designer.session.fields import COMPONENTS, LCH_COMPONENTS
 from brdf_designer.session.state import AngleColour, Colours
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
+from brdf_suite.arrays import Bools, Bytes
 from brdf_suite.documents.paint import PARAMETERS, Lab
 
 
@@ -292,7 +293,7 @@ class AngleEditor(QWidget):
         self._name()
 
     def show_colour(
-        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Rgb, Flags]]
+        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Bytes, Bools]]
     ) -> None:
         """Show a measurement: its ``values`` in the editor's space and the tracks of its sliders."""
         self._lab = colour.lab

@@ -8,20 +8,19 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_designer.colour.display import Flags, Rgb, lab_to_codes, working_to_codes
+from brdf_designer.colour.display import lab_to_codes, working_to_codes
 from brdf_designer.session.fields import angle_text, by_angle
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.flop.index import FlopIndex, flop_index
+from brdf_suite.arrays import Bools, Bytes, Floats
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.lobe_fit import LobeFit
 
 FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
 _CURVE_STEP_DEG = 1.0
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -71,9 +70,9 @@ class Curves:
     between_delta_e: float
     measured_deg: tuple[float, float]
     marks_deg: tuple[float, ...]
-    strip_rgb: Rgb
-    strip_in_gamut: Flags
-    strip_given_rgb: Rgb
+    strip_rgb: Bytes
+    strip_in_gamut: Bools
+    strip_given_rgb: Bytes
 
 
 @dataclass(frozen=True, eq=False)

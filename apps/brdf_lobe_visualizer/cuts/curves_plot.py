@@ -17,7 +17,7 @@ from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
 from brdf_lobe_visualizer.cuts.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, quantity
 from brdf_lobe_visualizer.options import Options
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.inspection.slices.cuts import FINEST_DEG, Axis
 from brdf_suite.inspection.slices.values import SliceError, nice_above
 

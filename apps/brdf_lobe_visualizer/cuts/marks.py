@@ -11,8 +11,7 @@ from PySide6.QtGui import QPainter, QPainterPath, QPalette
 from PySide6.QtWidgets import QStyleOptionGraphicsItem, QWidget
 
 from brdf_lobe_visualizer.cuts.pens import grey_pen, hatching_brush
-from brdf_suite.geometry.directions import Floats
-from brdf_suite.inspection.slices.cuts import Bools
+from brdf_suite.arrays import Bools, Floats
 
 SPOKE_STEP_DEG = 15
 

@@ -34,9 +34,9 @@ from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Slice, difference_slice, half_slice, plane_slice
 
 POLAR, CURVES, UNROLLED, HALF_ANGLE = "polar", "curves", "unrolled", "half_angle"

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphics
 
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.cuts.pens import colour_of, grey_pen, pen_of
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _FEW_DECADES = 0.7
 """Below so many there are few numbers, and all have room."""

@@ -16,7 +16,7 @@ from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import Polar
 from brdf_lobe_visualizer.cuts.words import degrees, quantity
 from brdf_lobe_visualizer.options import Options
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.inspection.slices.values import LOG_DECADES, Scale, nice_above, radius_of
 
 _SCALES: dict[Scale, str] = {

@@ -10,7 +10,7 @@ from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH
 from brdf_lobe_visualizer.view3d.view import SpaceView
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 DEG_PER_PIXEL = 0.35
 FINE = 0.1

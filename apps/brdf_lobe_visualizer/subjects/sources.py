@@ -13,8 +13,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,

@@ -9,7 +9,8 @@ import numpy.typing as npt
 
 from brdf_lobe_visualizer.view3d.items import polyline, segments
 from brdf_lobe_visualizer.view3d.scene import FrameOptions, Rgba
-from brdf_suite.geometry.directions import Floats, mirror, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import mirror, spherical
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 
 LIGHT_REACH = 1.18

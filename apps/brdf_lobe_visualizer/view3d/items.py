@@ -17,7 +17,6 @@ from brdf_lobe_visualizer.view3d.gl import Arrays, Buffer, Program
 from brdf_lobe_visualizer.view3d.scene import Rgba, Style
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface, grid_faces
 
-Singles = npt.NDArray[np.float32]
 _STYLES: dict[Style, int] = {"solid": 0, "glass": 1, "lines": 2}
 
 _SEGMENT = np.dtype(

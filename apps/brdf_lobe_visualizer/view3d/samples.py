@@ -10,7 +10,8 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_lobe_visualizer.view3d.options import SpaceOptions
 from brdf_lobe_visualizer.view3d.scene import CUT, Points
-from brdf_suite.geometry.directions import Floats, angle_between
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.colour import light_codes, scalar_of
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 

@@ -20,11 +20,11 @@ from PySide6.QtGui import QMatrix4x4
 from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import Frame, Label
 from brdf_lobe_visualizer.view3d.scene import Bar, Layer, Panel, Scene
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface
 
-Floats = npt.NDArray[np.float64]
 _ROW_STEP, _COLUMN_STEP = 2, 4
 _TO_LIGHT = np.array([-0.36, 0.48, 0.80]) / np.linalg.norm([-0.36, 0.48, 0.80])
 _FONT = "font-family='sans-serif'"

@@ -26,8 +26,8 @@ from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH, Frame, frame_of
 from brdf_lobe_visualizer.view3d.overlay import Overlay
 from brdf_lobe_visualizer.view3d.painter import Drawing, SpacePainter, Target
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import SuiteError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met
 
 log = logging.getLogger(__name__)

@@ -13,8 +13,9 @@ from typing import Any
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject, QProcess, Signal
 
+from brdf_suite.arrays import Singles
 from brdf_suite.processes import child_command
-from brdf_viewer.traced.picture_slots import Pixels, take
+from brdf_viewer.traced.picture_slots import take
 
 WORKER = "brdf_viewer.traced.worker"
 _LAST_WORDS = 4000
@@ -34,7 +35,7 @@ class TracedPicture:
     """
 
     generation: int
-    pixels: Pixels
+    pixels: Singles
     samples: int
     of: int
     noise: float | None

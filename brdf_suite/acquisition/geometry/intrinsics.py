@@ -17,10 +17,9 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.board_corners import find_corners, opencv
 from brdf_suite.acquisition.session.session import Intrinsics
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.progress import Progress, report
-
-Floats = npt.NDArray[np.float64]
 
 _FEWEST = 3
 _OUTLYING = 4.0

@@ -8,8 +8,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Bools
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 ResponseChoice = Literal["auto", "linear"]
 BINS = (90, 90, 180)
-
-Bools = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)

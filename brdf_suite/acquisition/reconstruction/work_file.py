@@ -31,9 +31,9 @@ from time import perf_counter
 from typing import IO, Any
 
 import numpy as np
-import numpy.typing as npt
 from filelock import FileLock, Timeout
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError
 
 MAGIC = b"BRDFWORK"
@@ -44,8 +44,6 @@ _DIGEST = 32
 _LENGTH = struct.Struct("<I")
 _DTYPES = ("<i4", "<f4", "<f8")
 _LARGEST = 1 << 30
-
-Array = npt.NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -67,7 +65,7 @@ class WorkFile:
         self.records: list[WorkRecord] = []
         self._read()
 
-    def arrays(self, record: WorkRecord) -> dict[str, Array]:
+    def arrays(self, record: WorkRecord) -> dict[str, AnyArray]:
         """Return the arrays of a record, by name.
 
         Raises
@@ -84,7 +82,7 @@ class WorkFile:
             raise FileError(self.path, "was changed by another program", f"byte {record.start}")
         return found[1]
 
-    def add(self, tag: bytes, values: Mapping[str, Any], arrays: Mapping[str, Array]) -> None:
+    def add(self, tag: bytes, values: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> None:
         """Append a record and force it to the disk.
 
         Raises
@@ -187,20 +185,20 @@ def open_work(path: Path) -> Iterator[WorkFile]:
             Path(lock.lock_file).unlink()
 
 
-def _packed(values: Mapping[str, Any], arrays: Mapping[str, Array]) -> bytes:
+def _packed(values: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> bytes:
     held = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
     listed = [[name, array.dtype.str, list(array.shape)] for name, array in held.items()]
     text = json.dumps({"values": values, "arrays": listed}, allow_nan=False).encode()
     return b"".join((_LENGTH.pack(len(text)), text, *(array.tobytes() for array in held.values())))
 
 
-def _unpacked(payload: bytes) -> tuple[dict[str, Any], dict[str, Array]] | None:
+def _unpacked(payload: bytes) -> tuple[dict[str, Any], dict[str, AnyArray]] | None:
     """Return values and arrays of a payload whose checksum fits; None where another version wrote it."""
     try:
         (length,) = _LENGTH.unpack_from(payload)
         at = _LENGTH.size + length
         described = json.loads(payload[_LENGTH.size : at])
-        arrays: dict[str, Array] = {}
+        arrays: dict[str, AnyArray] = {}
         for name, dtype, shape in described["arrays"]:
             if dtype not in _DTYPES:
                 return None

@@ -12,9 +12,8 @@ from brdf_suite.acquisition.response.curve import CurveBasis, curve_basis, whole
 from brdf_suite.acquisition.response.noise import OTHERS_SIGNAL, estimate_noise, exposure_variance
 from brdf_suite.acquisition.response.response import MIDDLE_EXPOSURE, linear_response, middle_code
 from brdf_suite.acquisition.response.samples import ResponseSamples
+from brdf_suite.arrays import Floats
 from brdf_suite.progress import Progress, report
-
-Floats = npt.NDArray[np.float64]
 
 KNOTS = 16
 _STEPS = 20

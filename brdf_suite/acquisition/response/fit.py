@@ -18,10 +18,9 @@ from brdf_suite.acquisition.response.channel import fit_channel, known_channel
 from brdf_suite.acquisition.response.noise import time_residuals
 from brdf_suite.acquisition.response.response import Response, linear_response
 from brdf_suite.acquisition.response.samples import ResponseSamples
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, subrange
-
-Floats = npt.NDArray[np.float64]
 
 SMOOTHNESS = 1e-3
 """Weight of the third differences of ln g, over that of the photographs, where exposures differ by a factor of 1.65."""

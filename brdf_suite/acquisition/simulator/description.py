@@ -6,7 +6,6 @@ import dataclasses
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.session.session import (
     Board,
@@ -23,8 +22,7 @@ from brdf_suite.acquisition.simulator.calibration_pictures import TILE_REFLECTAN
 from brdf_suite.acquisition.simulator.curves import response
 from brdf_suite.acquisition.simulator.lamp import HOUSING_RADIUS_M, POST_RADIUS_M, profile_table
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 WHITE_ANGLE_DEG = 30.0
 TRUTH_FILE = "truth.json"

@@ -11,11 +11,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.session.session import Intrinsics
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 # A fixed point of a mild distortion gains two digits a step.
 _UNDISTORTING_STEPS = 30

@@ -23,11 +23,10 @@ from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, descri
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilt_camera
 from brdf_suite.acquisition.simulator.picture import SimulatedScene
-from brdf_suite.acquisition.simulator.sensor import Codes, Sensor
+from brdf_suite.acquisition.simulator.sensor import Sensor
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
+from brdf_suite.arrays import Codes, Floats
 from brdf_suite.reflectance.protocol import Reflectance
-
-Floats = NDArray[np.float64]
 
 _LAMP_RGB = np.array([0.92, 1.0, 0.81])
 _METER_ANGLE_DEG = 60.0

@@ -13,16 +13,13 @@ from brdf_suite.acquisition.table.bin_centring import centre_means
 from brdf_suite.acquisition.table.hole_filling import fill_table_holes
 from brdf_suite.acquisition.table.parameterization import Parameterization
 from brdf_suite.acquisition.table.sums import GEOMETRIC_ERROR, TableSums
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
-
-Singles = npt.NDArray[np.float32]
-Bools = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)

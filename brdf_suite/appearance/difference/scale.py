@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import in_srgb_gamut, lab_to_working, working_to_display
 from brdf_suite.appearance.colour.spaces import lch_to_lab
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 STEPS = 64
 """The scale is piecewise linear between 65 colours, here and on the GPU."""

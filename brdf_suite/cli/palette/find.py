@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from brdf_suite.cli.output import print_json
 
 if TYPE_CHECKING:
-    from brdf_suite.geometry.directions import Floats
+    from brdf_suite.arrays import Floats
 
 _MOST = 1000
 

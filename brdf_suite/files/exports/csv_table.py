@@ -20,8 +20,8 @@ from functools import cache
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Gloss, Paint
-from brdf_suite.errors import DocumentError, FileError, SuiteError
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike, readings_loss
+from brdf_suite.errors import DocumentError, FileError, PathLike, SuiteError
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, readings_loss
 from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.progress import Progress

@@ -23,12 +23,11 @@ from collections.abc import Mapping
 from typing import Any, NoReturn
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.files.measured.format import PathLike
 
 MAGIC = b"BRDFTABL"
 DTYPES = ("<f4", "<f8", "|u1")
@@ -39,10 +38,8 @@ _LARGEST = 1 << 30
 _LARGEST_HEADER = 1 << 20
 _MOST_ARRAYS, _MOST_AXES = 64, 8
 
-Array = npt.NDArray[Any]
 
-
-def write_container(path: PathLike, header: Mapping[str, Any], arrays: Mapping[str, Array]) -> None:
+def write_container(path: PathLike, header: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> None:
     """Write ``header`` (what JSON can hold, without ``"arrays"``) and ``arrays``, whole or not at all.
 
     Raises
@@ -74,7 +71,7 @@ def write_container(path: PathLike, header: Mapping[str, Any], arrays: Mapping[s
             stream.write(part)
 
 
-def read_container(path: PathLike) -> tuple[dict[str, Any], dict[str, Array]]:
+def read_container(path: PathLike) -> tuple[dict[str, Any], dict[str, AnyArray]]:
     """Return the header without ``"arrays"``, and the arrays as read-only views of one block.
 
     Raises
@@ -95,7 +92,7 @@ def read_container(path: PathLike) -> tuple[dict[str, Any], dict[str, Array]]:
     if hashlib.sha256(body).digest() != checksum:
         raise FileError(path, "is damaged: its checksum does not fit its content", "byte 16")
     header = _header(path, bytes(body[:length]))
-    arrays: dict[str, Array] = {}
+    arrays: dict[str, AnyArray] = {}
     at = start
     for name, dtype, shape in _listed(path, header.pop("arrays", None)):
         count = math.prod(shape)

@@ -9,8 +9,7 @@ from collections.abc import Iterator
 from io import BufferedReader
 from pathlib import Path
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.format import PathLike
+from brdf_suite.errors import FileError, PathLike
 
 LONGEST_LINE = 1 << 20
 """Bytes; a row of two thousand bands with twenty digits each is 40 KB."""

@@ -23,8 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
+from brdf_suite.arrays import AnyArray
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.measured.array_container import MAGIC, read_container, write_container
 from brdf_suite.files.measured.brdftable_product import (
     NEEDED,
     OPTIONAL,
@@ -32,7 +33,7 @@ from brdf_suite.files.measured.brdftable_product import (
     product_parts,
     product_value,
 )
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.protocol import Reflectance
@@ -124,12 +125,12 @@ def read_brdftable(path: PathLike) -> Table:
         raise FileError(path, error.reason, f"array {error.place}") from error
 
 
-def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
+def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, AnyArray]]:
     """Return kind, header fields of its own, and arrays."""
     if isinstance(table, IsotropicTable):
         holes = np.asarray(table.holes).view(np.uint8)
         own = {"reciprocal": table.reciprocal}
-        arrays: dict[str, Array] = {"values": table.values, "holes": holes}
+        arrays: dict[str, AnyArray] = {"values": table.values, "holes": holes}
         if table.coverage is not None:
             arrays |= {"samples": table.coverage.samples, "deviation": table.coverage.deviation}
         return "isotropic", own, arrays
@@ -150,7 +151,7 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
     return "scattered", {"isotropic": table.isotropic}, arrays
 
 
-def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
+def _value(kind: str, header: dict[str, Any], arrays: dict[str, AnyArray]) -> Table:
     for name, array in arrays.items():
         singles = {"values"} if kind != "scattered" else set()
         single = name in {"p", "q", *OPTIONAL, "samples", "deviation", *singles}
@@ -180,7 +181,7 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
     )
 
 
-def _coverage(arrays: dict[str, Array], holes: Array) -> Coverage | None:
+def _coverage(arrays: dict[str, AnyArray], holes: AnyArray) -> Coverage | None:
     found = {name: arrays[name] for name in ("samples", "deviation") if name in arrays}
     if not found:
         return None

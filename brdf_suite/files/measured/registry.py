@@ -8,7 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.measured import (
     alta,
     astm,
@@ -25,7 +25,6 @@ from brdf_suite.files.measured.bounded_reading import open_plain
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
     MeasuredReflectance,
-    PathLike,
     ReadOptions,
     WrittenMeasurement,
 )

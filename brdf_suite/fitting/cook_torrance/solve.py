@@ -20,12 +20,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.losses import Cost
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.settings import Loss
 from brdf_suite.fitting.cook_torrance.shapes import Terms
-from brdf_suite.geometry.directions import Floats
 
 Tick = Callable[[], None]
 

@@ -15,6 +15,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.shapes import (
@@ -24,7 +25,6 @@ from brdf_suite.fitting.cook_torrance.shapes import (
     reflectance_from_inverse_index,
 )
 from brdf_suite.fitting.cook_torrance.solve import products
-from brdf_suite.geometry.directions import Floats
 
 SLOPES = np.geomspace(0.006, 0.9, 16)
 """The list of m."""

@@ -12,9 +12,9 @@ from types import MappingProxyType
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import Projection
 from brdf_suite.geometry.factor_words import Factor
 

@@ -11,6 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
 from brdf_suite.errors import FileError, ValueRangeError
@@ -38,7 +39,6 @@ from brdf_suite.fitting.homomorphic.samples import (
     sample_reflectance,
     samples_near_peak,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import (
     DEFAULT_FACTORS,
     MEASURED_FACTORS,

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.map_look_up import bilinear
 from brdf_suite.geometry.parabolic import parabolic_place, texel_directions

@@ -14,8 +14,8 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.geometry.directions import Floats
 
 Store = Literal["8-bit", "half", "float"]
 STORES: Mapping[str, int] = MappingProxyType({"8-bit": 1, "half": 2, "float": 4})

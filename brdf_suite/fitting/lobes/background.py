@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution, NormalizedTargets, optimal_answer
 from brdf_suite.fitting.lobes.program import PartProgram
@@ -30,8 +30,7 @@ from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
 
-FloatArray = NDArray[np.float64]
-Solutions = tuple[FloatArray, ...]
+Solutions = tuple[Floats, ...]
 Then = Callable[[LimitedSolution], Any]
 
 #: Shortest slice, and its length per matrix entry: five times what the solver needs to start (15 ns an entry).

@@ -19,7 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 SMOOTHNESS = 1e-3
 #: Steps for all columns, and for those that are left after one was dropped.
@@ -38,12 +38,12 @@ class ColumnGroup:
 
 
 def chained_weights(
-    squares: FloatArray,
-    products: FloatArray,
-    targets: FloatArray,
+    squares: Floats,
+    products: Floats,
+    targets: Floats,
     groups: Sequence[ColumnGroup] = (),
     smoothness: float = SMOOTHNESS,
-) -> FloatArray:
+) -> Floats:
     """Return the weights (n, k, c) of k columns at n angles for c channels.
 
     ``squares`` (n, k, k) is A_nᵀA_n, ``products`` (n, k, c) A_nᵀb_n and ``targets`` (n, c) |b_n|²; the order of the
@@ -73,13 +73,13 @@ def chained_weights(
 
 
 def _descend(
-    squares: FloatArray,
-    products: FloatArray,
-    x: FloatArray,
+    squares: Floats,
+    products: Floats,
+    x: Floats,
     kept: NDArray[np.bool_],
     smoothness: float,
     steps: int,
-) -> FloatArray:
+) -> Floats:
     largest = float(np.linalg.eigvalsh(squares)[:, -1].max()) + 4.0 * smoothness
     rate = np.where(kept, 1.0 / largest if largest > 0.0 else 0.0, 0.0)[:, None]
     ahead, momentum = x, 1.0
@@ -98,7 +98,7 @@ def _descend(
     return x
 
 
-def _loss(squares: FloatArray, x: FloatArray, kept: NDArray[np.bool_]) -> FloatArray:
+def _loss(squares: Floats, x: Floats, kept: NDArray[np.bool_]) -> Floats:
     """Return (k,) by how much the squared error rises without each column, the others adjusted."""
     used = (x > 0.0) & kept[:, None]
     penalty = np.where(used, 1e-9, _UNUSED).transpose(0, 2, 1)
@@ -107,5 +107,5 @@ def _loss(squares: FloatArray, x: FloatArray, kept: NDArray[np.bool_]) -> FloatA
     return np.asarray((x**2 / np.maximum(diagonal, 1e-300)).sum(axis=(0, 2)))
 
 
-def _squared_error(squares: FloatArray, products: FloatArray, targets: FloatArray, x: FloatArray) -> float:
+def _squared_error(squares: Floats, products: Floats, targets: Floats, x: Floats) -> float:
     return float(targets.sum() - 2.0 * np.vdot(products, x) + np.vdot(x, squares @ x))

@@ -12,13 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.refine import BETWEEN, GAP, IN_USE, SMALLEST_ERROR
 from brdf_suite.fitting.lobes.solver import BlockSolution
-
-FloatArray = NDArray[np.float64]
 
 #: A system whose inverse is larger than this would answer with rounding.
 LARGEST_INVERSE = 1e7
@@ -31,12 +29,12 @@ FEASIBLE = 1e-11
 class KeptVertex:
     """Weights as a linear map of the target, and the duals that prove them; for weights without factors."""
 
-    def __init__(self, parts: Sequence[PartProgram], maps: Sequence[FloatArray], held: BlockSolution) -> None:
+    def __init__(self, parts: Sequence[PartProgram], maps: Sequence[Floats], held: BlockSolution) -> None:
         self._matrices = [part.matrix for part in parts]
         self._maps = maps  # per part (channels, m, n)
         self._duals = [np.ascontiguousarray(dual.T) for dual in held.duals]  # (channels, n)
 
-    def answer(self, targets: Sequence[FloatArray]) -> tuple[list[FloatArray], list[FloatArray]] | None:
+    def answer(self, targets: Sequence[Floats]) -> tuple[list[Floats], list[Floats]] | None:
         """Return solutions ``(m, channels)`` ≥ 0 and errors ``(channels,)`` per part; None if not optimal."""
         solutions, errors = [], []
         for matrix, kept, dual, target in zip(self._matrices, self._maps, self._duals, targets, strict=True):

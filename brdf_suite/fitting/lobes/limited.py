@@ -23,8 +23,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.answers import (
     LimitedSolution,
     NormalizedTargets,
@@ -44,7 +44,6 @@ if TYPE_CHECKING:
 
 __all__ = ["LimitedSolution", "LimitedSolver"]
 
-FloatArray = NDArray[np.float64]
 
 #: Programs of at most so many matrix entries are solved by the caller: their solver starts in under .7 ms.
 LARGEST_INLINE_ENTRIES = 50_000
@@ -100,10 +99,10 @@ class LimitedSolver:
 
     def solve(
         self,
-        targets: Sequence[FloatArray],
+        targets: Sequence[Floats],
         deadline: float,
         *,
-        factors: Sequence[FloatArray] | None = None,
+        factors: Sequence[Floats] | None = None,
         finish: bool = True,
         then: Callable[[LimitedSolution], Any] = _same,
         watch: Callable[[], None] | None = None,
@@ -140,9 +139,9 @@ class LimitedSolver:
 
     def begin(
         self,
-        targets: Sequence[FloatArray],
+        targets: Sequence[Floats],
         *,
-        factors: Sequence[FloatArray] | None = None,
+        factors: Sequence[Floats] | None = None,
         then: Callable[[LimitedSolution], Any] = _same,
     ) -> Future[Any]:
         """Begin to look for the optimum, in slices on the solver's thread; the future gets ``then`` of it.
@@ -246,7 +245,7 @@ class LimitedSolver:
         self,
         request: NormalizedTargets,
         deadline: float,
-        partial: Sequence[FloatArray] | None,
+        partial: Sequence[Floats] | None,
         iterations: int,
     ) -> LimitedSolution:
         """Return the best of the answers that need no optimum, in what is left until ``deadline``."""

@@ -23,12 +23,11 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.lobe_sum import lobe_sums
-
-FloatArray = npt.NDArray[np.float64]
 
 #: Below this reflectance at θ_fit there is no coat whose ratios could be taken.
 NO_COAT = 1e-6
@@ -45,7 +44,7 @@ class RaisedWeights:
         if self.angle not in ("light", "view"):
             raise FittingError(f'Fresnel\'s angle is "light" or "view", not "{self.angle}".')
 
-    def gains(self, cosine: npt.ArrayLike) -> tuple[FloatArray, FloatArray]:
+    def gains(self, cosine: npt.ArrayLike) -> tuple[Floats, Floats]:
         """Return what base and gloss are multiplied by, each (...), at cos θ (...), clipped to 0…1."""
         weights = self.weights
         cosine = np.asarray(cosine, np.float64)
@@ -53,14 +52,14 @@ class RaisedWeights:
         if at_fit < NO_COAT:
             return np.ones(cosine.shape), np.ones(cosine.shape)
         reflected = fresnel_dielectric(cosine, weights.ior)
-        base: FloatArray = ((1.0 - reflected) / (1.0 - at_fit)) ** 2
+        base: Floats = ((1.0 - reflected) / (1.0 - at_fit)) ** 2
         if not weights.base_under_coat:
             base = np.ones(cosine.shape)
         highest = 1.0 / max(float(weights.coat_energy().max()), NO_COAT)
-        gloss: FloatArray = np.minimum(reflected / at_fit, max(highest, 1.0))
+        gloss: Floats = np.minimum(reflected / at_fit, max(highest, 1.0))
         return base, gloss
 
-    def _parts(self, wi: FloatArray, wo: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def _parts(self, wi: Floats, wo: Floats) -> tuple[Floats, Floats, Floats]:
         """Return N·L (...), base without it and gloss (..., 3), both 0 below the horizon."""
         w = self.weights
         light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
@@ -73,14 +72,14 @@ class RaisedWeights:
             np.where(above, gloss[..., None] * sums.gloss, 0.0),
         )
 
-    def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def reflected(self, wi: Floats, wo: Floats) -> Floats:
         """Return ``f_r·(N·L)`` (..., 3) in 1/sr, cosine included; shapes as for :meth:`LobeWeights.reflected`."""
         cosine, base, gloss = self._parts(wi, wo)
-        result: FloatArray = np.maximum(cosine, 0.0)[..., None] * base + gloss
+        result: Floats = np.maximum(cosine, 0.0)[..., None] * base + gloss
         return result
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
         """Return f_r (..., 3) in 1/sr, **without** the cosine; 0 at or below the horizon."""
         cosine, base, gloss = self._parts(wi, wo)
-        result: FloatArray = base + gloss / np.where(cosine > 0.0, cosine, 1.0)[..., None]
+        result: Floats = base + gloss / np.where(cosine > 0.0, cosine, 1.0)[..., None]
         return result

@@ -12,9 +12,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.program import PartProgram
-
-FloatArray = NDArray[np.float64]
 
 #: A gap between an answer's error and its dual bound that is worth a refinement, relative to the error.
 GAP = 1e-8
@@ -27,11 +26,11 @@ BETWEEN = 1e-7
 
 def refine_vertex(
     program: PartProgram,
-    solution: FloatArray,
-    dual: FloatArray,
-    target: FloatArray,
-    factors: FloatArray | None = None,
-) -> tuple[FloatArray, FloatArray]:
+    solution: Floats,
+    dual: Floats,
+    target: Floats,
+    factors: Floats | None = None,
+) -> tuple[Floats, Floats]:
     """Return the solution ``(m, channels)`` ≥ 0 and its L1 errors ``(channels,)``, refined where it pays.
 
     ``dual`` ``(n, channels)`` are the solver's y, ``target`` has a size near 1, ``factors`` multiply the
@@ -60,9 +59,7 @@ def refine_vertex(
     return solution, errors
 
 
-def _vertex(
-    matrix: FloatArray, solution: FloatArray, met: NDArray[np.bool_], target: FloatArray
-) -> FloatArray:
+def _vertex(matrix: Floats, solution: Floats, met: NDArray[np.bool_], target: Floats) -> Floats:
     used = solution > IN_USE * solution.max(initial=0.0)
     result = np.zeros_like(solution)
     if not (used.any() and met.any()):

@@ -23,6 +23,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_limit, check_targets
@@ -39,8 +40,6 @@ from brdf_suite.geometry.directions import aspecular_angle, mirror
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
-FloatArray = NDArray[np.float64]
 
 #: Incidences from which on gloss and directional-diffuse lobes can be separated.
 FEWEST_INCIDENCES = 3
@@ -67,7 +66,7 @@ class UndividedFit:
     """
 
     weights: LobeWeights
-    relative_error: FloatArray
+    relative_error: Floats
     split_determined: bool
     incidences_rad: tuple[float, ...]
     samples: int
@@ -121,14 +120,14 @@ def fit_scattered(
     return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
 
-def scattered_values(samples: ScatteredSamples) -> FloatArray:
+def scattered_values(samples: ScatteredSamples) -> Floats:
     """Return f_r (n, 3) of the samples that :func:`scattered_rows` takes, in its order."""
     return samples.values[used_samples(samples)]
 
 
 def fit_rows(
     rows: UndividedRows,
-    values: FloatArray,
+    values: Floats,
     basis: LobeBasis | None = None,
     *,
     time_limit_s: float = TIME_LIMIT_S,
@@ -201,7 +200,7 @@ def fit_rows(
     )
 
 
-def _columns(rows: UndividedRows, exponents: FloatArray, split: bool) -> tuple[FloatArray, NDArray[np.bool_]]:
+def _columns(rows: UndividedRows, exponents: Floats, split: bool) -> tuple[Floats, NDArray[np.bool_]]:
     """Return the system (n, 1 + m or 1 + 2m), and the lobes (m,) without samples."""
     light, view = rows.wi, rows.wo
     cosine = light[:, 2:3]
@@ -221,32 +220,32 @@ def _columns(rows: UndividedRows, exponents: FloatArray, split: bool) -> tuple[F
     return rows.gather(np.concatenate(parts, axis=1)), unseen
 
 
-def _reflected_light(exponents: FloatArray, split: bool) -> FloatArray:
+def _reflected_light(exponents: Floats, split: bool) -> Floats:
     """Return each column's approximate response to uniform light: its solid angle, π for the diffuse one."""
     lobes = 2.0 * np.pi / (exponents + 1.0)
     return np.concatenate([[np.pi], lobes, lobes] if split else [[np.pi], lobes])
 
 
-def _importance(target: FloatArray) -> FloatArray:
+def _importance(target: Floats) -> Floats:
     """Return the weight (n,) of a unit of error from the magnitude of the row's target."""
     size = target.mean(axis=1)
     positive = size[size > 0.0]
     if positive.size == 0:
         return np.ones(len(size))
-    result: FloatArray = (size / np.median(positive) + FLOOR) ** -POWER
+    result: Floats = (size / np.median(positive) + FLOOR) ** -POWER
     return result
 
 
-def _typical(weights: FloatArray) -> float:
+def _typical(weights: Floats) -> float:
     return float(weights.sum() / (2.0 * np.pi))
 
 
 def _notices(
     rows: UndividedRows,
-    exponents: FloatArray,
+    exponents: Floats,
     unseen: NDArray[np.bool_],
-    error: FloatArray,
-    relative: FloatArray,
+    error: Floats,
+    relative: Floats,
     *,
     black: bool,
     split: bool,

@@ -18,15 +18,12 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination, mirror
+from brdf_suite.arrays import Bools, Floats, Indices
+from brdf_suite.geometry.directions import aspecular_view, illumination, mirror
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
-Places = npt.NDArray[np.intp]
-Bools = npt.NDArray[np.bool_]
 
 #: Incidences of the rings, degrees, and the one at which paints are measured.
 INCIDENCES_DEG = (10.0, 30.0, 45.0, 60.0, 75.0)
@@ -74,7 +71,7 @@ class UndividedRows:
 
     wi: Floats
     wo: Floats
-    row: Places
+    row: Indices
     share: Floats
     weights: Floats
     theta_rad: Floats
@@ -249,7 +246,7 @@ def _known_incidences(theta_rad: Floats, left: Floats) -> tuple[float, ...]:
 class _Group:
     """One row: places among the pairs, their shares, its weight, and whether it is a mean or a sum."""
 
-    pairs: Places
+    pairs: Indices
     share: Floats
     weight: float
     is_mean: bool
@@ -314,7 +311,7 @@ def ring_angles() -> Floats:
     return np.array(angles)
 
 
-def _turned(wi: Floats, wo: Floats, label: Places, turns: int) -> tuple[Floats, Floats, Places]:
+def _turned(wi: Floats, wo: Floats, label: Indices, turns: int) -> tuple[Floats, Floats, Indices]:
     """Repeat pairs (p, 3) at ``turns`` azimuths of the surface."""
     if turns == 1:
         return np.array(wi), np.array(wo), label

@@ -20,8 +20,8 @@ from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Bytes
 from brdf_suite.lighting.cache.maps import ENVIRONMENT_VARIABLE, default_root
 
 DEFAULT_LIMIT_BYTES = 512 * 1024**2
@@ -35,7 +35,6 @@ _TRIM_TO = 0.9
 _T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
-Pixels = NDArray[np.uint8]
 
 _TABLE = """
 CREATE TABLE IF NOT EXISTS pictures (
@@ -82,13 +81,13 @@ class SwatchStore:
         self._connection: sqlite3.Connection | None = None
         self._given_up = False
 
-    def get(self, keys: Iterable[str]) -> dict[str, Pixels]:
+    def get(self, keys: Iterable[str]) -> dict[str, Bytes]:
         """Return the pictures (h, w, 3) that are kept, by key; one that is damaged is left out and goes."""
         wanted = list(dict.fromkeys(keys))
         with self._lock:
             return self._try(lambda connection: self._read(connection, wanted), {})
 
-    def put(self, pictures: Mapping[str, Pixels]) -> None:
+    def put(self, pictures: Mapping[str, Bytes]) -> None:
         """Keep pictures (h, w, 3); what is there under a key already is replaced."""
         if self.limit_bytes == 0 or not pictures:
             return
@@ -182,8 +181,8 @@ class SwatchStore:
             with contextlib.suppress(OSError):
                 self.path.with_name(self.path.name + ending).unlink(missing_ok=True)
 
-    def _read(self, connection: sqlite3.Connection, keys: list[str]) -> dict[str, Pixels]:
-        found: dict[str, Pixels] = {}
+    def _read(self, connection: sqlite3.Connection, keys: list[str]) -> dict[str, Bytes]:
+        found: dict[str, Bytes] = {}
         damaged: list[str] = []
         aged: list[str] = []
         now = time.time()
@@ -242,7 +241,7 @@ class SwatchStore:
             _log.warning("%s", text)
 
 
-def _row(key: str, pixels: Pixels) -> tuple[object, ...]:
+def _row(key: str, pixels: Bytes) -> tuple[object, ...]:
     height, width = pixels.shape[:2]
     # What a pixel adds to the one above it: a smooth flank is then mostly small numbers.
     rows = np.ascontiguousarray(pixels).reshape(height, -1)
@@ -252,7 +251,7 @@ def _row(key: str, pixels: Pixels) -> tuple[object, ...]:
     return key, height, width, zlib.crc32(blob), time.time(), len(blob), blob
 
 
-def _pixels(height: object, width: object, checksum: object, blob: object) -> Pixels | None:
+def _pixels(height: object, width: object, checksum: object, blob: object) -> Bytes | None:
     """The picture of a row, None where it is damaged."""
     if not isinstance(blob, bytes) or zlib.crc32(blob) != checksum:
         return None

@@ -9,9 +9,9 @@ not be normalized.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 
 def to_square(direction: ArrayLike) -> Floats:

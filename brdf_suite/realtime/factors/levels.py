@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 
 def levels(values: NDArray[Any], *, logarithmic: bool, hemisphere: bool) -> Iterator[Floats]:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import PARAMETERS
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.several_lights import SeveralLights

@@ -18,8 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_bell
 

@@ -23,7 +23,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.gloss import RECEPTORS_DEG, SOURCE_DEG, black_glass, receptor_deg
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.protocol import Reflectance
 
 GLOSS_ANGLES_DEG: tuple[int, ...] = tuple(RECEPTORS_DEG)

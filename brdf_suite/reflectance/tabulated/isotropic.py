@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.coverage import Coverage
@@ -24,9 +24,6 @@ from brdf_suite.reflectance.tabulated.trilinear import trilinear
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
-Singles = npt.NDArray[np.float32]
-Bools = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)

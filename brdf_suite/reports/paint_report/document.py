@@ -16,13 +16,14 @@ from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.appearance.gloss import haze_units
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
-from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.exports.format import ExportItem, PathLike
+from brdf_suite.errors import PathLike, ValueRangeError
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import material_of

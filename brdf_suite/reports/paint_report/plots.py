@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reports.paint_report.document import Report
 
 Anchor = Literal["start", "middle", "end"]

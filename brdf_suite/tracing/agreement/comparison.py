@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import srgb_encode
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.exposure import ev_of
@@ -33,7 +34,7 @@ from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.agreement.errors import Errors, Pixels, delta_e_of, errors_of, flip_of
+from brdf_suite.tracing.agreement.errors import Errors, delta_e_of, errors_of, flip_of
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
@@ -47,7 +48,6 @@ __all__ = [
     "Case",
     "Errors",
     "Order",
-    "Pixels",
     "compare",
     "errors_of",
     "flip_of",
@@ -75,8 +75,8 @@ class Case:
     look_up: Mapping[str, Errors]
     noise: Errors
     exposure_ev: float
-    pictures: Mapping[str, Pixels] = field(repr=False)
-    differences: Pixels = field(repr=False)
+    pictures: Mapping[str, Floats] = field(repr=False)
+    differences: Floats = field(repr=False)
 
     def to_json(self) -> dict[str, object]:
         """Return the figures as plain values."""
@@ -115,8 +115,8 @@ class _Truth:
 
     fit: LobeFit
     scene: ReferenceScene
-    whole: Pixels
-    spread: Pixels
+    whole: Floats
+    spread: Floats
     inside: NDArray[np.bool_]
     view: View
     name: str
@@ -214,9 +214,9 @@ def _drawn(
     prepared: PreparedEnvironment,
     fits: Mapping[str, Mapping[str, LobeFit | None]],
     truths: Mapping[str, _Truth],
-) -> dict[str, dict[str, Pixels]]:
+) -> dict[str, dict[str, Floats]]:
     """Return the real-time pictures (h, w, 3), encoded sRGB, by paint and form."""
-    drawn: dict[str, dict[str, Pixels]] = {paint: {} for paint in truths}
+    drawn: dict[str, dict[str, Floats]] = {paint: {} for paint in truths}
     for light in dict.fromkeys(FORMS[form].light for form in order.forms):
         forms = [form for form in order.forms if FORMS[form].light == light]
         basis = basis_of(FORMS[forms[0]])
@@ -239,7 +239,7 @@ def _case(
     truth: _Truth,
     prepared: PreparedEnvironment,
     mesh: Mesh,
-    drawn: Mapping[str, Pixels],
+    drawn: Mapping[str, Floats],
     progress: Progress | None,
 ) -> Case:
     view, inside = truth.view, truth.inside
@@ -315,5 +315,5 @@ def _file_name(name: str) -> str:
     return "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
 
 
-def _shown(radiance: Pixels, view: View) -> Pixels:
+def _shown(radiance: Floats, view: View) -> Floats:
     return srgb_encode(display_light(radiance, view.exposure_ev, view.tone_curve))

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError, SuiteError
 from brdf_suite.files.file_stamp import file_stamp
@@ -50,7 +51,6 @@ if TYPE_CHECKING:
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
-Pixels = NDArray[np.float64]
 PASS_SECONDS = 0.2
 """How long a pass takes, about: a picture is shown as often, and given up as soon."""
 
@@ -110,7 +110,7 @@ class RaytracedImage:
         return self.sums.seconds
 
     @property
-    def coverage(self) -> Pixels:
+    def coverage(self) -> Floats:
         """(h, w): the object's share of each pixel."""
         return self.sums.coverage
 
@@ -123,7 +123,7 @@ class RaytracedImage:
         seen = np.concatenate((self.sums.radiance, self.coverage[..., None]), axis=-1)
         return exposed(view, ev_of(seen))
 
-    def whole(self) -> Pixels:
+    def whole(self) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
         behind = self.scene.behind
         if self.scene.view.background in ("grey", "colour"):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.display_space import WORKING_SPACE, DisplaySpace
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
 from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
@@ -17,8 +18,6 @@ from brdf_suite.tracing.reference.scene import ReferenceScene
 
 if TYPE_CHECKING:
     from brdf_suite.reference.passes import Estimate
-
-Pixels = NDArray[np.float64]
 
 
 def check_settings(path: Path, settings: PictureSettings) -> tuple[int, DisplaySpace]:
@@ -52,7 +51,7 @@ def write_reference(
     from brdf_suite.reference.estimate_file import write_estimate
 
     bits, space = check_settings(path, settings)
-    picture: Pixels = estimate.radiance if settings.transparent else scene.whole(estimate)
+    picture: Floats = estimate.radiance if settings.transparent else scene.whole(estimate)
     if denoise:
         picture = denoise_picture(picture)
     metadata = _metadata(scene, estimate, denoise=denoise)
@@ -72,7 +71,7 @@ def write_reference(
 
 
 def _codes(
-    light: Pixels, scene: ReferenceScene, estimate: Estimate, space: DisplaySpace, bits: int
+    light: Floats, scene: ReferenceScene, estimate: Estimate, space: DisplaySpace, bits: int
 ) -> NDArray[Any]:
     view = scene.exposed_view(estimate)
     toned = tone_curve(light * 2.0**view.exposure_ev, view.tone_curve)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -49,7 +50,6 @@ if TYPE_CHECKING:
     from brdf_suite.reference.variant import Variant
 
 Size = tuple[int, int]
-Pixels = NDArray[np.float64]
 
 _PAINT = "paint"
 GROUND_SAMPLES, GROUND_PASS = 256, 32
@@ -88,7 +88,7 @@ class ReferenceScene:
     ground: GroundGrid | None = None
 
     @cached_property
-    def behind(self) -> Pixels:
+    def behind(self) -> Floats:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
         from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
 
@@ -105,12 +105,12 @@ class ReferenceScene:
             while ground.samples < GROUND_SAMPLES:
                 ground.trace(self.traced.scene, GROUND_PASS)
 
-            def share(directions: Pixels) -> Pixels:
+            def share(directions: Floats) -> Floats:
                 return ground.seen_from(place, directions)
 
         return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
 
-    def whole(self, estimate: Estimate) -> Pixels:
+    def whole(self, estimate: Estimate) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
         from brdf_suite.reference.scene.backdrop import compose_picture
 

@@ -8,8 +8,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-Picture = npt.NDArray[np.float32]
-Valid = npt.NDArray[np.bool_]
+from brdf_suite.arrays import Bools, Singles
 
 
 class PhotographUnion:
@@ -26,11 +25,11 @@ class PhotographUnion:
     """
 
     def __init__(self, shape: tuple[int, int]) -> None:
-        self.picture: Picture = np.zeros(shape, np.float32)
-        self.unknown: Valid = np.zeros(shape, bool)
+        self.picture: Singles = np.zeros(shape, np.float32)
+        self.unknown: Bools = np.zeros(shape, bool)
         self.positions: tuple[int, ...] = ()
 
-    def add(self, k: int, radiance: npt.NDArray[np.floating], valid: Valid | None = None) -> None:
+    def add(self, k: int, radiance: npt.NDArray[np.floating], valid: Bools | None = None) -> None:
         """Add the radiance (h, w, 3) or (h, w) of position ``k``; where it is not ``valid`` (h, w), it is unknown."""
         value = radiance if radiance.ndim == 2 else radiance.mean(axis=-1)
         known = np.isfinite(value) if valid is None else np.isfinite(value) & valid

@@ -8,10 +8,11 @@ from __future__ import annotations
 import struct
 
 from brdf_suite.documents.palette import Foreign, Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _VERSION = 0x0300
 _FLAGS = "pal.flags"

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.angles.late import chain_futures
@@ -31,7 +31,6 @@ from brdf_suite.reflectance.protocol import Layered
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future
 
-FloatArray = NDArray[np.float64]
 
 #: Weight of the base's change between neighbouring incidences, and how many times as much the coat's counts: its
 #: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/method/incidence.md).
@@ -76,7 +75,7 @@ class AngleFit:
 class _Solved:
     """One part: weights (K, terms, 3), error, whether optimal, iterations."""
 
-    table: FloatArray
+    table: Floats
     error: PartError
     optimal: bool
     iterations: int
@@ -244,17 +243,17 @@ class AngleFitter:
                 then=lambda exact: self._result(samples, self._part(0, exact, below, scale), coat, start),
             )
 
-    def _coat(self, answer: LimitedSolution, target: FloatArray, scale: FloatArray) -> _Solved:
+    def _coat(self, answer: LimitedSolution, target: Floats, scale: Floats) -> _Solved:
         if answer.solutions[0].shape[1] == 1:
             answer = replace(
                 answer, solutions=(np.repeat(answer.solutions[0], 3, 1),), methods=(3 * answer.methods[0],)
             )
         return self._part(1, answer, target, scale)
 
-    def _base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[FloatArray, FloatArray]:
+    def _base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[Floats, Floats]:
         return base_target(self.programs[0], self.base_samples, samples, self.basis.array(), coat.table)
 
-    def _part(self, part: int, answer: LimitedSolution, target: FloatArray, scale: FloatArray) -> _Solved:
+    def _part(self, part: int, answer: LimitedSolution, target: Floats, scale: Floats) -> _Solved:
         program = self.programs[part]
         rows = (self.base_samples.gamma_rad.size, self.coat_samples.gamma_rad.size + self.grid.count)[part]
         solution = answer.solutions[0]
@@ -290,7 +289,7 @@ class AngleFitter:
 
 
 def _error(
-    program: PartProgram, solution: FloatArray, target: FloatArray, rows: int, method: tuple[str, ...]
+    program: PartProgram, solution: Floats, target: Floats, rows: int, method: tuple[str, ...]
 ) -> PartError:
     """Return the L1 error of the data rows, the first ``rows``; smoothness rows follow and have no target."""
     absolute = np.abs(program.matrix[:rows] @ solution - target[:rows]).sum(axis=0)
