@@ -8,14 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.reference.mitsuba_modules import mi
 
 Pixels = npt.NDArray[np.float64]
 
 
 def check_denoiser() -> None:
     """Raise :class:`ReferenceUnavailableError` where the variant that was started has no denoiser."""
-    from brdf_suite.reference.mitsuba_modules import mi
-
     if not str(mi.variant()).startswith("cuda"):
         raise ReferenceUnavailableError(
             "The denoiser is OptiX's and needs an NVIDIA graphics card; here paths are traced without one. "
@@ -32,7 +31,6 @@ def denoise_picture(radiance: Pixels) -> Pixels:
         There is no NVIDIA graphics card, or its driver has no denoiser.
     """
     check_denoiser()
-    from brdf_suite.reference.mitsuba_modules import mi
 
     rows, columns = radiance.shape[:2]
     try:
