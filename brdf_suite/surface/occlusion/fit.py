@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import sparse
 
 from brdf_suite.surface.occlusion.places import Places
 
@@ -57,9 +58,6 @@ def vertex_values(
 
     ``shared`` (n,) are the numbers of :func:`shared_places`.
     """
-    # scipy takes a quarter of a second to import, and only baking needs it.
-    from scipy import sparse
-
     count = int(shared.max()) + 1
     corner = shared[triangles[places.triangle]]
     weight = places.area * np.where(seen[:, 0] > 0.0, 1.0, _UNSEEN)
@@ -79,8 +77,6 @@ def _stiffness(positions: Float32, triangles: Int64, shared: Int64, count: int) 
 
     With e_i the edge opposite to corner i, ∫∇b_i·∇b_j = e_i·e_j / 4A_t.
     """
-    from scipy import sparse
-
     corners = positions[triangles].astype(np.float64)
     opposite = np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
     values = np.einsum("tid,tjd->tij", opposite, opposite) / 4.0
