@@ -22,7 +22,9 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.misses import interpolation_notices
+from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -156,8 +158,6 @@ def estimated_gloss(reflectance: Reflectance) -> GlossEstimate:
     Scattered samples have none: a mirror lobe is narrower than they lie apart. A table reads what its
     interpolation makes of the lobe.
     """
-    from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
-
     if isinstance(reflectance, ScatteredSamples):
         return GlossEstimate(None, {}, "scattered samples lie too far apart for a mirror lobe")
     readings = {angle: gloss_reading(reflectance, angle) for angle in _GLOSS_ANGLES}
@@ -201,8 +201,6 @@ def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, lis
 
 
 def _refusal(paint: Paint) -> str | None:
-    from brdf_suite.reflectance.designed.build import build_paint
-
     try:
         build_paint(paint)
     except UnreachableError as error:
@@ -228,8 +226,6 @@ def _nearest_rule(
 
     Which gloss a clearcoat can have depends on the base below it, and so on the rule.
     """
-    from brdf_suite.reflectance.designed.build import build_paint
-
     geometries = GeometrySet("held out", "angles that were not used", tuple(_unused(paint)))
     original = measure(reflectance, geometries).lab
     found: dict[str, tuple[Paint, bool, tuple[HeldOut, ...], list[str]]] = {}

@@ -8,12 +8,11 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
+from brdf_suite.reference.mitsuba_modules import mi
 
 
 def check_denoiser() -> None:
     """Raise :class:`ReferenceUnavailableError` where the variant that was started has no denoiser."""
-    from brdf_suite.reference.mitsuba_modules import mi
-
     if not str(mi.variant()).startswith("cuda"):
         raise ReferenceUnavailableError(
             "The denoiser is OptiX's and needs an NVIDIA graphics card; here paths are traced without one. "
@@ -30,7 +29,6 @@ def denoise_picture(radiance: Floats) -> Floats:
         There is no NVIDIA graphics card, or its driver has no denoiser.
     """
     check_denoiser()
-    from brdf_suite.reference.mitsuba_modules import mi
 
     rows, columns = radiance.shape[:2]
     try:

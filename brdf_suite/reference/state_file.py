@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+import OpenEXR
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
@@ -24,8 +25,6 @@ def write_state(
     metadata: Mapping[str, str] | None = None,
 ) -> None:
     """Write planes (h, w) in single precision, and the state under the name ``attribute``, whole or not at all."""
-    import OpenEXR
-
     header = {
         **(metadata or {}),
         attribute: json.dumps(state),
@@ -52,8 +51,6 @@ def reading_state(
     FileError
         The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
-    import OpenEXR
-
     try:
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()

@@ -80,14 +80,13 @@ def corner_normals(positions: Floats, triangles: Integers, welded: Integers, cre
         Faces that meet at more than this angle, degrees, do not share a normal.
     """
     # Imported here: a generated mesh needs no scipy, and a program starts faster without it.
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    from scipy import sparse
 
     faces = face_normals(positions, triangles)
     left, right = smooth_edges(welded[triangles], faces, crease_deg)
     corner_count = 3 * len(triangles)
-    graph = coo_array((np.ones(len(left), np.int8), (left, right)), shape=(corner_count, corner_count))
-    count, group = connected_components(graph, directed=False)
+    graph = sparse.coo_array((np.ones(len(left), np.int8), (left, right)), shape=(corner_count, corner_count))
+    count, group = sparse.csgraph.connected_components(graph, directed=False)
     weight = corner_angles(positions, triangles).reshape(-1)
     summed = np.zeros((count, 3))
     for axis in range(3):

@@ -93,11 +93,10 @@ class Engines:
     def _open_reference(
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> ReferenceJob:
-        # Here, because Mitsuba comes with it.
-        from brdf_suite.tracing.reference.live import LiveReference
-
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
+            from brdf_suite.tracing.reference.live import LiveReference  # here, because Mitsuba comes with it
+
             self._reference = LiveReference()
         live = self._reference
         look = request.view.surface_look
@@ -114,10 +113,10 @@ class Engines:
     def _open_raytraced(
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> RaytracedJob:
-        from brdf_suite.tracing.raytraced.picture import RaytracedSession
-
         if self._raytraced is None:
             report(progress, 0.2, "starting the ray tracer")
+            from brdf_suite.tracing.raytraced.picture import RaytracedSession
+
             self._raytraced = RaytracedSession()
         session = self._raytraced
         session.show(

@@ -4,24 +4,31 @@ from __future__ import annotations
 
 import argparse
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.errors import FileError
+from brdf_suite.lighting.cache.folder import CacheEntry, remove
+from brdf_suite.lighting.cache.map_file import DamagedMapFileError, read_facts
+from brdf_suite.lighting.cache.maps import MapCache
+from brdf_suite.lighting.cache.occlusion import (
+    LIMIT_BYTES,
+    damaged_occlusion,
+    kept_occlusion,
+    occlusion_folder,
+)
+from brdf_suite.palettes.swatches.store import SwatchStore
 
-if TYPE_CHECKING:
-    from brdf_suite.lighting.cache.folder import CacheEntry
 
-
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and what it does."""
-    command = commands.add_parser(
-        "cache",
-        help="show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
-        description="The prefiltered maps of environments are kept on disk and found again by the content of the "
+    command.description = (
+        "The prefiltered maps of environments are kept on disk and found again by the content of the "
         "environment; so are the occlusion that is baked for a surface and the pictures of the paints of palettes. "
-        "Nothing is lost with them but the time to make them again.",
-        epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
-        "of the maps.",
+        "Nothing is lost with them but the time to make them again."
+    )
+    command.epilog = (
+        "The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
+        "of the maps."
     )
     actions = command.add_subparsers(dest="action", metavar="info|clear|verify", required=True)
     for name, words, run in (
@@ -40,10 +47,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def info(options: argparse.Namespace) -> int:
     """Print the place, the sizes and the entries, the one used last first."""
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import LIMIT_BYTES, kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
-
     cache = MapCache()
     baked = kept_occlusion()
     baked_bytes = sum(size for _, size in baked)
@@ -89,12 +92,6 @@ def info(options: argparse.Namespace) -> int:
 
 def clear(options: argparse.Namespace) -> int:
     """Empty the cache and print the size of the removed files."""
-    from brdf_suite.errors import FileError
-    from brdf_suite.lighting.cache.folder import remove
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
-
     cache = MapCache()
     before = cache.entries()
     failed = cache.clear()
@@ -142,11 +139,6 @@ def clear(options: argparse.Namespace) -> int:
 
 def verify(options: argparse.Namespace) -> int:
     """Check every entry and print what is damaged; 1 where something is, removed or not."""
-    from brdf_suite.lighting.cache.folder import remove
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import damaged_occlusion, kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
-
     cache = MapCache()
     with progress_bar("checking", quiet=options.json) as progress:
         found = cache.verify(remove=options.remove, progress=progress)
@@ -204,8 +196,6 @@ def verify(options: argparse.Namespace) -> int:
 
 def _row(entry: CacheEntry) -> dict[str, object]:
     """Return one entry as plain values; ``environment`` is empty where the file does not name it."""
-    from brdf_suite.lighting.cache.map_file import DamagedMapFileError, read_facts
-
     try:
         facts = read_facts(entry.path)
     except (DamagedMapFileError, OSError):

@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import least_squares
 
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.basis_search.error import equation_4
@@ -93,8 +94,6 @@ def optimize(
 
 def _least_squares(best: _Best, norm: float) -> None:
     """Go downhill in the ``norm``-norm of the errors from the best point."""
-    # Deferred: half a second of import that only a search pays.
-    from scipy.optimize import least_squares
 
     scale = float(best.errors(best.point).max()) or 1.0
     memory: dict[bytes, Floats] = {}

@@ -32,7 +32,10 @@ from brdf_suite.reflectance.designed.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.designed.polynomial_rule import PolynomialRule
 from brdf_suite.reflectance.designed.several_lights import BorrowedRule, SeveralLights
+from brdf_suite.reflectance.factored.build import factored_paint_reflectance
 from brdf_suite.reflectance.instruments.gloss_reading import base_gloss, total_gloss
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
@@ -135,11 +138,6 @@ def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Fact
     """Return the reflectance of a paint of any kind; errors as :func:`build_paint`, and those of reading textures."""
     if isinstance(paint, Paint):
         return build_paint(paint)
-    # Not on the edit path of a designed paint, so not imported with it.
-    from brdf_suite.reflectance.factored.build import factored_paint_reflectance
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
-
     base = CookTorrance(paint) if isinstance(paint, CookTorrancePaint) else factored_paint_reflectance(paint)
     return base if paint.clearcoat is None else Coated(base, paint.clearcoat.ior, paint.clearcoat.roughness)
 

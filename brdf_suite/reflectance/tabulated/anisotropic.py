@@ -17,6 +17,7 @@ from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 
@@ -123,9 +124,6 @@ class AnisotropicTable:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=False)
 
     def made_reciprocal(self) -> AnisotropicTable:

@@ -15,6 +15,7 @@ from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
@@ -163,9 +164,6 @@ class IsotropicTable:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=True)
 
     def holes_above_horizon(self) -> int:

@@ -32,6 +32,7 @@ from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_weights, cells
 
 if TYPE_CHECKING:
@@ -232,9 +233,6 @@ class TensorReflectance:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=self.isotropic)
 
     def sample_stored(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.palettes.swatches.look import Form
 from brdf_suite.progress import Progress, report, subrange
@@ -94,7 +96,6 @@ def write_sheet_of(
     subtitle = _subtitle(view, form)
     if path.suffix.lower() == PDF_ENDING:
         return _write_pdf(title, subtitle, items, view, cell, path, columns, settings, form, progress)
-    from brdf_suite.files.images.environments import write_png_strips
 
     columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
     layout = Layout.of(title, subtitle, items, cell, columns)
@@ -125,9 +126,7 @@ def _write_pdf(
     form: Form | None,
     progress: Progress | None,
 ) -> Sheet:
-    # With the writer of pages, which pictures do not need.
-    from brdf_suite.documents.atomic import write_atomically
-    from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet
+    from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet  # reportlab is much to import
 
     problems: list[str] = []
     with item_pictures(view, cell, settings, Display(), form, subrange(progress, 0.0, 0.2)) as pictures:

@@ -24,6 +24,7 @@ from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.inspection.sparkle import sparkle
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import material_of
@@ -31,6 +32,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reports.paint_report.pictures import draw_pictures
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.lobe_fit import LobeFit
@@ -135,8 +137,6 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
         batch = judge_batch(options.standard, item.paint, options.tolerances, ("2000",))
     pictures: tuple[ReportPicture, ...] = ()
     if options.pictures:
-        from brdf_suite.reports.paint_report.pictures import draw_pictures
-
         pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
     angles = _angles(item, light)
     model = _lab_over(fit.reflectance, light, angles)
@@ -263,7 +263,6 @@ def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
     flakes = fit.flakes
     if flakes is None:
         return (("Flakes", "none that can be seen"),)
-    from brdf_suite.inspection.sparkle import sparkle
 
     rows = [
         ("Density", f"{flakes.density_per_mm2:.0f} /mm²"),

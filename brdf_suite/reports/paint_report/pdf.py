@@ -10,14 +10,14 @@ from __future__ import annotations
 import io
 import json
 import textwrap
-from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from brdf_suite.errors import FileError, PathLike
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfbase import pdfdoc
+from reportlab.pdfgen.canvas import Canvas
+
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
-from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.reports.paint_report.document import Report, ReportOptions, report_losses, write_report
+from brdf_suite.reports.paint_report.document import Report
 from brdf_suite.reports.paint_report.html import (
     HEADINGS,
     cells,
@@ -28,35 +28,13 @@ from brdf_suite.reports.paint_report.html import (
 from brdf_suite.reports.paint_report.plots import GRID, INK, SOFT, STYLES, Line, Mark, Plot, plots_of
 from brdf_suite.reports.pdf_pen import Pen
 
-if TYPE_CHECKING:
-    from reportlab.pdfgen.canvas import Canvas
-
 ATTACHMENT = "paint.json"
 _WIDTH, _HEIGHT, _MARGIN = 595.276, 841.89, 36.0
 _MOST_ROWS = 8
-_LARGEST = 64 << 20
-_MARK = f'{{"format": "{json_document.NAME}"'.encode()
 
 
-def format_with(options: ReportOptions) -> ExportFormat:
-    """Return the format, its reports made with these options."""
-    return ExportFormat(
-        name="pdf",
-        title="Report, PDF",
-        ending=".pdf",
-        holds="One page with pictures, plots and numbers; the paint itself is attached as a file.",
-        losses=report_losses,
-        write=partial(write_report, options, sheet),
-        read=read,
-        sniff=lambda head: head.startswith(b"%PDF-"),
-    )
-
-
-def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
+def page(made: Report) -> tuple[bytes, tuple[str, ...]]:
     """Return the page as a file, and notes about letters that no font has."""
-    # Much to import, and only this form draws with it.
-    from reportlab.pdfgen.canvas import Canvas
-
     packed = io.BytesIO()
     canvas = Canvas(packed, pagesize=(_WIDTH, _HEIGHT), pageCompression=1)
     canvas.setTitle(made.title)
@@ -73,8 +51,6 @@ def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
 
 def _attach(canvas: Canvas, content: bytes) -> None:
     """Attach a file by the name tree of the catalogue (ISO 32000-1, 7.11.4); the library has no call for it."""
-    from reportlab.pdfbase import pdfdoc
-
     document: Any = canvas._doc
     stream = pdfdoc.PDFStream(
         dictionary=pdfdoc.PDFDictionary({"Type": pdfdoc.PDFName("EmbeddedFile")}),
@@ -129,8 +105,6 @@ class _Page:
         self.y += 10.0
 
     def _pictures(self) -> None:
-        from reportlab.lib.utils import ImageReader
-
         pictures = self.made.pictures
         if not pictures:
             return
@@ -271,15 +245,3 @@ class _Page:
         self.pen.line(Line(((self.left, bottom - 20.0), (self.right, bottom - 20.0)), GRID, 0.5))
         self.y = bottom - 11.0
         self._sentence(conventions(self.made), 6.5, colour=SOFT)
-
-
-def read(path: PathLike) -> ImportedPaints:
-    """Return the paint attached to a page of ours; raise :class:`FileError` where there is none, or it is damaged."""
-    content = read_bytes(path, _LARGEST)
-    start = content.find(_MARK)
-    end = content.find(b"endstream", start)
-    if start < 0 or end < 0:
-        raise FileError(
-            path, "holds no paint of this suite that can be found; another program may have packed it"
-        )
-    return json_document.import_text(content[start:end], path)

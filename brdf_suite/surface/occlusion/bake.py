@@ -22,7 +22,6 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
-from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, spread
 from brdf_suite.surface.occlusion.rays import OcclusionFloor, RayScene
@@ -117,6 +116,9 @@ def _values(surface: _Surface, places: Places, seen: Singles) -> Singles:
     """Return (n, 8) at the vertices: direction and share of the light, without and with the floor."""
     # Columns of what was seen: share, x, y, z, alone and then with the floor.
     useful = replace(places, area=places.area * (seen[:, 8] > 0.5))
+    # scipy.sparse takes a quarter of a second to import, and a start needs what is baked already.
+    from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
+
     shared = shared_places(surface.positions, surface.normals)
     found = vertex_values(surface.positions, surface.triangles, shared, useful, seen[:, :8])
     values = found[:, [1, 2, 3, 0, 5, 6, 7, 4]]

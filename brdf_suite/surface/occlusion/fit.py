@@ -15,6 +15,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from scipy import sparse
 
 from brdf_suite.arrays import Floats, Integers, Singles
 from brdf_suite.surface.occlusion.places import Places
@@ -53,9 +54,6 @@ def vertex_values(
 
     ``shared`` (n,) are the numbers of :func:`shared_places`.
     """
-    # scipy takes a quarter of a second to import, and only baking needs it.
-    from scipy import sparse
-
     count = int(shared.max()) + 1
     corner = shared[triangles[places.triangle]]
     weight = places.area * np.where(seen[:, 0] > 0.0, 1.0, _UNSEEN)
@@ -75,8 +73,6 @@ def _stiffness(positions: Singles, triangles: Integers, shared: Integers, count:
 
     With e_i the edge opposite to corner i, ∫∇b_i·∇b_j = e_i·e_j / 4A_t.
     """
-    from scipy import sparse
-
     corners = positions[triangles].astype(np.float64)
     opposite = np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
     values = np.einsum("tid,tjd->tij", opposite, opposite) / 4.0

@@ -16,7 +16,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,13 +32,12 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
+from brdf_suite.reference.estimate_file import read_estimate, write_estimate
+from brdf_suite.reference.passes import Estimate, trace
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.agreement.errors import Errors, delta_e_of, errors_of, flip_of
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
 
 __all__ = [
     "DEFAULT_FORM",
@@ -292,9 +290,6 @@ def _plain(order: Order) -> View:
 
 
 def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:
-    from brdf_suite.reference.estimate_file import read_estimate, write_estimate
-    from brdf_suite.reference.passes import trace
-
     kept = None
     path = None if order.keep is None else order.keep / f"{_file_name(name)}.exr"
     if path is not None and path.exists():

@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.arrays import Bytes, Floats
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.tracing.agreement.comparison import Case, Order, summary
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
@@ -29,9 +31,6 @@ def check_page(path: Path) -> None:
 
 def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
     """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
-    from brdf_suite.documents.atomic import write_atomically
-    from brdf_suite.files.images.environments import write_png
-
     images = path.absolute().parent / "images"
     images.mkdir(exist_ok=True)
     for title, group in groups(cases):

@@ -7,20 +7,19 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
+from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
+from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.tracing.raytraced.parts import Size
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
 from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.raytraced.table_split import TableSplit
 
 KEEP_EVERY_S = 20.0
 
@@ -60,8 +59,6 @@ def render_raytraced(
     seconds
         To trace at most; at least one pass is traced.
     """
-    from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
-
     if path.suffix.lower() not in (".png", ".exr"):
         raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
     check_target(path)
@@ -154,9 +151,6 @@ def _clock_words(seconds: float) -> str:
 
 
 def _write(path: Path, image: RaytracedImage) -> None:
-    from brdf_suite.files.images.environments import write_png
-    from brdf_suite.reference.raytraced.sums_file import write_sums
-
     scene, quality = image.scene, image.scene.quality
     metadata = {
         "Software": "BRDF Suite",

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -19,17 +20,21 @@ from brdf_suite.pipeline.paint_angles import material_weights
 from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.reference.bsdfs.translate import translate
+from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
+from brdf_suite.reference.raytraced.flakes import SparkleField
+from brdf_suite.reference.raytraced.light_set import LightSet, Strata
 from brdf_suite.reference.raytraced.quality import Quality
+from brdf_suite.reference.raytraced.sky import TracedSky
+from brdf_suite.reference.raytraced.split import split
+from brdf_suite.reference.raytraced.surface import Surface, SurfaceArrays
+from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.reference.raytraced.tracer import LightArrays
+from brdf_suite.reference.scene.backdrop import blur_map
+from brdf_suite.reference.scene.scene import PinholeCamera
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import lobe_term
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.raytraced.camera import Pinhole
-    from brdf_suite.reference.raytraced.flakes import SparkleField
-    from brdf_suite.reference.raytraced.light_set import LightSet, Strata
-    from brdf_suite.reference.raytraced.sky import TracedSky
-    from brdf_suite.reference.raytraced.table_split import TableSplit
-    from brdf_suite.reference.raytraced.tracer import LightArrays
 
 Size = tuple[int, int]
 PAINT = "paint"
@@ -78,21 +83,15 @@ class Parts:
 
     def surface(self, mesh: Mesh) -> Any:
         """Return the mesh in the ray tracer."""
-        from brdf_suite.reference.raytraced.surface import Surface, SurfaceArrays
-
         numbers = {name: index for index, name in enumerate(materials_of(mesh))}
         return self.keep("surface", Same(mesh), lambda: Surface(SurfaceArrays.of(mesh.parts, numbers)))
 
     def splits(self, wanted: Wanted, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
         """Return each material cut in two, by its number, and sentences about the paint."""
-        from brdf_suite.reference.raytraced.split import split
-
         mirror, view = wanted.quality.mirrors, wanted.view
         names = materials_of(mesh)
 
         def stock() -> dict[str, Any]:
-            from brdf_suite.fitting.lobes.basis import default_basis
-
             weights = stock_materials(default_basis().exponents)
             used = {name: weights.get(name, weights["neutral"]) for name in names if name != PAINT}
             return {name: split(lobe_term(w, view), mirror=mirror) for name, w in used.items()}
@@ -111,8 +110,6 @@ class Parts:
 
     def light(self, wanted: Wanted) -> tuple[TracedSky, NDArray[np.float32]]:
         """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""
-        from brdf_suite.reference.raytraced.sky import TracedSky
-
         environment, view = wanted.environment, wanted.view
         colour = view.light_colour
         made_of = (Same(environment), colour, wanted.quality.lights)
@@ -128,9 +125,6 @@ class Parts:
 
     def backdrop(self, wanted: Wanted) -> TracedSky:
         """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
-        from brdf_suite.reference.raytraced.sky import TracedSky
-        from brdf_suite.reference.scene.backdrop import blur_map
-
         view = wanted.view
         sky, radiance = self.light(wanted)
         if view.background != "blurred":
@@ -145,8 +139,6 @@ class Parts:
 
     def lights(self, wanted: Wanted, turn: int) -> LightArrays:
         """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""
-        from brdf_suite.reference.raytraced.tracer import LightArrays
-
         view, quality = wanted.view, wanted.quality
         colour = view.light_colour
         tint = environment_matrix(colour)
@@ -164,8 +156,6 @@ class Parts:
         )
 
     def _strata(self, wanted: Wanted) -> Strata:
-        from brdf_suite.reference.raytraced.light_set import Strata
-
         environment, count = wanted.environment, wanted.quality.lights
         return self.keep(
             "strata", (Same(environment), count), lambda: Strata.of(environment, count, np.eye(3))
@@ -173,9 +163,6 @@ class Parts:
 
     def camera(self, view: View, bounds: Bounds, size: Size) -> Pinhole:
         """Return the eye of a view whose camera is placed, and its picture's size."""
-        from brdf_suite.reference.raytraced.camera import Pinhole
-        from brdf_suite.reference.scene.scene import PinholeCamera
-
         seen = matrices(view.camera, bounds, size)
         return Pinhole.of(PinholeCamera(seen.eye, seen.view_to_world, seen.half_tangents[0]), size)
 
@@ -205,9 +192,6 @@ def materials_of(mesh: Mesh) -> list[str]:
 
 def term_of(paint: Material, view: View) -> tuple[Any, tuple[str, ...]]:
     """Return what a paint reflects by, and sentences about it."""
-    from brdf_suite.reference.bsdfs.translate import translate
-    from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
-
     if isinstance(paint.reflectance, LobeWeights):
         return lobe_term(material_weights(paint.reflectance), view), ()
     translated = translate(paint.reflectance)
@@ -220,8 +204,6 @@ def term_of(paint: Material, view: View) -> tuple[Any, tuple[str, ...]]:
 
 def sparkle_of(paint: Material, view: View) -> SparkleField | None:
     """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
-    from brdf_suite.reference.raytraced.flakes import SparkleField
-
     flakes = paint.flakes
     if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
         return None

@@ -17,7 +17,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,19 +34,20 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
 from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.raytraced.behind import sky_behind
+from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.frames import Film, trace_samples
+from brdf_suite.reference.raytraced.picture import Sums
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, find_quality
+from brdf_suite.reference.raytraced.sky import TracedSky
+from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene
+from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import load_lit
 from brdf_suite.tracing.raytraced.key import scene_key
 from brdf_suite.tracing.raytraced.parts import Parts, Size, Wanted, materials_of, placed, sparkle_of
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.raytraced.camera import Pinhole
-    from brdf_suite.reference.raytraced.frames import Film
-    from brdf_suite.reference.raytraced.picture import Sums
-    from brdf_suite.reference.raytraced.sky import TracedSky
-    from brdf_suite.reference.raytraced.table_split import TableSplit
-    from brdf_suite.reference.raytraced.tracer import TracerScene
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
@@ -74,8 +74,6 @@ class RaytracedScene:
     @cached_property
     def behind(self) -> NDArray[np.float32]:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
-        from brdf_suite.reference.raytraced.behind import sky_behind
-
         if self.view.background in ("environment", "blurred"):
             return sky_behind(self.sky, self.camera, self.size)
         plain = plain_backdrop(self.view).astype(np.float32)
@@ -149,8 +147,6 @@ class RaytracedSession:
     """
 
     def __init__(self) -> None:
-        from brdf_suite.reference.variant import start
-
         self._renderer = start().title
         self._parts = Parts()
         self._wanted: Wanted | None = None
@@ -252,10 +248,6 @@ class RaytracedSession:
         ReferenceUnavailableError
             The renderer failed, as it does where memory runs out.
         """
-        from brdf_suite.reference.raytraced.frames import Film, trace_samples
-        from brdf_suite.reference.raytraced.picture import Sums
-        from brdf_suite.reference.raytraced.tracer import SampleBudget
-
         scene, wanted = self.scene, self._wanted
         assert wanted is not None
         per_round = scene.quality.samples
@@ -291,9 +283,6 @@ class RaytracedSession:
         return image
 
     def _stage(self, turn: int) -> TracerScene:
-        from brdf_suite.reference.bsdfs import directions as d
-        from brdf_suite.reference.raytraced.tracer import TracerScene
-
         wanted = self._wanted
         assert wanted is not None
         mesh, bounds = self._parts.mesh(wanted)

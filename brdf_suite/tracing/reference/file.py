@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from brdf_suite.appearance.colour.display_space import WORKING_SPACE, DisplaySpace
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
+from brdf_suite.reference.denoise import denoise_picture
+from brdf_suite.reference.estimate_file import write_estimate
+from brdf_suite.reference.passes import Estimate
 from brdf_suite.tracing.reference.scene import ReferenceScene
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
 
 
 def check_settings(path: Path, settings: PictureSettings) -> tuple[int, DisplaySpace]:
@@ -46,10 +47,6 @@ def write_reference(
     ReferenceUnavailableError
         ``denoise`` is asked for where there is no denoiser.
     """
-    from brdf_suite.files.images.environments import write_png_strips
-    from brdf_suite.reference.denoise import denoise_picture
-    from brdf_suite.reference.estimate_file import write_estimate
-
     bits, space = check_settings(path, settings)
     picture: Floats = estimate.radiance if settings.transparent else scene.whole(estimate)
     if denoise:

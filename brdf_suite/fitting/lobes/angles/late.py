@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from concurrent.futures import Future, InvalidStateError
 from contextlib import suppress
 from typing import TYPE_CHECKING, TypeVar
 
@@ -22,8 +23,6 @@ def chain_futures(
     that was cancelled meanwhile. Cancelling the whole cancels what is in work of it; where one of the two is
     cancelled or fails, so does the whole.
     """
-    from concurrent.futures import Future
-
     whole: Future[Second] = Future()
 
     def stop(_: Future[Second]) -> None:
@@ -60,8 +59,6 @@ def chain_futures(
 
 def _settle(future: Future[Second], value: Second | None = None, error: BaseException | None = None) -> None:
     """Give ``future`` a value or an error, unless it was cancelled meanwhile."""
-    from concurrent.futures import InvalidStateError
-
     with suppress(InvalidStateError):
         if error is not None:
             future.set_exception(error)
