@@ -86,7 +86,7 @@ def _when_complete(app: QApplication, program: ColorSwatch, then: object) -> Non
     wait.setInterval(_LOOK_EVERY_MS)
 
     def look() -> None:
-        if program.is_complete or process_age_s() > _LONGEST_WAIT_S:
+        if program.is_idle or process_age_s() > _LONGEST_WAIT_S:
             wait.stop()
             then()  # type: ignore[operator]  # a function without arguments
 

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import Controller
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.file_part import FilePart, new_palette
@@ -37,7 +37,7 @@ from brdf_suite.documents.palette_store import (
 from brdf_suite.resources import resource_names
 
 _MOST_NAMED = 4
-SomeFeature = TypeVar("SomeFeature", bound=Feature)
+SomeFeature = TypeVar("SomeFeature", bound=SwatchFeature)
 
 
 def palette_format() -> DocumentFormat[Palette]:
@@ -77,7 +77,7 @@ class ColorSwatch:
             app.aboutToQuit.connect(self.close)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there."""
         return not self.library.tasks.busy and all(part.is_idle for part in self.parts)
 

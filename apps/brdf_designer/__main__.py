@@ -62,7 +62,7 @@ def _when_ready(app: QApplication, designer: Designer, options: argparse.Namespa
             sys.stdout.flush()
 
     def take(wait: QTimer) -> None:
-        finished = designer.is_complete
+        finished = designer.is_idle
         if finished or process_age_s() > _LONGEST_WAIT_S:
             wait.stop()
             if finished:

@@ -22,7 +22,6 @@ from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.thumbnails import thumbnails_of
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.part import Closable, Unhurried
 from brdf_designer.window.sections import build_sections
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
@@ -93,10 +92,9 @@ class Designer:
         return self.documents.front.files
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
-        parts = [part for part in self.sections if isinstance(part, Unhurried)]
-        return self.controller.is_complete and self.desk.is_quiet and all(part.is_complete for part in parts)
+        return self.controller.is_idle and self.desk.is_quiet and all(part.is_idle for part in self.sections)
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
@@ -134,8 +132,7 @@ class Designer:
         self.link.close()
         thumbnails_of(self.window).close()
         for part in self.sections:
-            if isinstance(part, Closable):
-                part.close()
+            part.close()
         self.fitter.close()
         if not self._closed:
             self._closed = True

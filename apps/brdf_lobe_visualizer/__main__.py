@@ -92,7 +92,7 @@ def _when_ready(app: QApplication, program: LobeVisualizer, options: argparse.Na
 
     def check() -> None:
         late = process_age_s() > _LONGEST_WAIT_S
-        if ("shown_s" in times and program.is_complete) or late:
+        if ("shown_s" in times and program.is_idle) or late:
             look.stop()
             times["complete_s"] = round(process_age_s(), 3)
             # What has just come is painted first.

@@ -73,16 +73,16 @@ class LobeVisualizer:
         self._join()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there: files, fits, errors, figures, pictures."""
         return (
             self._started
             and not self.session.tasks.busy
-            and not self.sources.busy
-            and self.fits.is_complete
-            and self.legend.is_complete
-            and self.followed.is_complete
-            and all(part.is_complete for part in self.parts)
+            and self.sources.is_idle
+            and self.fits.is_idle
+            and self.legend.is_idle
+            and self.followed.is_idle
+            and all(part.is_idle for part in self.parts)
         )
 
     def start(self, asked: Sequence[str] = ()) -> None:
@@ -165,19 +165,13 @@ class LobeVisualizer:
             "view",
             mark("Reset &View Options"),
             "Ctrl+0",
-            self._reset_views,
+            self.session.reset_view,
             icon="arrow-counter-clockwise",
             tip=mark("Restore the default incidence, channel, radius, cosine and lobes"),
         )
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)
-
-    def _reset_views(self) -> None:
-        self.session.reset_options()
-        self.session.reset_incidence()
-        for part in self.parts:
-            part.reset_view()
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:

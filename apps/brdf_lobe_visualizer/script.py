@@ -94,7 +94,7 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
         window.inspector_dock.hide()
     for key, value in options.set:
         for part in program.parts:
-            if part.set_from_script(key, value):
+            if part.run_script(key, value):
                 break
         else:
             raise SystemExit(f"brdf-lobes: --set {key}={value}: no view has this option.")

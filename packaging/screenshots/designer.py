@@ -170,7 +170,7 @@ def drive(options: argparse.Namespace) -> int:
         walk = Walk(designer, dialogs, Path(folder))
         walk.wait(lambda: designer.window.plot.is_built)
         for number, there in enumerate(walk.steps(), 1):
-            walk.wait(lambda there=there: there() and designer.is_complete)
+            walk.wait(lambda there=there: there() and designer.is_idle)
             walk.wait(lambda: True)
             save(designer.window.grab().toImage(), options.into / f"designer_path_{number}.png")
         paint = designer.store.value

@@ -109,7 +109,7 @@ def designer(folder: Path) -> Walk:
     program = Designer()
 
     def more() -> Iterator[Step]:
-        yield lambda: program.is_complete
+        yield lambda: program.is_idle
         (control,) = (part for part in program.sections if isinstance(part, AcquireControl))
         assistant = control.open()
         bench = assistant.bench
@@ -152,7 +152,7 @@ def lobes(_folder: Path) -> Walk:
 
     def more() -> Iterator[Step]:
         program.start(["blue"])
-        yield lambda: program.is_complete
+        yield lambda: program.is_idle
 
     return Walk(program.window, more, program.close)
 

@@ -87,7 +87,7 @@ def opened(program, qtbot):
         for name in names:
             with qtbot.waitSignal(program.sources.idle, timeout=60_000):
                 program.sources.open(name)
-        qtbot.waitUntil(lambda: program.is_complete, timeout=60_000)
+        qtbot.waitUntil(lambda: program.is_idle, timeout=60_000)
         return program
 
     return open_and_wait

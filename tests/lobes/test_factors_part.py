@@ -105,9 +105,9 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     part.panel.tone.set_choice("log")
     part.panel.tone.chosen.emit("log")
     assert not np.array_equal(view.grid.pictures[0, 0].codes, before)
-    assert part.set_from_script("factor-channel", "red")
+    assert part.run_script("factor-channel", "red")
     assert part.panel.channel.choice == "red"
-    assert not part.set_from_script("factor-channel", "mauve")
+    assert not part.run_script("factor-channel", "mauve")
     program.session.set_front(matt.key)
     qtbot.waitUntil(lambda: not view.grid.columns)
     assert "Matt" in view.empty.text()

@@ -45,7 +45,7 @@ def test_names_are_plain_text_in_the_whole_window(whole, walks, qtbot, tmp_path:
         whole.window.plots.set_shown(key, True)
     whole.panel_dock.show()
     whole.numbers.dock.show()
-    qtbot.waitUntil(lambda: whole.is_complete)
+    qtbot.waitUntil(lambda: whole.is_idle)
     whole.window.show_recent([paint])
     assert whole.window.messages.shown()
     wrong, seen = walks.drawn_as_html()
@@ -58,7 +58,7 @@ def test_a_wheel_changes_nothing_in_the_window(whole, walks, qtbot) -> None:
         whole.sources.open("copper")
     whole.panel_dock.show()
     whole.numbers.dock.show()
-    qtbot.waitUntil(lambda: whole.is_complete)
+    qtbot.waitUntil(lambda: whole.is_idle)
     options = whole.session.options
     changed, count = walks.changed_by_wheel(whole.window)
     assert changed == []

@@ -147,7 +147,7 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
         whole.session.set_options(shown=shown)
     for radius in ("linear", "log", "cbrt"):
         whole.session.set_options(radius=radius)
-    qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
+    qtbot.waitUntil(lambda: whole.is_idle, timeout=60_000)
     assert whole.numbers.work.figures(key) is not None
     picture = whole.window.grab()
     assert not picture.isNull()
@@ -176,7 +176,7 @@ def test_keys_of_the_legend_are_the_legends_own(whole, qtbot) -> None:
     qtbot.keyClick(rows, Qt.Key.Key_Space)
     assert not whole.session.is_hidden(key)
     assert whole.session.incidence == before
-    qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
+    qtbot.waitUntil(lambda: whole.is_idle, timeout=60_000)
 
 
 @pytest.mark.parametrize("command", ["Keyboard Shortcuts", "About BRDF Suite", "Find a Command"])

@@ -45,7 +45,7 @@ def measure(file: Path) -> dict[str, object]:
     program.window.resize(*SIZE)
     program.session.set_look(form="sphere", size=96, as_list=False)
     program.window.show()
-    wait(app, lambda: program.is_complete)
+    wait(app, lambda: program.is_idle)
     pane = program.window.panes[0]
     viewport = pane.grid.viewport()
 

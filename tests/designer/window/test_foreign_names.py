@@ -61,7 +61,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # told in a message, with its name
     assert window.messages.shown()
     designer.documents.show(designer.documents.row[0])
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     window.show_recent(designer.files.recent())
     wrong, seen = walks.drawn_as_html()
     assert wrong == []
@@ -107,7 +107,7 @@ def test_a_wheel_changes_nothing_in_the_window(designer, walks, qtbot) -> None:
         part(designer, kind).host.set_open(True)
     part(designer, HandoverControl).open()
     part(designer, StandardControl).take_present()
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     paint = designer.desk.paint
     changed, count = walks.changed_by_wheel(designer.window)
     assert changed == []

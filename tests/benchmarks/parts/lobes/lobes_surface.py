@@ -89,7 +89,7 @@ def figures() -> dict[str, float]:
     found = {}
     for name, reflectance in subjects.items():
         program.session.set_subjects((PlottedMaterial(name, name, Material(name, reflectance)),))
-        _until(app, lambda: space.is_complete)
+        _until(app, lambda: space.is_idle)
         found[name] = _steps(app, program, space, GL)
     program.close()
     slower = max(found, key=lambda name: np.median(found[name]["wall"]))
