@@ -104,7 +104,7 @@ class Walk:
 
     def control(self, name: str) -> Any:
         """Return a part of the desk by its class."""
-        return next(part for part in self.designer.sections if type(part).__name__ == name)
+        return next(part for part in self.designer.features if type(part).__name__ == name)
 
     def choose(self, path: str) -> None:
         """Choose a command of the menus: a server without a window manager gives no window the keys of a shortcut."""

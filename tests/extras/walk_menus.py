@@ -110,7 +110,7 @@ def designer(folder: Path) -> Walk:
 
     def more() -> Iterator[Step]:
         yield lambda: program.is_idle
-        (control,) = (part for part in program.sections if isinstance(part, AcquireControl))
+        control = program.feature(AcquireControl)
         assistant = control.open()
         bench = assistant.bench
         assistant.sessions.open(folder / "session")
@@ -148,10 +148,10 @@ def lobes(_folder: Path) -> Walk:
     """Open the Lobe Visualizer."""
     from brdf_lobe_visualizer.assembly import LobeVisualizer
 
-    program = LobeVisualizer()
+    program = LobeVisualizer(asked=["blue"])
 
     def more() -> Iterator[Step]:
-        program.start(["blue"])
+        program.start()
         yield lambda: program.is_idle
 
     return Walk(program.window, more, program.close)

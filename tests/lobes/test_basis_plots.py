@@ -25,8 +25,7 @@ STORED = Path(str(resource("basis", STORED_NAME)))
 @pytest.fixture
 def basis(window_with_basis, qtbot) -> Basis:
     program = window_with_basis
-    part = next(part for part in program.parts if isinstance(part, Basis))
-    program.skip_start()
+    part = program.feature(Basis)
     program.session.set_subjects(())
     program.window.plots.set_shown(BASIS, True)
     part.show_shipped()

@@ -90,7 +90,7 @@ def test_a_channel_shows_its_own_values(channel: str, index: int) -> None:
 
 def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_with_factors, qtbot) -> None:
     program = window_with_factors
-    part = next(one for one in program.parts if isinstance(one, Factors))
+    part = program.feature(Factors)
     part.dock.show()
     program.sources.add(PlottedMaterial("", "Satin", Material("Satin", product())))
     program.sources.add(PlottedMaterial("", "Matt", Material("Matt", MODELS["lambertian"].default)))

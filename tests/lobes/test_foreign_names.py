@@ -21,7 +21,6 @@ def whole(qapp, own_session):
     program = LobeVisualizer()
     program.window.resize(1400, 900)
     program.window.show()
-    program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()

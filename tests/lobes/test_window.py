@@ -122,7 +122,6 @@ def whole(qapp, tmp_path_factory):
         program = LobeVisualizer(PARTS)
         program.window.resize(1100, 760)
         program.window.show()
-        program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()
@@ -155,7 +154,7 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
 
 
 def test_the_whole_program_has_its_parts_and_no_shortcut_twice(whole) -> None:
-    assert any(isinstance(part, Numbers) for part in whole.parts)
+    assert any(isinstance(part, Numbers) for part in whole.features)
     keys = [
         shortcut.toString()
         for _text, action in commands(whole.window, also_disabled=True)

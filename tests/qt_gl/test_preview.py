@@ -43,7 +43,7 @@ def designer(qtbot, monkeypatch) -> Designer:
 
 @pytest.fixture
 def preview(designer, qtbot) -> PreviewControl:
-    control = next(part for part in designer.sections if isinstance(part, PreviewControl))
+    control = designer.feature(PreviewControl)
     qtbot.waitUntil(lambda: control.drawn is not None)
     return control
 

@@ -16,7 +16,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 @pytest.fixture
 def history(designer) -> HistoryControl:
-    return next(part for part in designer.sections if isinstance(part, HistoryControl))
+    return designer.feature(HistoryControl)
 
 
 def shown(history) -> list[str]:

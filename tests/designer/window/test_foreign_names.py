@@ -24,7 +24,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 def part(designer, kind):
-    return next(one for one in designer.sections if isinstance(one, kind))
+    return designer.feature(kind)
 
 
 @pytest.fixture

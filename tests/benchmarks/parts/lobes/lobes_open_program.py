@@ -42,7 +42,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
     _until(app, lambda: program.window._painted)
     program.start()
     _until(app, lambda: program.is_idle)
-    space = next((part for part in program.parts if isinstance(part, Space)), None)
+    space = program.feature(Space)
     seen: dict[str, float] = {}
 
     def read(*_of: object) -> None:
@@ -82,7 +82,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
 
 def _views_are_there(program: object) -> bool:
     # Figures and fits follow; a picture does not wait for them.
-    return all(part.is_idle for part in program.parts if part is not program.numbers)
+    return all(part.is_idle for part in program.features if part is not program.numbers)
 
 
 def _until(app: object, done: object) -> None:

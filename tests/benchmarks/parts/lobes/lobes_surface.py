@@ -80,7 +80,7 @@ def figures() -> dict[str, float]:
     program = LobeVisualizer(parts=(Space,))
     program.window.resize(*SIZE)
     program.window.show()
-    space = next(part for part in program.parts if isinstance(part, Space))
+    space = program.feature(Space)
     _until(app, lambda: space.view is not None and space.view.isValid())
     from OpenGL import GL
 
