@@ -9,10 +9,11 @@ from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
+from brdf_qt.program.program import Program
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QCoreApplication, QProcess, QTimer
+from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
@@ -22,7 +23,6 @@ from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.thumbnails import thumbnails_of
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.part import Closable, Unhurried
 from brdf_designer.window.sections import build_sections
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
@@ -60,13 +60,15 @@ def paint_format() -> DocumentFormat[Paint]:
     )
 
 
-class Designer:
-    """The program's parts, joined; ``window`` is not yet shown."""
+class Designer(Program):
+    """The running Designer."""
+
+    window: DesignerWindow
 
     def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
         names = paint_names()
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
-        self.window = DesignerWindow(names)
+        super().__init__(DesignerWindow(names))
         self.documents = Documents(
             first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
         )
@@ -75,12 +77,13 @@ class Designer:
         self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.controller = Controller(self.window, self.desk, self.window)
         self.recovery_offer = RecoveryOffer(self.documents, self.window)
-        self._closed = self._ended = False
+        self._has_closed_documents = False
         self._join()
-        self.sections = build_sections(self.desk, self.window)
+        self.features += (*build_sections(self.desk, self.window), self.link)
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
+        self.start_when_painted()
 
     @property
     def store(self) -> DocumentStore[Paint]:
@@ -93,10 +96,9 @@ class Designer:
         return self.documents.front.files
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
-        parts = [part for part in self.sections if isinstance(part, Unhurried)]
-        return self.controller.is_complete and self.desk.is_quiet and all(part.is_complete for part in parts)
+        return self.controller.is_idle and self.desk.is_quiet and super().is_idle
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
@@ -104,7 +106,7 @@ class Designer:
         self.window.order_focus()  # the plots are there now
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
         self.desk.refresh()
-        self.link.start()
+        super().start()
         self.recovery_offer.show()
 
     def open(self, name_or_path: str) -> None:
@@ -124,21 +126,16 @@ class Designer:
         if isinstance(document, Paint):
             self.desk.open_paint(document)
         else:
-            next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
+            self.feature(MeasuredControl).open(name_or_path)
 
     def close(self) -> None:
-        """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
-        if self._ended:
-            return  # the application's end calls it too, when the window may be deleted
-        self._ended = True
-        self.link.close()
+        """Leave the link; unsaved work of a program that has to end is kept for the next start. Only once."""
+        if self.closed:
+            return
+        super().close()
         thumbnails_of(self.window).close()
-        for part in self.sections:
-            if isinstance(part, Closable):
-                part.close()
         self.fitter.close()
-        if not self._closed:
-            self._closed = True
+        if not self._has_closed_documents:
             self.documents.keep_unsaved()
 
     def _join(self) -> None:
@@ -164,14 +161,10 @@ class Designer:
         window.viewer_requested.connect(self._open_viewer)
         window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_requested.connect(self._may_close)
-        window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
         self.paint_offer = PaintOffer(documents, self.desk)
         self.link.received.connect(self.paint_offer.received)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.close)
 
     def _report_unknown(self, error: SuiteError) -> None:
         todo = tr("The open paint is unchanged.")
@@ -179,7 +172,7 @@ class Designer:
 
     def _may_close(self, question: QCloseEvent) -> None:
         if self.documents.may_close_all():
-            self._closed = True
+            self._has_closed_documents = True
             self.link.close()
             question.accept()
         else:

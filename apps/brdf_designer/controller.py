@@ -92,7 +92,7 @@ class Controller(QObject):
         self._documents.succeeded.connect(view.dismiss_message)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether strip and curves are of the paint that the numbers are of, or of the last one that can be."""
         return self._uncurved is None
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
 
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from PySide6.QtCore import QProcess, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.store import view_to_json
@@ -48,7 +50,7 @@ from brdf_viewer.window import ViewerWindow
 _PUBLISH_MS = 50
 
 
-class ViewerController(QObject):
+class ViewerController(Program):
     """The running Viewer.
 
     Parameters
@@ -72,6 +74,9 @@ class ViewerController(QObject):
     picture_finished = Signal()
     settled = Signal()
     failed = Signal(str, str)
+    patience_s = math.inf  # a path tracer may be asked for any number of samples
+    is_complete_when_started = False
+    window: ViewerWindow
 
     def __init__(
         self,
@@ -83,16 +88,14 @@ class ViewerController(QObject):
         ask_picture: AskPicture = ask_picture,
         dialogs: Dialogs | None = None,
     ) -> None:
-        super().__init__()
+        super().__init__(ViewerWindow(self._make_drawer))
         self.state = ViewerState(view, self)
         self.drawer: SceneDrawer | None = None
-        self.window = ViewerWindow(self._make_drawer)
-        self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
         self._tasks = TaskRunner(self)
         self.loader = SceneLoader(self._tasks, self)
         self._ask = ask
-        self._complete = self._finished = False
+        self._complete = self._finished = self._settled = False
         self._publish = make_timer(self, self._publish_view, _PUBLISH_MS)
         self.camera = CameraControl(self.state, self.window, self)
         self.scene = SceneControl(self.state, self.window, self.loader, self)
@@ -120,6 +123,11 @@ class ViewerController(QObject):
         self.scene.load_first()
         self.link.start()
         self._publish.start()
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether the picture is complete, the time of its frame shown, and no trace pending."""
+        return self._settled and not self._awaits_parts and self.traced.is_settled
 
     def open_file(self, path: str) -> None:
         """Open a file of any kind that the Viewer knows."""
@@ -151,7 +159,10 @@ class ViewerController(QObject):
         picture.frame_drawn.connect(self._frame_drawn)
         picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(self._open_files)
-        window.closing.connect(self._close)
+        window.closing.connect(self.close)
+        self.picture_complete.connect(lambda: self.reached.emit("complete"))
+        self.picture_finished.connect(lambda: self.reached.emit("finished"))
+        self.failed.connect(self._end_start)
         environment, commands = window.environment, window.commands
         environment.rotation_edited.connect(lambda value: state.change_view(rotation_deg=value))
         environment.exposure_edited.connect(lambda value: state.change_view(exposure_ev=value))
@@ -246,7 +257,12 @@ class ViewerController(QObject):
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
         if not self._awaits_parts:
+            self._settled = True
             self.settled.emit()
+
+    def _end_start(self, kind: str, text: str) -> None:
+        if kind == "picture" or not self.state.is_complete:
+            self.start_failed.emit(text)
 
     def _picture_failed(self, text: str) -> None:
         self._meter.clear()
@@ -282,7 +298,11 @@ class ViewerController(QObject):
             message = Message("designer", "Designer could not be started.", severity="error")
             self.window.messages.show_message(message)
 
-    def _close(self) -> None:
+    def close(self) -> None:
+        """Remember the view, leave the link and end what runs; only the first call acts."""
+        if self.closed:
+            return
+        super().close()
         remember(settings(), self.state.view)
         self.link.close()
         self.paint.close()

@@ -115,7 +115,7 @@ def fresh(lasting, own_session):
 def desk(fresh, qtbot) -> Designer:
     """The Designer of the module at its first paint, with strip and curves there."""
     designer, _ = fresh
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     return designer
 
 

@@ -160,7 +160,7 @@ def test_a_picker_goes_with_its_document(designer):
 
 def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
     window = designer.window
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
     gloss = window.coat.panel.fields["gloss.gu_20"]
     type_in(gloss, "199")
@@ -174,7 +174,7 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
         assert any(word in window.plot.caption.text() for word in ("last possible paint", "Earlier"))
         assert "last possible paint" in window.plot.caption.accessibleName()
     type_in(gloss, "88")
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert "last possible paint" not in window.plot.caption.accessibleName()
     assert window.messages.shown() == {}
     assert "last possible paint" not in window.strip.caption.text()

@@ -43,7 +43,7 @@ def designer(qtbot, monkeypatch) -> Designer:
 
 @pytest.fixture
 def preview(designer, qtbot) -> PreviewControl:
-    control = next(part for part in designer.sections if isinstance(part, PreviewControl))
+    control = designer.feature(PreviewControl)
     qtbot.waitUntil(lambda: control.drawn is not None)
     return control
 
@@ -81,7 +81,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     assert preview.drawn is not designer.desk.fit
     qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
     # First a draft, then, when the hand rests, the whole.
-    qtbot.waitUntil(lambda: preview.is_complete and not preview._drawer.draft)
+    qtbot.waitUntil(lambda: preview.is_idle and not preview._drawer.draft)
     preview.pace = PreviewPace(full_ms=FAST_MS)
     designer.controller.edit(("lab", 0, 0), 61.0)
     assert preview._drawing.interval() == 0
@@ -92,7 +92,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     row = preview.panel.light.findData("sunny")
     preview.panel.light.setCurrentIndex(row)
     preview.panel.light.activated.emit(row)
-    qtbot.waitUntil(lambda: preview._view.environment == "sunny" and preview.is_complete)
+    qtbot.waitUntil(lambda: preview._view.environment == "sunny" and preview.is_idle)
     assert np.abs(picture(preview) - booth).mean() > 5.0
 
     # A drag turns the form, and nothing of the paint.
@@ -103,7 +103,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     QTest.mouseMove(canvas, start + QPoint(60, 10))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(60, 10))
     assert preview._view.camera.azimuth_deg != pytest.approx(35.0)
-    qtbot.waitUntil(lambda: preview.is_complete)
+    qtbot.waitUntil(lambda: preview.is_idle)
     assert np.abs(picture(preview) - before).mean() > 2.0
     assert designer.store.stack.count() == steps
     QTest.keyClick(canvas, Qt.Key.Key_F)
@@ -152,7 +152,7 @@ def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, 
 
     monkeypatch.setattr(SeenWeights, "find", find_when_allowed)
     designer.open("gold_green_shift")
-    qtbot.waitUntil(lambda: preview.is_complete and preview.drawn is designer.desk.fit)
+    qtbot.waitUntil(lambda: preview.is_idle and preview.drawn is designer.desk.fit)
     frames = []
     preview.panel.surface.frame_drawn.connect(lambda *_: frames.append(1))
     go_on.set()

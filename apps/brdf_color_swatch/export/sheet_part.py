@@ -19,7 +19,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
 from brdf_color_swatch.export.file_names import suggested_file
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -98,7 +98,7 @@ def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
         return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
 
 
-class SheetPart(Feature):
+class SheetPart(SwatchFeature):
     """Commands that make contact sheets of what the pane in front shows."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -14,7 +14,7 @@ from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 
-class GroupPart(Feature):
+class GroupPart(SwatchFeature):
     """Commands on groups and palettes, and what the library's names are changed to."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

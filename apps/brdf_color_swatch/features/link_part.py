@@ -12,7 +12,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
@@ -31,7 +31,7 @@ _PROGRAMS = {
 }
 
 
-class LinkPart(Feature):
+class LinkPart(SwatchFeature):
     """Commands of the live link."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

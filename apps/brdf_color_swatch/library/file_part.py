@@ -9,7 +9,7 @@ from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
@@ -40,7 +40,7 @@ def shipped_palette() -> Palette:
     return Palette(tr("Sample Paints"), tuple(entries))
 
 
-class FilePart(Feature):
+class FilePart(SwatchFeature):
     """Commands on palettes as a whole."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

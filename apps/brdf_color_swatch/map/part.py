@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.map.points import MapPoints
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -38,7 +38,7 @@ _KINDS = {
 }
 
 
-class MapPart(Feature):
+class MapPart(SwatchFeature):
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

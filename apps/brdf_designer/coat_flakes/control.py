@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from PySide6.QtCore import QObject
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
@@ -13,7 +14,7 @@ from brdf_suite.inspection.sparkle import sparkle
 from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
 
 
-class CoatControl(QObject):
+class CoatControl(Feature, QObject):
     """Joins the sections of coat and flakes to the desk."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

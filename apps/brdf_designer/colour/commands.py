@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import QObject
 
@@ -26,7 +27,7 @@ _SETS = (
 )
 
 
-class ColourCommands(QObject):
+class ColourCommands(Feature, QObject):
     """Adds the commands; each does what the button or the list over the colours does."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.fit_error import LARGE_DELTA_E
@@ -32,7 +33,7 @@ def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
         fitter.close()
 
 
-class NearestOffer(QObject):
+class NearestOffer(Feature, QObject):
     """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

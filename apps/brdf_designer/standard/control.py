@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -35,7 +36,7 @@ MOST_BATCHES = 200
 _TAB, _SHIPPED = "tab ", "shipped "
 
 
-class StandardControl(QObject):
+class StandardControl(Feature, QObject):
     """The standards of all documents; the one in front is shown, in its section and in the patches."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

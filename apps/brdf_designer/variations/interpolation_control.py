@@ -6,6 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -41,7 +42,7 @@ class _Way:
     share: float = 0.0
 
 
-class InterpolationControl(QObject):
+class InterpolationControl(Feature, QObject):
     """The way of the document in front; another document, or an edit of any other kind, begins it anew."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

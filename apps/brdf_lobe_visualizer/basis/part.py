@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import BasisPlots
 from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
@@ -81,7 +81,7 @@ class BasisView(QWidget):
         box.addWidget(self.progress)
 
 
-class Basis(LobeFeature):
+class Basis(Feature, QObject):
     """Shows a search and the selected reflectance's errors; starts searches."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -115,7 +115,7 @@ class Basis(LobeFeature):
         window.first_painted.connect(self._timer.start)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
         waits = self._working or self.paints.busy or self._timer.isActive()
         return not self._is_shown() or (self._built and not waits)

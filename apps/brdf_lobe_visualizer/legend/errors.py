@@ -50,7 +50,7 @@ class LegendErrors(QObject):
         session.visibility_changed.connect(self._touch)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether every error is there."""
         return not self._tasks.busy and not self._pause.isActive()
 

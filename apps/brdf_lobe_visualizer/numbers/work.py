@@ -73,7 +73,7 @@ class FiguresWork(QObject):
         session.incidence_changed.connect(lambda _theta, _phi: self._touch())
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all figures that are looked at are there."""
         return not self._needed or not (self._pause.isActive() or self._tasks.busy)
 

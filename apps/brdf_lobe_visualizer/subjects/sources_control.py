@@ -7,6 +7,7 @@ from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -25,7 +26,7 @@ RECENT_KEY = "recent/files"
 MOST_RECENT = 10
 
 
-class Sources(QObject):
+class Sources(Feature, QObject):
     """Opens names and files, any number at a time.
 
     Signals
@@ -60,9 +61,9 @@ class Sources(QObject):
         self._lines: dict[int, tuple[Srgb, Dash]] = {}
 
     @property
-    def busy(self) -> bool:
-        """Whether anything is being read."""
-        return self.tasks.busy
+    def is_idle(self) -> bool:
+        """Whether nothing is being read."""
+        return not self.tasks.busy
 
     def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
         """Begin to open a name or a file, to come after the subjects that are there; return the key of the job.

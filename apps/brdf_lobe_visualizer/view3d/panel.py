@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.incidence.section import IncidenceSection
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.session import LobeSession
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 _CAMERA_KEY = "lobes/camera"
 
 
-class Space(LobeFeature):
+class Space(Feature, QObject):
     """Lobes in three dimensions."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -80,6 +80,7 @@ class Space(LobeFeature):
         ):
             signal.connect(self._stale)
         self.state.changed.connect(self._stale)
+        session.view_reset.connect(self.reset_view)
         window.add_section("incidence", tr("Incidence"), self.incidence)
         window.add_section("radius", tr("Radius"), self.surface)
         window.add_section("parts", tr("Parts"), self.parts)
@@ -88,13 +89,13 @@ class Space(LobeFeature):
         window.first_painted.connect(self._build)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that is asked for is drawn, or cannot be."""
         if self._holder.notice.text():
             return True
         return self.view is not None and not self._timer.isActive() and not (self.values and self.values.busy)
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
         if key == "camera":
             if value not in dict(PRESETS):

@@ -22,6 +22,7 @@ from PySide6.QtNetwork import QLocalServer, QLocalSocket
 from brdf_qt.link.address import LinkAddress, LinkAddressError, link_name
 from brdf_qt.link.messages import HELLO, PEERS, Check, Message, document_checks, encode, next_seq
 from brdf_qt.link.peer import Peer
+from brdf_qt.program.feature import Feature
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
 
@@ -32,7 +33,7 @@ _MAX_RETRY_MS = 2000
 _MAX_PEERS = 32
 
 
-class LiveLink(QObject):
+class LiveLink(Feature, QObject):
     """Publish and receive the newest value of a few topics.
 
     Parameters

@@ -28,7 +28,7 @@ def folder(simulated, tmp_path) -> Path:
 def assistant(fresh, folder, qtbot) -> Assistant:
     """The assistant of the module's Designer with a session of its own open."""
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     found = control.open()
     for key in found.window.messages.shown():
         found.window.messages.dismiss(key)

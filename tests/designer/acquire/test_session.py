@@ -44,7 +44,7 @@ def folder(simulated, tmp_path) -> Path:
 def assistant(fresh, qtbot) -> Assistant:
     """The assistant of the module's Designer, with nothing open."""
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     found = control.open()
     found.bench.open(None, None)
     for key in found.window.messages.shown():
@@ -76,7 +76,7 @@ def shown_keys(assistant) -> set[str]:
 
 def test_the_command_opens_the_window_once(fresh, qtbot):
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     control.action.trigger()
     first = control.assistant
     control.action.trigger()

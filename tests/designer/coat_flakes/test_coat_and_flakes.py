@@ -142,7 +142,7 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     given = cells[2][0].given()
     assert given is not None
     assert given != cells[2][0]._rgb, "what the fit gives is seen beside what is asked"
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
     end, height = strip.width() - 30, strip.height() // 2
     above, below = (strip.pixelColor(end, y).lightness() for y in (4, height))
@@ -224,18 +224,18 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     assert cells[1][3].text().startswith("! fit ΔE00 ")
     assert "no non-negative sum of the lobes" in cells[1][3].toolTip()
     assert "no non-negative sum" not in cells[0][3].toolTip()
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert fit.text().startswith("! Fit")
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
     designer.controller.undo()
     assert not any(cell[3].font().bold() for cell in cells)
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert not fit.font().bold()
 
 
 def test_the_status_bar_shows_target_and_fit(designer, qtbot):
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     flop, fit = (designer.window.status.cell(name) for name in ("Flop index", "Fit"))
     assert flop.text() == "Flop 13.9, achieved 13.9"
     assert fit.text().endswith(", exact")
@@ -243,7 +243,7 @@ def test_the_status_bar_shows_target_and_fit(designer, qtbot):
     assert rows[0] == "15°: target 62.0 / −4.0 / −45.0, fit 62.0 / −4.0 / −45.0, ΔE00 0.00"
     # Darker towards the mirror direction than away from it cannot be reached: the flop that is shown says so.
     type_in(designer.window.editors.editors[2].fields[0], "55")
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     asked, achieved = flop.text().rstrip(" ?").split(", achieved ")
     lightness = [row.lab_fitted[0] for row in designer.desk.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"

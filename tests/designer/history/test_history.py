@@ -16,7 +16,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 @pytest.fixture
 def history(designer, qtbot) -> HistoryControl:
-    history = next(part for part in designer.sections if isinstance(part, HistoryControl))
+    history = designer.feature(HistoryControl)
     qtbot.waitUntil(lambda: shown(history) != [])  # filled when the program is idle
     return history
 

@@ -25,7 +25,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 def part(designer, kind):
-    return next(one for one in designer.sections if isinstance(one, kind))
+    return designer.feature(kind)
 
 
 @pytest.fixture
@@ -62,7 +62,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # told in a message, with its name
     assert window.messages.shown()
     designer.documents.show(designer.documents.row[0])
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     window.show_recent(designer.files.recent())
     history = part(designer, HistoryControl).strip.states
     qtbot.waitUntil(lambda: history.rowCount() > 0)  # filled when the program is idle
@@ -110,7 +110,7 @@ def test_a_wheel_changes_nothing_in_the_window(designer, walks, qtbot) -> None:
         part(designer, kind).host.set_open(True)
     part(designer, HandoverControl).open()
     part(designer, StandardControl).take_present()
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     paint = designer.desk.paint
     changed, count = walks.changed_by_wheel(designer.window)
     assert changed == []

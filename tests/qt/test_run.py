@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 
 import pytest
-from brdf_qt.program.arguments import window_size
+from brdf_qt.program.run import window_size
 
 
 def test_a_size_is_width_by_height():
