@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_designer.colour.display import Flags, Rgb, lab_to_codes, working_to_codes
-from brdf_designer.session.fields import angle_text, by_angle
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.flop.index import FlopIndex, flop_index
@@ -103,6 +102,20 @@ class TabState:
     title: str
     path: Path | None
     clean: bool
+
+
+def angle_text(paint: Paint, index: int) -> str:
+    """Return the angle of a measurement, as in ``15°``; with its light where that is not at 45°."""
+    measurement = paint.measurements[index]
+    text = f"{measurement.aspecular_deg:g}°".replace("-", "−")
+    light = measurement.illumination_deg
+    return text if light == 45.0 else f"{text}, light {light:g}°"
+
+
+def by_angle(paint: Paint) -> tuple[int, ...]:
+    """Return the indices of the measurements in the order in which they are shown: by light, then angle."""
+    items = paint.measurements
+    return tuple(sorted(range(len(items)), key=lambda i: (items[i].illumination_deg, items[i].aspecular_deg)))
 
 
 def colours_of(paint: Paint) -> Colours:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from brdf_qt.program.translation import mark, tr
 
 from brdf_designer.colour.display import lab_to_codes
-from brdf_designer.session.fields import by_angle
+from brdf_designer.session.state import by_angle
 from brdf_designer.standard.words import say
 from brdf_suite.appearance.difference.tolerance import difference_title
 from brdf_suite.appearance.difference.words import words_text
