@@ -17,6 +17,7 @@ from brdf_suite.appearance.flop.index import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
 FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
 _CURVE_STEP_DEG = 1.0
@@ -135,9 +136,16 @@ def colours_of(paint: Paint) -> Colours:
     return Colours(paint, angles, _flop(paint))
 
 
+def layers_of(fit: LobeFit) -> PaintReflectance:
+    """Return the base and the coat of the designed paint that was fitted."""
+    assert isinstance(fit.reflectance, PaintReflectance)
+    return fit.reflectance
+
+
 def fit_state_of(fit: LobeFit) -> FitState:
     """Return what the reflectance and its lobes give."""
     assert fit.worst_delta_e is not None, "a designed paint has readings"
+    layers = layers_of(fit)
     return FitState(
         given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.readings),
@@ -145,8 +153,8 @@ def fit_state_of(fit: LobeFit) -> FitState:
         milliseconds=1e3 * fit.seconds,
         time_limited=fit.time_limited,
         exact_follows=fit.exact_follows,
-        ior=fit.reflectance.ior,
-        roughness=fit.reflectance.roughness,
+        ior=layers.ior,
+        roughness=layers.roughness,
         notices=fit.notices,
     )
 
@@ -187,8 +195,9 @@ def curves_of(fit: LobeFit) -> Curves:
     this_side = [angle for angle in angles if angle >= 0.0] or angles
     first, last = min(this_side), max(this_side)
     begin, gamma, wi, wo = _directions(light, min(0.0, *angles), first, last)
-    base = np.pi * fit.reflectance.base.eval(wi, wo)
-    rho = base + np.pi * fit.reflectance.coat.eval(wi, wo)
+    layers = layers_of(fit)
+    base = np.pi * layers.base.eval(wi, wo)
+    rho = base + np.pi * layers.coat.eval(wi, wo)
     fitted = np.pi * fit.weights.eval(wi, wo)
     model, lobes, under = working_to_lab(np.stack((rho, fitted, base)))
     between = delta_e_2000(model[begin:], lobes[begin:])

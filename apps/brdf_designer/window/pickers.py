@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.fields.labels import plain_tip
@@ -84,9 +85,9 @@ class ReadingMenus(QObject):
         self._solid.clear()
         for number, (index, text) in enumerate(texts, 1):
             name = tr("At {angle}…").format(angle=text)
-            pick = self._pick.addAction(name, lambda index=index: self.pick_requested.emit(index))
+            pick = self._pick.addAction(name, partial(self.pick_requested.emit, index))
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
-            self._solid.addAction(text, lambda index=index: self.solid_requested.emit(index))
+            self._solid.addAction(text, partial(self.solid_requested.emit, index))
         return True
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.fields.number import NumberField
@@ -328,7 +329,7 @@ class DesignerWindow(SuiteWindow):
         self.reading_menus.pick_requested.connect(self.pick_colour)
         self.reading_menus.solid_requested.connect(lambda index: session.edit(MakeSolid(index)))
         self._step_actions = [
-            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_requested.emit(by), keys)
+            self.add_action(self.window_menu, text, partial(self.tab_step_requested.emit, by), keys)
             for text, by, keys in (
                 (mark("&Next Tab"), 1, "Ctrl+Tab"),
                 (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
