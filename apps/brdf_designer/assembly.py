@@ -68,13 +68,14 @@ class Designer(Program):
     def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
         names = paint_names()
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
-        super().__init__(DesignerWindow(names))
+        super().__init__(DesignerWindow())
         self.documents = Documents(
             first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
         self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.window.build(self.desk, names)
         self.controller = Controller(self.window, self.desk, self.window)
         self.recovery_offer = RecoveryOffer(self.documents, self.window)
         self._has_closed_documents = False
@@ -140,9 +141,6 @@ class Designer(Program):
 
     def _join(self) -> None:
         window, controller, documents = self.window, self.controller, self.documents
-        window.edited.connect(controller.edit)
-        window.gesture_started.connect(controller.begin_gesture)
-        window.gesture_finished.connect(controller.end_gesture)
         window.new_requested.connect(documents.new)
         window.open_requested.connect(documents.open)
         window.shipped_requested.connect(
@@ -150,8 +148,6 @@ class Designer(Program):
         )
         window.save_requested.connect(lambda: self.files.save())
         window.save_as_requested.connect(lambda: self.files.save_as())
-        window.undo_requested.connect(controller.undo)
-        window.redo_requested.connect(controller.redo)
         window.tab_chosen.connect(lambda place: documents.show(documents.row[place]))
         window.tab_close_requested.connect(lambda place: documents.close(documents.row[place]))
         window.close_front_requested.connect(lambda: documents.close(documents.front))

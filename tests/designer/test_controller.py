@@ -10,6 +10,7 @@ from brdf_designer.assembly import paint_format
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller, View
 from brdf_designer.documents.tabs import Documents
+from brdf_designer.session.edits import SetLab, SetNumber, SetText
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import DeskStatus
@@ -56,7 +57,7 @@ def desk(qapp, fitter, dialogs) -> Parts:
 
 
 def test_an_edit_reaches_document_view_and_link(desk, qtbot):
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     assert desk.store.value.lab_at(45.0)[0] == 30.0
     assert desk.view.show_colours.call_args.args[0].paint == desk.store.value
     assert desk.view.show_fit.call_args.args[0].worst_delta_e < 0.5
@@ -68,7 +69,7 @@ def test_an_edit_reaches_document_view_and_link(desk, qtbot):
 
 def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
     for lightness in (30.0, 31.0, 32.0):
-        desk.controller.edit(("lab", 1, 0), lightness)
+        desk.desk.edit(SetLab(1, 0, lightness))
     qtbot.waitUntil(lambda: len(desk.published) >= 1)
     qtbot.wait(20)
     assert len(desk.published) == 1
@@ -77,7 +78,7 @@ def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
 
 def test_the_curves_follow_the_numbers_once_a_turn(desk, qtbot):
     for lightness in (30.0, 31.0, 32.0):
-        desk.controller.edit(("lab", 1, 0), lightness)
+        desk.desk.edit(SetLab(1, 0, lightness))
     assert desk.view.show_fit.call_count == 3
     desk.view.show_curves.assert_not_called()
     qtbot.waitUntil(lambda: desk.view.show_curves.called)
@@ -88,9 +89,9 @@ def test_the_curves_follow_the_numbers_once_a_turn(desk, qtbot):
 
 
 def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(desk):
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     due = curves_of(desk.desk.fit)
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     names = [call[0] for call in desk.view.method_calls]
     assert names.index("show_curves") < names.index("mark_fit_stale")
     assert np.array_equal(desk.view.show_curves.call_args.args[0].strip_rgb, due.strip_rgb)
@@ -98,11 +99,11 @@ def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(desk):
 
 def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
     desk.desk._publish = lambda topic, value: encode(topic, value, "me", 1)
-    desk.controller.edit(("source",), "\u20ac" * 10_000)
+    desk.desk.edit(SetText("source", "\u20ac" * 10_000))
     qtbot.wait(20)
     desk.view.show_message.assert_not_called()
     desk.desk._publish = refuse
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     qtbot.waitUntil(lambda: desk.view.show_message.called)
     assert desk.view.show_message.call_args.args[0].key == "link"
 
@@ -116,7 +117,7 @@ def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
     qtbot.waitUntil(lambda: len(desk.published) >= 1)
     assert len(desk.published) == 1
     fits = desk.view.show_fit.call_count
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     message = desk.view.show_message.call_args.args[0]
     assert message.key == "fit"
     assert "199 GU" in message.what
@@ -125,16 +126,16 @@ def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
     assert desk.store.value.gloss.gu_20 == 199.0
     qtbot.wait(20)
     assert len(desk.published) == 1
-    desk.controller.edit(("gloss", "gu_20"), 88.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 88.0))
     desk.view.dismiss_message.assert_any_call("fit")
     assert desk.view.show_fit.call_count == fits + 1
 
 
 def test_an_edit_of_another_field_ends_the_gesture(desk):
-    desk.controller.begin_gesture(("lab", 0, 0))
-    desk.controller.edit(("lab", 0, 0), 63.0)
-    desk.controller.edit(("gloss", "gu_20"), 85.0)
-    desk.controller.edit(("lab", 0, 0), 64.0)
+    desk.desk.begin_gesture()
+    desk.desk.edit(SetLab(0, 0, 63.0))
+    desk.desk.edit(SetNumber("gloss.gu_20", 85.0))
+    desk.desk.edit(SetLab(0, 0, 64.0))
     assert [desk.store.stack.text(i) for i in range(desk.store.stack.count())] == [
         "Change L* at 15°",
         "Change Gloss 20°",
@@ -143,12 +144,12 @@ def test_an_edit_of_another_field_ends_the_gesture(desk):
 
 
 def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
-    desk.controller.begin_gesture(("name",))
-    desk.controller.edit(("name",), "")
+    desk.desk.begin_gesture()
+    desk.desk.edit(SetText("name", ""))
     assert desk.store.value.name == "Blue"
     assert "name" in desk.view.show_message.call_args.args[0].what
     shown = desk.view.show_colours.call_count
-    desk.controller.end_gesture()
+    desk.desk.end_gesture()
     assert desk.view.show_colours.call_count == shown + 1
     desk.view.dismiss_message.assert_any_call("edit")
 
@@ -156,7 +157,7 @@ def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
 def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     limited = desk.view.show_fit.call_args.args[0]
     assert limited.time_limited
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
@@ -176,7 +177,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     desk = Parts(hurried, dialogs)
     with hurried._fitter._solver._background.lock:
         hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
-        desk.controller.edit(("lab", 1, 0), 30.0)
+        desk.desk.edit(SetLab(1, 0, 30.0))
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
@@ -205,8 +206,8 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
 def test_the_optimum_of_a_paint_that_is_no_longer_shown_stays_away(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
-    desk.controller.edit(("lab", 1, 0), 30.0)
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     qtbot.wait(200)
     assert desk.view.show_fit.call_count == 1
     desk.view.mark_fit_stale.assert_called_once()

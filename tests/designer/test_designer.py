@@ -188,13 +188,13 @@ def test_the_60_degree_reading_is_optional(designer):
     _, due = total_gloss(designer.desk.fit.reflectance.base, designer.desk.fit.reflectance.coat)
     coat.has_60.click()
     assert designer.store.value.gloss.gu_60 == pytest.approx(due, abs=0.06)
-    designer.controller.undo()
-    designer.controller.undo()
+    designer.desk.undo()
+    designer.desk.undo()
     coat.has_60.click()
     # What the coat reads at 60° as it is: switching the reading on changes nothing of the look.
     assert designer.store.value.gloss.gu_60 == pytest.approx(94.8, abs=0.06)
     assert coat.panel.fields["gloss.gu_60"].isEnabled()
-    designer.controller.undo()
+    designer.desk.undo()
     assert designer.store.value.gloss.gu_60 is None
     assert not coat.has_60.isChecked()
 

@@ -11,6 +11,7 @@ from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview.preview import PreviewControl
 from brdf_designer.preview.scene import LIGHT_WIDTH
 from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
@@ -75,7 +76,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     # A slow picture is not drawn while edits come; each of them puts it off anew.
     preview.pace = PreviewPace(full_ms=10 * FAST_MS)
     for lightness in (50.0, 55.0, 60.0):
-        designer.controller.edit(("lab", 0, 0), lightness)
+        designer.desk.edit(SetLab(0, 0, lightness))
         assert preview._drawing.isActive()
         assert preview._drawing.interval() == REST_MS
     assert preview.drawn is not designer.desk.fit
@@ -83,7 +84,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     # First a draft, then, when the hand rests, the whole.
     qtbot.waitUntil(lambda: preview.is_idle and not preview._drawer.draft)
     preview.pace = PreviewPace(full_ms=FAST_MS)
-    designer.controller.edit(("lab", 0, 0), 61.0)
+    designer.desk.edit(SetLab(0, 0, 61.0))
     assert preview._drawing.interval() == 0
     preview.pace = PreviewPace()
 
@@ -110,15 +111,15 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     assert preview._view.camera.distance is None
 
     # A paint that cannot be leaves the picture, and says so.
-    designer.controller.edit(("gloss", "gu_20"), 199.0)
+    designer.desk.edit(SetNumber("gloss.gu_20", 199.0))
     assert "last possible paint" in preview.panel.caption.accessibleName()
-    designer.controller.undo()
+    designer.desk.undo()
     assert "last possible paint" not in preview.panel.caption.accessibleName()
 
     # Hidden, it draws nothing.
     preview.show(False)
     kept = preview.drawn
-    designer.desk.edit(load_shipped_paint("copper"), "Copper")
+    designer.desk.set_paint(load_shipped_paint("copper"), "Copper")
     qtbot.wait(2 * REST_MS)
     assert preview.drawn is kept
     preview.show(True)

@@ -10,8 +10,8 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.colour.patches import lab_text
-from brdf_designer.session.fields import angle_text, by_angle, step_name
 from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.session.state import angle_text, by_angle
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -61,7 +61,7 @@ class NearestOffer(Feature, QObject):
         """Make the offered paint the document, as one step."""
         found = self.offered
         if found is not None and found.asked == self._desk.paint:
-            self._desk.edit(found.paint, step_name(found.paint, ("nearest",)))
+            self._desk.set_paint(found.paint, tr("Use Closest Paint"))
 
     def _judge(self, fit: LobeFit) -> None:
         if missed(fit):

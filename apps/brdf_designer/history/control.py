@@ -94,7 +94,7 @@ class HistoryControl(Feature, QObject):
         menu = QMenu(self.strip)
         menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
         menu.addAction(
-            tr("&Restore as New Step"), lambda: self._desk.edit(paint, tr("Restore Earlier State"))
+            tr("&Restore as New Step"), lambda: self._desk.set_paint(paint, tr("Restore Earlier State"))
         )
         menu.addAction(tr("&Open in New Tab"), lambda: self._desk.open_paint(paint))
         return menu

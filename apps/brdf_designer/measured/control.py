@@ -160,7 +160,7 @@ class MeasuredControl(Feature, QObject):
         else:
             present = self._desk.paint
             read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)
-            self._desk.edit(read, tr("Measure Again"))
+            self._desk.set_paint(read, tr("Measure Again"))
         self._kept[self._desk.document_key] = (request.path, start)
         self._show()
 

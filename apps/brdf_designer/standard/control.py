@@ -156,7 +156,7 @@ class StandardControl(Feature, QObject):
         self._turn(turned)
         if after == paint:
             self.refresh()
-        self._desk.edit(after, tr("Swap with Standard"))
+        self._desk.set_paint(after, tr("Swap with Standard"))
 
     # Showing.
 

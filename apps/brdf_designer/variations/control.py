@@ -101,7 +101,7 @@ class VariationsControl(Feature, QObject):
             known = variations(paint, self._step)
         chosen = next(one for one in known if one.direction == direction)
         if chosen.paint is not None:
-            self._desk.edit(chosen.paint, tr(_NAMES[chosen.word]))
+            self._desk.set_paint(chosen.paint, tr(_NAMES[chosen.word]))
 
     def set_step(self, step: float) -> None:
         """Look at neighbours nearer or farther away."""

@@ -60,7 +60,7 @@ class InterpolationControl(Feature, QObject):
         section = self.section
         section.other_chosen.connect(self.choose)
         section.share_edited.connect(self.set_share)
-        section.gesture_started.connect(lambda: desk.begin_gesture(tr(STEP)))
+        section.gesture_started.connect(desk.begin_gesture)
         section.gesture_finished.connect(desk.end_gesture)
         section.stop_taken.connect(self.take)
         self.host.toggled.connect(lambda _on: self._list_later())
@@ -105,7 +105,7 @@ class InterpolationControl(Feature, QObject):
         way = self._way
         paint = way.first if share == 0.0 else mixed(way.first, way.second, share, way.first.name)
         way.made.append((paint, share))
-        self._desk.edit(paint, tr(STEP))
+        self._desk.set_paint(paint, tr(STEP))
 
     def take(self, share: float) -> None:
         """Go to ``share`` at once, as one step."""

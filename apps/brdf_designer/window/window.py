@@ -1,8 +1,9 @@
-"""The desk: patches, strip and plot in the middle, the numbers at the right. Intents out, setters in."""
+"""The window of Designer: patches, strip and plot in the middle, the numbers at the right."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.fields.number import NumberField
@@ -21,6 +22,8 @@ from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_strip import FlopStrip
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.documents.tabs_bar import DocumentTabs
+from brdf_designer.session.edits import MakeSolid
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
 from brdf_designer.window.focus import order_focus
 from brdf_designer.window.letters import give_letters
@@ -31,19 +34,15 @@ from brdf_suite.documents.paint import Paint
 
 
 class DesignerWindow(SuiteWindow):
-    """The window of Designer.
+    """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
-    :mod:`brdf_designer.session.fields` names them; ``new_requested``, ``open_requested(Path | None)``,
-    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``undo_requested``, ``redo_requested``,
-    ``viewer_requested``, ``recent_cleared``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
-    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``;
-    ``close_requested(QCloseEvent)``, to be ignored where the window must stay.
+    Its sections edit the paint session. Intents: ``new_requested``, ``open_requested(Path | None)``,
+    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``viewer_requested``, ``recent_cleared``;
+    of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``, ``close_front_requested``,
+    ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``; ``close_requested(QCloseEvent)``,
+    to be ignored where the window must stay.
     """
 
-    edited = Signal(object, object)
-    gesture_started = Signal(object)
-    gesture_finished = Signal()
     new_requested = Signal()
     open_requested = Signal(object)
     shipped_requested = Signal(str)
@@ -55,30 +54,28 @@ class DesignerWindow(SuiteWindow):
     tab_moved = Signal(int, int)
     tab_step_requested = Signal(int)
     reopen_requested = Signal()
-    undo_requested = Signal()
-    redo_requested = Signal()
     viewer_requested = Signal()
     recent_cleared = Signal()
     close_requested = Signal(QCloseEvent)
 
-    def __init__(self, shipped: Sequence[str]) -> None:
+    def __init__(self) -> None:
         super().__init__("Designer")
         self.setAcceptDrops(True)
         self._colours: Colours | None = None
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
-        self.pickers = ColourPickers(self)
-        self.pickers.started.connect(self.gesture_started)
-        self.pickers.picked.connect(self.edited)
-        self.pickers.finished.connect(self.gesture_finished)
-        self.strip, self.patches, self.plot = FlopStrip(), PatchRow(), AnglePlot()
-        self.tabs = DocumentTabs()
         self._sections: dict[str, Section] = {}
         self._below: list[QWidget] = []
+
+    def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
+        """Make what edits the paint of ``session``, and the menus with the names of the ``shipped`` paints."""
+        self.pickers = ColourPickers(session, self)
+        self.strip, self.patches, self.plot = FlopStrip(session), PatchRow(), AnglePlot()
+        self.tabs = DocumentTabs()
         self._build_centre()
-        self._build_inspector()
+        self._build_inspector(session)
         self.desk_status = DeskStatus(self.status)
-        self._build_menus(shipped)
+        self._build_menus(session, shipped)
 
     # What a part of the desk adds.
 
@@ -284,28 +281,20 @@ class DesignerWindow(SuiteWindow):
         self.tabs.dragged.connect(self.tab_moved)
         self.tabs.new_requested.connect(self.new_requested)
 
-    def _build_inspector(self) -> None:
-        self.editors = ColourEditors()
-        self.strip.gesture_started.connect(self.editors.begin_flop)
-        self.strip.edited.connect(self.editors.edit_flop)
-        self.strip.gesture_finished.connect(self.editors.end)
-        self.plot.drag_started.connect(self.editors.begin_in_lch)
+    def _build_inspector(self, session: PaintSession) -> None:
+        self.editors = ColourEditors(session, self.pick_colour)
+        self.plot.drag_started.connect(session.begin_gesture)
         self.plot.edited.connect(self.editors.edit_in_lch)
-        self.plot.drag_finished.connect(self.editors.end)
-        self.editors.pick_requested.connect(self.pick_colour)
-        self.coat, self.flakes = CoatSection(), FlakesSection()
-        self.model, self.texts = ModelSection(), TextSection()
+        self.plot.drag_finished.connect(session.end_gesture)
+        self.coat, self.flakes = CoatSection(session), FlakesSection(session)
+        self.model, self.texts = ModelSection(session), TextSection(session)
         self.add_section("colour", tr("Colour"), self.editors)
         self.add_section("coat", tr("Coat"), self.coat)
         self.add_section("flakes", tr("Flakes"), self.flakes)
         self.add_section("model", tr("Model"), self.model)
         self.add_section("paint", tr("Paint"), self.texts)
-        for body in (self.editors, self.coat, self.flakes, self.model, self.texts):
-            body.edited.connect(self.edited)
-            body.gesture_started.connect(self.gesture_started)
-            body.gesture_finished.connect(self.gesture_finished)
 
-    def _build_menus(self, shipped: Sequence[str]) -> None:
+    def _build_menus(self, session: PaintSession, shipped: Sequence[str]) -> None:
         keys = QKeySequence.StandardKey
         file = self.file_menu
         new = self.add_action(file, mark("&New"), self.new_requested.emit, keys.New, "file-plus")
@@ -330,17 +319,17 @@ class DesignerWindow(SuiteWindow):
         self.add_quit()
         self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
-            self.edit_menu, mark("&Undo"), self.undo_requested.emit, keys.Undo, "arrow-counter-clockwise"
+            self.edit_menu, mark("&Undo"), session.undo, keys.Undo, "arrow-counter-clockwise"
         )
         self.redo_action = self.add_action(
-            self.edit_menu, mark("&Redo"), self.redo_requested.emit, "Ctrl+Shift+Z", "arrow-clockwise"
+            self.edit_menu, mark("&Redo"), session.redo, "Ctrl+Shift+Z", "arrow-clockwise"
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.reading_menus = ReadingMenus(self.paint_menu, self)
         self.reading_menus.pick_requested.connect(self.pick_colour)
-        self.reading_menus.solid_requested.connect(lambda index: self.edited.emit(("solid",), index))
+        self.reading_menus.solid_requested.connect(lambda index: session.edit(MakeSolid(index)))
         self._step_actions = [
-            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_requested.emit(by), keys)
+            self.add_action(self.window_menu, text, partial(self.tab_step_requested.emit, by), keys)
             for text, by, keys in (
                 (mark("&Next Tab"), 1, "Ctrl+Tab"),
                 (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),

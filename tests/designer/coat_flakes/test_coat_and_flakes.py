@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from brdf_designer.colour.quantity_plot import QuantityPlot
+from brdf_designer.session.edits import PickColour
 from brdf_designer.session.state import GivenColour
 from brdf_qt.fields.colour_slider import ColourSlider
 from brdf_qt.fields.number import NumberField
@@ -51,13 +52,13 @@ def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
     type_in(coat.panel.fields["gloss.gu_20"], "50")
     assert coat.roughness.value() > 0.01
     for _ in range(3):
-        designer.controller.undo()
+        designer.desk.undo()
     assert designer.store.value == before
 
 
 def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(designer) -> None:
     coat = designer.window.coat
-    designer.window.edited.emit(("colour", 0), (6.0, 0.0, 0.0))
+    designer.desk.edit(PickColour(0, (6.0, 0.0, 0.0)))
     before, roughness = designer.store.value, coat.roughness.value()
     type_in(coat.roughness, "0.2")
     message = designer.window.messages.shown()["edit"]
@@ -70,7 +71,7 @@ def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(design
     assert "edit" not in designer.window.messages.shown()
     taken = designer.store.value
     assert taken != before
-    designer.controller.undo()
+    designer.desk.undo()
     ((text, take),) = message.actions
     assert text == f"Use Roughness {most}"
     take()
@@ -127,9 +128,9 @@ def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(d
     assert not coat.note.isVisible()
     assert "nearest" not in messages.shown()
     assert steps(designer) == ["Change Gloss 20°", "Use Closest Paint"]
-    designer.controller.undo()
+    designer.desk.undo()
     assert designer.store.value.gloss.gu_20 == 180.0
-    designer.controller.undo()
+    designer.desk.undo()
     assert designer.store.value == asked_before
 
 
@@ -160,8 +161,8 @@ def test_colours_that_no_lobes_give_are_told_and_the_nearest_offered(designer, q
     assert fitter.fit(designer.store.value).worst_delta_e < 1.0
     fitter.close()
     assert not any(cell[3].font().bold() for cell in cells)
-    designer.controller.undo()
-    designer.controller.undo()
+    designer.desk.undo()
+    designer.desk.undo()
     assert designer.store.value == asked
 
 
@@ -228,7 +229,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     assert fit.text().startswith("! Fit")
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
-    designer.controller.undo()
+    designer.desk.undo()
     assert not any(cell[3].font().bold() for cell in cells)
     qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert not fit.font().bold()

@@ -73,7 +73,7 @@ def test_a_grip_is_dragged_as_one_named_step(desk, key, end, name, sense):
     assert desk.store.value.lab_at(45.0) == face
     told = {"lightness": "lightness", "chroma": "chroma", "hue": "hue_deg", "index": "index"}[key]
     assert getattr(now(desk), told) == pytest.approx(asked + change)
-    desk.controller.undo()
+    desk.desk.undo()
     assert desk.store.value == before
 
 
@@ -163,6 +163,6 @@ def test_without_an_end_beyond_the_face_there_are_no_grips(desk):
         type(m)(m.illumination_deg, angle, m.lab)
         for m, angle in zip(paint.measurements, (15.0, 25.0, 45.0), strict=True)
     )
-    desk.desk.edit(replace(paint, measurements=readings), "Other angles")
+    desk.desk.set_paint(replace(paint, measurements=readings), "Other angles")
     assert flop_of(desk.store.value) is None
     assert desk.window.strip.band.grip_at(desk.window.strip.band.grip_centres()[0]) is None

@@ -198,13 +198,13 @@ def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
 
 
 def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
-    three.desk.begin_gesture("Drag")
-    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.desk.begin_gesture()
+    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(0)
     assert not three.desk.in_gesture
-    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(2)
-    three.desk.edit(load_shipped_paint("silver_metallic"), "Drag")
+    three.desk.set_paint(load_shipped_paint("silver_metallic"), "Drag")
     assert three.store.stack.count() == 2
 
 

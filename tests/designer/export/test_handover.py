@@ -66,7 +66,7 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     text = (tmp_path / "blue.html").read_text(encoding="utf-8")
     assert re.search(r"Against the aim: [a-z ]+; passes\.", text)
     # A paint that cannot be: formats of how it reflects are refused before there is a file.
-    control._desk.edit(replace(paint, gloss=Gloss(150.0)), "Gloss")
+    control._desk.set_paint(replace(paint, gloss=Gloss(150.0)), "Gloss")
     control.section.choose("gltf")
     control.section.format_chosen.emit("gltf")
     qtbot.waitUntil(lambda: "150 GU" in control.section.losses.text())

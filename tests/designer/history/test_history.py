@@ -29,15 +29,17 @@ def shown(history) -> list[str]:
 def lighten(designer, *values: float) -> None:
     for value in values:
         paint = designer.store.value
-        designer.desk.edit(paint.with_lab(15.0, (value, *paint.lab_at(15.0)[1:])), f"Lighten to {value:g}")
+        designer.desk.set_paint(
+            paint.with_lab(15.0, (value, *paint.lab_at(15.0)[1:])), f"Lighten to {value:g}"
+        )
 
 
 def test_every_step_is_a_state_once_the_edits_pause(designer, history, qtbot):
     qtbot.waitUntil(lambda: shown(history) == ["Opened"])
-    designer.desk.begin_gesture("Drag")
+    designer.desk.begin_gesture()
     for value in (63.0, 64.0, 65.0):
         paint = designer.store.value
-        designer.desk.edit(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
+        designer.desk.set_paint(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
     designer.desk.end_gesture()
     lighten(designer, 70)
     qtbot.waitUntil(lambda: shown(history) == ["Opened", "Drag", "Lighten to 70"])

@@ -55,7 +55,7 @@ def test_a_file_has_its_standard_again_when_it_is_opened_the_next_time(desk, con
 def test_a_paint_that_gets_a_file_takes_its_standard_along(desk, control, fresh, tmp_path) -> None:
     control.take_present()
     darker = desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0))
-    desk.desk.edit(darker, "Darken")
+    desk.desk.set_paint(darker, "Darken")
     fresh[1].path = tmp_path / "darker.brdfpaint"
     assert desk.files.save_as()
     open_anew(desk, fresh[1].path)
@@ -65,7 +65,7 @@ def test_a_paint_that_gets_a_file_takes_its_standard_along(desk, control, fresh,
 
 def test_what_a_kill_leaves_has_its_standard(desk, control) -> None:
     control.take_present()
-    desk.desk.edit(desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0)), "Darken")
+    desk.desk.set_paint(desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0)), "Darken")
     recovery = desk.documents.front.recovery
     assert recovery.write()
     recovery._lock.unlock()  # as the end of the process does

@@ -38,7 +38,7 @@ def click(button) -> None:
 def darker_at_flop(desk, by: float) -> None:
     paint = desk.desk.paint
     lightness, a, b = paint.lab_at(110.0)
-    desk.desk.edit(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
+    desk.desk.set_paint(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
 
 
 def entry(control, text: str) -> QAction:

@@ -89,11 +89,11 @@ def test_the_step_and_what_cannot_be_are_shown(desk, control, qtbot) -> None:
 
 def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(desk, control, qtbot) -> None:
     rising = tuple(Measurement(45.0, angle, (30.0 + angle, 0.0, 0.0)) for angle in (15.0, 45.0, 110.0))
-    desk.desk.edit(replace(desk.desk.paint, measurements=rising), "Rise")
+    desk.desk.set_paint(replace(desk.desk.paint, measurements=rising), "Rise")
     lighter = control.section.buttons["lighter"]
     qtbot.waitUntil(lambda: lighter.text() == "lighter ≈")
     assert "ΔE00" in lighter.toolTip()
-    desk.desk.edit(replace(desk.desk.paint, gloss=Gloss(199.0)), "Gloss")
+    desk.desk.set_paint(replace(desk.desk.paint, gloss=Gloss(199.0)), "Gloss")
     qtbot.waitUntil(lambda: lighter.text() == "lighter: none")
     assert "199" in lighter.toolTip()
 
@@ -115,7 +115,7 @@ def test_pictures_come_in_the_chosen_light(desk, pictures, control, qtbot) -> No
 def test_nothing_is_worked_out_while_the_section_is_closed(desk, control, qtbot) -> None:
     control.host.set_open(False)
     known = control.neighbours
-    desk.desk.edit(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
+    desk.desk.set_paint(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
     control.refresh()
     assert control.neighbours is known
     control.host.set_open(True)
@@ -160,7 +160,7 @@ def test_beyond_the_ends_and_an_edit_of_another_kind(desk, between, qtbot) -> No
     section.beyond.setChecked(True)
     section.number.setValue(150.0)
     assert desk.desk.paint.lab_at(45.0)[0] == pytest.approx(32.5)
-    desk.desk.edit(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
+    desk.desk.set_paint(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
     assert between.share is None
     assert section.body.isHidden()
     # Without a way nothing happens.
