@@ -71,20 +71,16 @@ class Readout(DrawnPart):
         pixel = (int(place.x() * ratio), int(place.y() * ratio))
         light = dominant_light(state.view, state.light_figures)
         second = None if state.compared is None or state.view.compare.mode == "off" else state.compared.value
-        picture.look(
-            lambda: self._show(
-                read_pixel(
-                    drawer.probe,
-                    state.exposed_view,
-                    size,
-                    pixel,
-                    second,
-                    light,
-                    shows_second=state.shows_second,
-                    traced=drawer.traced_light(first_size(state.view, size)),
-                )
+        traced = drawer.traced_light(first_size(state.view, size))
+        view, shows_second = state.exposed_view, state.shows_second
+
+        def read() -> None:
+            reading = read_pixel(
+                drawer.probe, view, size, pixel, second, light, shows_second=shows_second, traced=traced
             )
-        )
+            self._show(reading)
+
+        picture.with_context(read, redraw=False)
 
     def _show(self, reading: CursorReading | None) -> None:
         if reading == self.reading:
