@@ -115,6 +115,11 @@ class GlSurface(QWidget):
         return self._canvas
 
     @property
+    def drawer(self) -> Drawer | None:
+        """What draws in the present context; None before there is one, and after it was released."""
+        return self._drawer
+
+    @property
     def device_size(self) -> tuple[int, int]:
         """Width and height of the picture in device pixels."""
         size = self._canvas.size() * self._canvas.devicePixelRatioF()

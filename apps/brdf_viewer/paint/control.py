@@ -11,7 +11,6 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject
 
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint, paint_from_json
@@ -32,6 +31,7 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.paint.patches import Patch
@@ -47,28 +47,32 @@ _DESIGNER = "designer"
 """What Designer calls itself on the link."""
 
 
-class PaintControl(QObject):
-    """Fits Designer's paint while it is followed, else a shipped one or a file, and puts it on the viewer state."""
+class PaintControl(ViewerFeature):
+    """Fits Designer's paint while it is followed, else a shipped one or a file, and puts it on the viewer state.
+
+    The paint ``first`` is shown until Designer has another one; without ``follow`` it stays, and Designer is offered.
+    One that cannot be read or fitted is reported, and the default one shown.
+    """
 
     def __init__(
         self,
         state: ViewerState,
         window: ViewerWindow,
         link: LiveLink,
-        fitter: PaintFitter,
         runner: TaskRunner,
-        parent: QObject | None = None,
+        first: str,
+        *,
+        follow: bool,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(state, window)
         self._runner = runner
+        self._first = first
         self._loading: str | None = None
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
-        self._state = state
-        self._window = window
         self._link = link
-        self.fitter = fitter
+        self.fitter = PaintFitter()
         self._recent = RecentFiles(_KEY)
         self._recent_palettes = RecentFiles("palette")
         self._names = paint_names()
@@ -76,8 +80,8 @@ class PaintControl(QObject):
         self._exact.arrived.connect(lambda fit: self._set_fit(fit, state.paint_key))
         # The same fit again: it no longer says that an exact one follows.
         self._exact.failed.connect(lambda fit, _error: self.show_fit(fit, self._state.paint_key))
-        self._offers = False
-        self._following = True
+        self._following = follow
+        self._offers = not follow
         self._of_designer: AnyPaint | None = None
         link.received.connect(self._received)
         link.peers_changed.connect(self._show_following)
@@ -123,20 +127,19 @@ class PaintControl(QObject):
             if self._following:
                 self._show(self._of_designer, DESIGNER)
 
-    def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
-        """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
+    @property
+    def is_idle(self) -> bool:
+        """Whether no paint is being loaded."""
+        return self._loading is None
 
-        A paint that cannot be read or fitted is reported, and the default one shown.
-        """
-        self._following = follow
-        self._offers = not follow
-        self._show_following()
-        file = is_file(name_or_path) and name_or_path not in self._names
-        if file and document_kind(name_or_path) != "paint":
+    def start(self) -> None:
+        """Show the first paint."""
+        file = is_file(self._first) and self._first not in self._names
+        if file and document_kind(self._first) != "paint":
             self._show_default()  # until the file is read
-            self.open(name_or_path)
+            self.open(self._first)
             return
-        self._show_document(name_or_path)
+        self._show_document(self._first)
         if self._state.fit is None:
             message = self._window.messages.shown().get(_KEY)
             self._show_default()
