@@ -19,7 +19,6 @@ from PySide6.QtGui import QGuiApplication
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.processes import child_command
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
@@ -29,6 +28,7 @@ from brdf_viewer.documents.remembered import remember
 from brdf_viewer.documents.view_files import ViewFiles
 from brdf_viewer.export.control import ExportControl, ask_target
 from brdf_viewer.export.picture import PictureExport
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
@@ -39,7 +39,6 @@ from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
 from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
 from brdf_viewer.scene.drawing import SceneDrawer
-from brdf_viewer.scene.loading import SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.surface.control import SurfaceControl
 from brdf_viewer.surface.relief_control import IMAGES, ReliefControl
@@ -90,44 +89,58 @@ class ViewerController(Program):
     ) -> None:
         super().__init__(ViewerWindow(self._make_drawer))
         self.state = ViewerState(view, self)
-        self.drawer: SceneDrawer | None = None
         self.link = LiveLink("viewer", parent=self)
         self._tasks = TaskRunner(self)
-        self.loader = SceneLoader(self._tasks, self)
         self._ask = ask
-        self._complete = self._finished = self._settled = False
+        self._complete = self._finished = self._settled = self._started = False
         self._publish = make_timer(self, self._publish_view, _PUBLISH_MS)
-        self.camera = CameraControl(self.state, self.window, self)
-        self.scene = SceneControl(self.state, self.window, self.loader, self)
-        self.paint = PaintControl(self.state, self.window, self.link, PaintFitter(), self._tasks, self)
-        self.surface = SurfaceControl(self.state, self.window, self.scene, self)
-        self.relief = ReliefControl(self.state, self.window, ask, self)
+        dialogs = dialogs or QtDialogs(self.window)
+        parts = self.state, self.window
+        self.camera = CameraControl(*parts)
+        self.scene = SceneControl(*parts, self._tasks)
+        self.paint = PaintControl(*parts, self.link, self._tasks, paint, follow=follow)
+        self.surface = SurfaceControl(*parts, self.scene)
+        self.relief = ReliefControl(*parts, ask)
         self._meter = FrameMeter(self.window.status.cell("frame"), self)
         self._meter.shown.connect(self._settle)
-        self.tone = ToneControl(self.state, self.window, lambda: self.drawer, self)
-        self.save = PictureExport(self.state, self.window, ask_picture, self.tone.grab_srgb, self)
-        self.export = ExportControl(self.state, self.window, self, light_edited=lambda: self.scene.edited)
-        dialogs = dialogs or QtDialogs(self.window)
-        self.views = ViewFiles(self.state, self.window, dialogs, self, light_edited=lambda: self.scene.edited)
+        self.tone = ToneControl(*parts)
+        self.save = PictureExport(*parts, ask_picture, self.tone.grab_srgb)
+        self.export = ExportControl(*parts)
+        self.views = ViewFiles(*parts, dialogs)
+        self.studio = StudioControl(*parts, self.scene, dialogs)
+        self.lighting = LightingControl(*parts)
+        self.sparkle = SparkleControl(*parts)
+        self.traced = TracedControl(*parts, self._tasks, ask_target)
+        self.compare = CompareControl(*parts, self._tasks, ask)
+        self.readout = Readout(*parts)
+        self.figures = FiguresOverlay(*parts, self._meter, self.readout)
+        self.features = [*self.window.findChildren(ViewerFeature), self.link]
         self._connect()
         self._show_view(None, view)
-        self.studio = StudioControl(self.state, self.window, self.scene, dialogs, self)
-        self.lighting = LightingControl(self.state, self.window, lambda: self.drawer, self)
-        self.sparkle = SparkleControl(self.state, self.window, self)
-        self.traced = TracedControl(self.state, self.window, self._tasks, ask_target, self)
-        self.compare = CompareControl(self.state, self.window, self._tasks, ask, self)
-        self.readout = Readout(self.state, self.window, lambda: self.drawer, self)
-        self.figures = FiguresOverlay(self.state, self.window, self._meter, self.readout, self)
-        self.window.picture.set_view(view)
-        self.paint.start_with(paint, follow=follow)
-        self.scene.load_first()
-        self.link.start()
+        self.start()
         self._publish.start()
 
     @property
     def is_idle(self) -> bool:
-        """Whether the picture is complete, the time of its frame shown, and no trace pending."""
-        return self._settled and not self._awaits_parts and self.traced.is_settled
+        """Whether the picture is loaded, the time of its frame shown, and no trace pending."""
+        return self._settled and self._is_loaded and self.traced.is_settled
+
+    @property
+    def _is_loaded(self) -> bool:
+        """Whether nothing that the picture shows is pending."""
+        drawer = self.drawer
+        return super().is_idle and not (drawer and drawer.awaits_weights)
+
+    @property
+    def drawer(self) -> SceneDrawer | None:
+        """What draws at present; None while nothing does."""
+        return self.window.drawer
+
+    def start(self) -> None:
+        """Begin to load, and join the link; a new controller does so by itself, and only the first call acts."""
+        if not self._started:
+            self._started = True
+            super().start()
 
     def open_file(self, path: str) -> None:
         """Open a file of any kind that the Viewer knows."""
@@ -187,11 +200,11 @@ class ViewerController(Program):
         state.history.steps_changed.connect(self._show_history)
 
     def _make_drawer(self, context: Context) -> SceneDrawer:
-        self.drawer = SceneDrawer(context, self.state, self.window.surround, self._refused)
-        self.tone.prepare(self.drawer)
+        drawer = SceneDrawer(context, self.state, self.window.surround, self._refused)
+        self.tone.prepare(drawer)
         if self._finished:  # in place of a context that was lost
             QTimer.singleShot(0, self, self._prepare_edits)
-        return self.drawer
+        return drawer
 
     def _refused(self, kind: str, error: SuiteError) -> None:
         """Reported later: the message changes the window, and this comes from within a paint of it."""
@@ -239,7 +252,7 @@ class ViewerController(Program):
         if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
-        if self._complete and not self._finished and not self._awaits_parts:
+        if self._complete and not self._finished and self._is_loaded:
             self._finished = True
             self.picture_finished.emit()
             QTimer.singleShot(0, self, self._prepare_edits)
@@ -248,15 +261,9 @@ class ViewerController(Program):
         if self.drawer is not None:
             self.window.picture.with_context(self.drawer.prepare_edits)
 
-    @property
-    def _awaits_parts(self) -> bool:
-        """Whether a part of the picture is still on its way: a paint to compare with, fits, or occlusion."""
-        loading = self.compare.loading is not None or self.paint.loading is not None
-        return loading or self.surface.baking or (self.drawer is not None and self.drawer.awaits_weights)
-
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
-        if not self._awaits_parts:
+        if self._is_loaded:
             self._settled = True
             self.settled.emit()
 
@@ -304,14 +311,4 @@ class ViewerController(Program):
             return
         super().close()
         remember(settings(), self.state.view)
-        self.link.close()
-        self.paint.close()
-        self.studio.close()
-        self.lighting.close()
-        self.compare.close()
-        self.traced.close()
-        self.export.close()
-        self.loader.stop()
-        self.surface.close()
-        self.relief.close()
         self.window.picture.release()

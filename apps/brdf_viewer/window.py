@@ -25,6 +25,7 @@ from brdf_viewer.overlay.overlay import PictureOverlay
 from brdf_viewer.paint.fresnel_section import FresnelSection
 from brdf_viewer.paint.section import PaintSection
 from brdf_viewer.paint.sparkle_section import SparkleSection
+from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.surface.relief_section import ReliefSection
 from brdf_viewer.surface.section import SurfaceSection
 from brdf_viewer.tone.section import ToneSection
@@ -95,6 +96,12 @@ class ViewerWindow(SuiteWindow):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()
         self.picture.setFocus()
+
+    @property
+    def drawer(self) -> SceneDrawer | None:
+        """What draws at present; None while nothing does: a lost context gets a new one."""
+        drawer = self.picture.drawer
+        return drawer if isinstance(drawer, SceneDrawer) else None
 
     def keep_opened(self) -> None:
         """Take what is shown for what the view had when it was opened: a double click on a number goes back to it."""

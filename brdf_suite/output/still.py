@@ -128,7 +128,7 @@ def render_to_file(
     check_target(path)
     fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
     with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         start = perf_counter()
         # The metadata give the exposure that was measured, where it is automatic.
         shown = metered(loaded.scene.renderer, loaded.composed(view, size), size)

@@ -109,7 +109,7 @@ def write_turntable(
         settings.of_file(path / "frame.png")
     fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
     with loaded_scene(view, subrange(progress, 0.0, 0.2)) as loaded:
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         shown = framed_all_round(view, loaded.scene.bounds, size)
         shown = replace(metered(loaded.scene.renderer, shown, size), clipping_marks=False, gamut_marks=False)
         metadata = picture_metadata(fit, shown)

@@ -73,7 +73,7 @@ class SceneRenderer:
         """The renderer below, for camera matrices and picking."""
         return self._renderer
 
-    def set_paint_fit(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
+    def set_material(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
 
         ``material`` is the one that is given it: the surface's paint, or the one that it is compared with. Its weights
@@ -144,7 +144,7 @@ class SceneRenderer:
         relief.set_tangent_map(images.tangent_map)
         relief.set_mask(images.mask)
         if images.second_paint is not None:
-            self.set_paint_fit(images.second_paint, SECOND_PAINT)
+            self.set_material(images.second_paint, SECOND_PAINT)
 
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""

@@ -76,7 +76,7 @@ def sparkle(folder: Path) -> None:
     with OffscreenScene((1, 1)) as scene:
         scene.set_surface(load_surface("sphere"))
         scene.set_environment(load_environment("sunny"))
-        scene.set_paint_fit(fitter.fit(load_shipped_paint("coarse_silver")))
+        scene.set_material(fitter.fit(load_shipped_paint("coarse_silver")))
         rows = []
         for places, title in ((MOVING, "turned by {0:g}°"), (FARTHER, "{1:.0f} cm away")):
             row = []

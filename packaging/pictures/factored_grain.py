@@ -100,8 +100,8 @@ def grain() -> Bytes:
     with OffscreenScene((1, 1)) as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("panel"))
-        scene.set_paint_fit(steel)
-        scene.set_paint_fit(brass, SECOND_PAINT)
+        scene.set_material(steel)
+        scene.set_material(brass, SECOND_PAINT)
         scene.renderer.relief.set_tangent_map(turns)
         scene.renderer.relief.set_normal_map(slopes)
         scene.renderer.relief.set_mask(mask)
@@ -133,7 +133,7 @@ def ball() -> tuple[Bytes, list[float]]:
     with OffscreenScene((1, 1)) as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("speed_form"))
-        scene.set_paint_fit(fit_material(Material("blue", gloss())))
+        scene.set_material(fit_material(Material("blue", gloss())))
         apart = []
         for lens in (400.0, 50.0):
             seen = replace(view, camera=replace(view.camera, focal_length_mm=lens))

@@ -54,7 +54,7 @@ class Studio:
 
     def picture(self, paint: str, view: View) -> Image.Image:
         """Return one picture."""
-        self._scene.set_paint_fit(self._fitter.fit(load_shipped_paint(paint)))
+        self._scene.set_material(self._fitter.fit(load_shipped_paint(paint)))
         return Image.fromarray(np.asarray(self._scene.image(view, SIZE)))
 
     def close(self) -> None:

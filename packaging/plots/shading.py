@@ -32,7 +32,7 @@ def row(views: list[View], paint: str, path: Path) -> None:
     """Draw views of one surface and light beside each other."""
     fit = fit_material(load_material(paint))
     with loaded_scene(views[0]) as loaded:
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         pictures = [loaded.scene.image(loaded.composed(view, SIZE), SIZE) for view in views]
     write_png(path, np.concatenate(pictures, axis=1))
 

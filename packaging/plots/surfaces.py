@@ -30,7 +30,7 @@ def row(views: list[View], paint: str, path: Path) -> None:
     """Draw views of one surface and light beside each other."""
     fit = fit_material(load_material(paint))
     with loaded_scene(views[-1]) as loaded:
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         pictures = []
         for view in views:
             loaded.scene.set_surface_images(load_surface_images(ImageRequest.of(view)))

@@ -50,7 +50,7 @@ def pictures() -> Image.Image:
     draw = ImageDraw.Draw(sheet)
     with loaded_scene(view) as loaded:
         for row, paint in enumerate(("blue", "red")):
-            loaded.scene.set_paint_fit(fit_material(load_material(paint)))
+            loaded.scene.set_material(fit_material(load_material(paint)))
             for number, kind in enumerate(TONE_CURVES):
                 shown = replace(loaded.composed(view, SIZE), tone_curve=kind, clipping_marks=kind == "linear")
                 # Without dither, which no packing makes smaller.

@@ -34,7 +34,7 @@ def run(progress=None):
     with OffscreenScene(SIZE) as scene:
         scene.set_environment(load_environment(view.environment, subrange(progress, 0.0, 0.5)))
         scene.set_surface(load_surface(view.surface))
-        scene.set_paint_fit(fitter.fit(paint))
+        scene.set_material(fitter.fit(paint))
         for _ in range(5):
             scene.draw_and_wait(view)
         overheads, draws = [], []
@@ -44,7 +44,7 @@ def run(progress=None):
             lightness = first[0] - 20.0 * step / STEPS
             start = perf_counter()
             edited = paint.with_lab(paint.measurements[0].aspecular_deg, (lightness, *first[1:]))
-            scene.set_paint_fit(fitter.fit(edited))
+            scene.set_material(fitter.fit(edited))
             scene.draw_and_wait(view)
             middle = perf_counter()
             scene.draw_and_wait(view)

@@ -176,7 +176,7 @@ def gpu_frame_ms(size=(3840, 2160), frames=100, *, on_software=False, progress=N
     )
     with loaded_scene(view, progress) as loaded:
         scene = loaded.scene
-        scene.set_paint_fit(fit_material(load_material("fine_silver")))
+        scene.set_material(fit_material(load_material("fine_silver")))
         shown, target = loaded.composed(view, size), scene.renderer.context.simple_framebuffer(size)
         times = []
         for i in range(frames + 10):

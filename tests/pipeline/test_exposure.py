@@ -33,7 +33,7 @@ def scene(tmp_path: Path):
 
         light(1.0)
         scene.set_surface(load_surface("sphere"))
-        scene.set_paint_fit(fit_material(load_material("blue")))
+        scene.set_material(fit_material(load_material("blue")))
         scene.light = light
         yield scene
 

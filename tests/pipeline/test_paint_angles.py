@@ -50,7 +50,7 @@ def test_asked_once_and_only_by_its_mode(fitter, monkeypatch):
         view = View(Camera(70, 5, distance=2.0, target=(0.0, 0.0, 0.0)))
         pictures = {}
         for fit in fits:
-            scene.set_paint_fit(fit)
+            scene.set_material(fit)
             for mode in ("off", "raised", "multi_angle", "raised", "multi_angle"):
                 shown = View(view.camera, fresnel=mode)
                 scene.prepare(shown)

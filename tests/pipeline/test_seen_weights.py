@@ -92,7 +92,7 @@ def test_the_picture_is_as_bright_as_the_paint_and_the_modes_stay_apart(silver) 
     with OffscreenScene((8, 8)) as scene:
         scene.renderer.set_environment(EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE))
         scene.renderer.set_mesh([sheet])
-        scene.set_paint_fit(silver)
+        scene.set_material(silver)
         camera = Camera(70, 0, distance=2.0, target=(0.0, 0.0, 0.0))
         for name, modes in {
             "raised": {},
@@ -167,7 +167,7 @@ def sphere_error(fit, lit) -> float:
     with OffscreenScene((8, 8)) as scene:
         scene.set_environment(lit)
         scene.set_surface(load_surface("sphere"))
-        scene.set_paint_fit(fit)
+        scene.set_material(fit)
         view = View(Camera(20, 15), sparkle=Sparkle(mode="off"))
         picture = scene.renderer.linear_image(view, size, 1)[..., :3].astype(float)
         camera = scene.renderer.camera_matrices(view, size)

@@ -115,7 +115,7 @@ def test_a_still_picture_uploads_only_the_maps_that_it_shows_and_looks_the_same(
             scene.renderer.only_needed = only
             scene.set_environment(prepared)
             scene.set_surface(load_surface("sphere"))
-            scene.set_paint_fit(fit)
+            scene.set_material(fit)
             pictures.append(scene.image(View(surface="sphere"), (64, 36)))
             uploads.append(scene.counters.texture_uploads)
     assert np.array_equal(*pictures)

@@ -284,7 +284,7 @@ def pictures(variant, tmp_path_factory):
         for _ in range(passes):
             estimate = live.step()
         with loaded_scene(view) as loaded:
-            loaded.scene.set_paint_fit(fit_material(load_material(paint)))
+            loaded.scene.set_material(fit_material(load_material(paint)))
             drawn = loaded.scene.renderer.linear_image(loaded.composed(view, SIZE), SIZE)
         inside = (estimate.coverage > 0.999) & (drawn[..., 3] > 0.999)
         y = np.array([0.2627, 0.678, 0.0593])

@@ -138,7 +138,7 @@ PICTURE = (200, 160)
 
 def is_idle(controller) -> bool:
     """Whether nothing is loaded or baked, and no strip of progress is shown or about to be."""
-    busy = controller.scene.loading or controller.surface.baking or controller.window.busy
+    busy = not (controller.scene.is_idle and controller.surface.is_idle) or controller.window.busy
     return not busy and not controller.window.progress.isVisible()
 
 

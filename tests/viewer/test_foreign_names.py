@@ -62,7 +62,7 @@ def test_names_are_plain_text_in_the_whole_window(start, lights, walks, qtbot, t
     try:
         qtbot.waitUntil(lambda: "designer" in viewer.controller.link.peers)
         designer.publish("paint", paint_to_json(copper))
-        qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None)
+        qtbot.waitUntil(lambda: viewer.controller.paint.of_designer is not None)
         wrong, seen = walks.drawn_as_html()
     finally:
         designer.close()

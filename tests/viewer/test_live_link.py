@@ -14,16 +14,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.link.link import LiveLink
-from brdf_viewer.paint.source import DESIGNER
+from brdf_viewer.paint.control import DESIGNER
 from PySide6.QtWidgets import QPushButton
 
 from brdf_suite.documents.paint import Gloss, solid_paint
-from brdf_suite.documents.store import paint_to_json, view_from_json
+from brdf_suite.documents.store import paint_to_json, save_paint, view_from_json
 from brdf_suite.documents.view import Camera
 from brdf_suite.fitting.lobes.solver import SolverOutcome
 from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import load_material
 
+RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
 PROGRAM = Path(__file__).with_name("designer_program.py")
 
 
@@ -117,7 +118,7 @@ def test_a_paint_that_was_asked_for_is_shown_and_an_open_designer_is_offered(sta
     viewer = start(paint="copper", follow=False)
     qtbot.waitUntil(lambda: "follow" in viewer.messages())
     assert "Designer is open. Follow it" in viewer.messages()["follow"]
-    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer is not None)
+    qtbot.waitUntil(lambda: viewer.controller.paint.of_designer is not None)
     assert viewer.state.fit.paint.name == "Copper"
     assert not viewer.window.paint.follow.isChecked()
     assert not viewer.window.commands.follow.isChecked()
@@ -148,11 +149,32 @@ def test_another_paint_ends_following_and_following_brings_designer_back(viewer,
     assert not viewer.window.paint.follow.isChecked()
     white = viewer.state.fit
     other.send_line("lab 20 0 0")
-    qtbot.waitUntil(lambda: viewer.controller.paint.source.of_designer.lab_at(45.0)[0] == 20.0)
+    qtbot.waitUntil(lambda: viewer.controller.paint.of_designer.lab_at(45.0)[0] == 20.0)
     assert viewer.state.fit is white
     assert viewer.window.status.cell("link").text() == "Designer connected (not following)"
     viewer.window.paint.follow.click()
     assert viewer.state.fit.paint.lab_at(45.0)[0] == 20.0
+
+
+def test_designers_paint_is_shown_while_it_is_followed(viewer) -> None:
+    paint, state = viewer.controller.paint, viewer.state
+    viewer.controller.link.received.emit("paint", paint_to_json(RED))
+    paint.set_following(False)
+    viewer.controller.link.received.emit("paint", paint_to_json(GREY))
+    assert (state.fit.name, state.paint_key) == ("red", DESIGNER)
+    paint.set_following(True)
+    assert (state.fit.name, state.paint_key) == ("grey", DESIGNER)
+
+
+def test_a_file_ends_following_and_a_bad_one_changes_nothing(viewer, tmp_path) -> None:
+    paint, state, first = viewer.controller.paint, viewer.state, viewer.state.fit
+    paint.open(str(tmp_path / "nowhere.brdfpaint"))
+    assert "nowhere" in viewer.messages()["paint"]
+    assert (paint.following, state.fit) == (True, first)
+    file = tmp_path / "red.brdfpaint"
+    save_paint(RED, file)
+    paint.open(str(file))
+    assert (paint.following, state.fit.name, state.paint_key) == (False, "red", str(file))
 
 
 def test_a_time_limited_picture_says_so_and_becomes_exact_by_itself(viewer, qtbot) -> None:

@@ -16,7 +16,6 @@ from brdf_viewer.documents.recent_files import MOST, RecentFiles
 from brdf_viewer.fields.slider import SliderField
 from brdf_viewer.fields.source_chooser import Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches, Patch
-from brdf_viewer.paint.source import DESIGNER, PaintSource
 from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -24,11 +23,9 @@ from hypothesis import strategies as st
 from brdf_suite.documents.factor_textures import write_textures
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import solid_paint
-from brdf_suite.documents.store import load_any_paint, paint_to_json, save_paint
+from brdf_suite.documents.store import load_any_paint
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.errors import FileError
 from brdf_suite.output.turning import turned
-from brdf_suite.pipeline.material import load_document
 
 RED, GREY = solid_paint("red", (45.0, 60.0, 40.0)), solid_paint("grey", (50.0, 0.0, 0.0))
 
@@ -83,35 +80,6 @@ def test_the_state_reports_only_changes(qtbot) -> None:
     state.change_view(exposure_ev=0.0)
     state.change_view(exposure_ev=1.0)
     assert seen == [(0.0, 1.0)]
-
-
-class Heard(list):
-    def __init__(self, source: PaintSource) -> None:
-        super().__init__()
-        source.changed.connect(lambda paint, key: self.append((paint.name, key)))
-
-
-def test_designers_paint_is_shown_while_it_is_followed(qapp) -> None:
-    source = PaintSource()
-    heard = Heard(source)
-    source.received(paint_to_json(RED))
-    source.set_following(False)
-    source.received(paint_to_json(GREY))
-    assert heard == [("red", DESIGNER)]
-    source.set_following(True)
-    assert heard == [("red", DESIGNER), ("grey", DESIGNER)]
-
-
-def test_a_file_ends_following_and_a_bad_one_changes_nothing(qapp, tmp_path) -> None:
-    source = PaintSource()
-    heard = Heard(source)
-    with pytest.raises(FileError, match="nowhere"):
-        source.show(load_document(tmp_path / "nowhere.brdfpaint"), "nowhere")
-    assert (source.following, heard) == (True, [])
-    file = tmp_path / "red.brdfpaint"
-    save_paint(RED, file)
-    source.show(load_document(file), str(file))
-    assert (source.following, heard) == (False, [("red", str(file))])
 
 
 def test_recent_files_are_newest_first_once_and_present(qapp, tmp_path) -> None:

@@ -87,7 +87,7 @@ class PreviewDrawer:
         if fit is not self._fit:
             # This only begins to search on a thread: the view never asks for a fit at several incidences.
             self._angle_fits.angles.prepare(fit, view)
-            self._renderer.set_paint_fit(fit)
+            self._renderer.set_material(fit)
             self._fit = fit
         self._renderer.prepare(view)
         if self.draft:

@@ -57,7 +57,7 @@ class Painter:
 
     def _draw(self, fit: Any, scene: ThumbnailScene) -> bytes:
         loaded = self._load(scene)
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         size = (SIZE, SIZE)
         return loaded.scene.image(loaded.composed(scene.view(), size), size).tobytes()
 

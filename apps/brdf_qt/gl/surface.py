@@ -88,6 +88,9 @@ class GlSurface(QWidget):
         self._samples = samples
         self._make_drawer = make_drawer
         self._view: object = None
+        self._drawer: Drawer | None = None
+        self._context: Context | None = None
+        self._framebuffer: Any = None
         self._failure = ""
         self._losses: list[float] = []
         self.frame_ms = 0.0
@@ -99,7 +102,7 @@ class GlSurface(QWidget):
         self._notice = _Notice(self.retry)
         self._layout = QStackedLayout(self)
         self._layout.addWidget(self._notice)
-        self._canvas = self._new_canvas()
+        self._add_canvas()
 
     @property
     def failure(self) -> str:
@@ -112,9 +115,23 @@ class GlSurface(QWidget):
         return self._canvas
 
     @property
+    def drawer(self) -> Drawer | None:
+        """What draws in the present context; None before there is one, and after it was released."""
+        return self._drawer
+
+    @property
     def device_size(self) -> tuple[int, int]:
         """Width and height of the picture in device pixels."""
-        return self._canvas.device_size()
+        size = self._canvas.size() * self._canvas.devicePixelRatioF()
+        return (max(1, size.width()), max(1, size.height()))
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the driver has taken the context away: it was reset, or the card changed."""
+        if self._drawer is None:
+            return False
+        context = self._canvas.context()
+        return context is None or not context.isValid()
 
     def set_view(self, view: object) -> None:
         """Draw ``view`` from the next frame on."""
@@ -123,7 +140,7 @@ class GlSurface(QWidget):
 
     def redraw(self) -> None:
         """Draw again: something other than the view has changed. Where frames are slow, the other widgets go first."""
-        if self._canvas.is_lost():
+        if self.is_lost:
             self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
         elif self.frame_ms < SLOW_MS:
             self._canvas.update()
@@ -139,7 +156,7 @@ class GlSurface(QWidget):
         ``redraw`` is False for what only reads. Without a context nothing is done: the factory will be asked for a
         drawer when there is one.
         """
-        if self._failure or not self._canvas.isValid() or self._canvas.drawer is None:
+        if self._failure or not self._canvas.isValid() or self._drawer is None:
             return
         self._canvas.makeCurrent()
         try:
@@ -151,21 +168,6 @@ class GlSurface(QWidget):
             self._canvas.doneCurrent()
         if redraw:
             self.redraw()
-
-    def look(self, work: Callable[[], None]) -> None:
-        """Run ``work``, which draws elsewhere and reads, with the context current; no new frame follows.
-
-        Without a picture nothing is done. What goes wrong is shown in the picture's place, as for :meth:`with_context`.
-        """
-        if self._failure or not self._canvas.isValid() or self._canvas.drawer is None:
-            return
-        self._canvas.makeCurrent()
-        try:
-            work()
-        except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
-            self._fail(_failure_text(error, "The picture could not be read"))
-        finally:
-            self._canvas.doneCurrent()
 
     def grab_image(self) -> QImage:
         """Draw a frame now and return it, in device pixels; a null image where there is no picture."""
@@ -179,25 +181,83 @@ class GlSurface(QWidget):
         self._layout.removeWidget(self._canvas)
         self._canvas.deleteLater()
         self._failure = ""
-        self._canvas = self._new_canvas()
+        self._add_canvas()
         self.canvas_changed.emit(self._canvas)
 
     def release(self) -> None:
         """Free the drawer and all that it holds; the last thing before the widget goes."""
-        self._canvas.release()
+        if self._drawer is None:
+            return
+        lost = self.is_lost
+        drawer, self._drawer = self._drawer, None
+        self._context = self._framebuffer = None
+        if lost:
+            return  # all that it made went with the context
+        self._canvas.makeCurrent()
+        drawer.release()
+        self._canvas.doneCurrent()
+
+    def prepare(self, canvas: QOpenGLWidget) -> None:
+        """Have what draws made for the canvas's new context, which is current. Failures are never raised into Qt."""
+        qt_context = canvas.context()
+        try:
+            self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
+            self._drawer = self._make_drawer(self._context)
+        except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
+            self._defer_failure(_failure_text(error, "The picture cannot be drawn"))
+
+    def draw_frame(self) -> None:
+        """Draw a frame into the canvas, whose context is current. Failures are never raised into Qt."""
+        if self.is_lost:
+            QTimer.singleShot(0, self, self._recover)
+            return
+        if self._drawer is None or self._context is None or self._view is None:
+            return
+        start = time.perf_counter()
+        size = self.device_size
+        try:
+            target = self._target(self._context, size)
+            target.use()
+            typical = self._drawer.draw(target, size, self._view)
+            self._context.finish()
+            problem = self._context.error
+        except Exception as error:  # noqa: BLE001 - as above
+            if self.is_lost:
+                QTimer.singleShot(0, self, self._recover)
+                return
+            self._defer_failure(_failure_text(error, "The picture could not be drawn"))
+            return
+        if problem != "GL_NO_ERROR":
+            self._defer_failure(f"The graphics driver reported {problem} while drawing.")
+            return
+        milliseconds = (time.perf_counter() - start) * 1000.0
+        if typical:
+            self.frame_ms = milliseconds
+        self._finished.emit(milliseconds, typical)
+
+    def _target(self, context: Context, size: tuple[int, int]) -> Any:
+        """Return Qt's frame buffer, which changes with the size; a number that is gone must not stay bound."""
+        number = self._canvas.defaultFramebufferObject()
+        known = self._framebuffer
+        if known is None or known.glo != number or known.size != size:
+            self._framebuffer = known = context.detect_framebuffer(number)
+        return known
+
+    def _defer_failure(self, text: str) -> None:
+        """Change the widgets only after Qt has finished with this paint."""
+        QTimer.singleShot(0, self, lambda: self._fail(text))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         QTimer.singleShot(0, self, self._check_context)
 
-    def _new_canvas(self) -> _Canvas:
-        canvas = _Canvas(self)
+    def _add_canvas(self) -> None:
+        self._canvas = canvas = _Canvas(self, self._samples)
         self._layout.addWidget(canvas)
         self._layout.setCurrentWidget(canvas)
         self.setFocusProxy(canvas)
         if self.isVisible():
             QTimer.singleShot(0, self, self._check_context)
-        return canvas
 
     def _recover(self) -> None:
         """Begin anew with another context after the driver has taken this one away; not without end."""
@@ -227,89 +287,27 @@ class GlSurface(QWidget):
 
 
 class _Canvas(QOpenGLWidget):
-    """The part of the widget with the context; failures are reported to the surface, never raised into Qt."""
+    """Qt's widget with the context; what Qt asks of it, the surface does while this is its canvas."""
 
-    def __init__(self, surface: GlSurface) -> None:
+    def __init__(self, surface: GlSurface, samples: int) -> None:
         super().__init__(surface)
-        self.setFormat(surface_format(surface._samples))
+        self.setFormat(surface_format(samples))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self._surface = surface
-        self._context: Context | None = None
-        self._framebuffer: Any = None
-        self.drawer: Drawer | None = None
-
-    def device_size(self) -> tuple[int, int]:
-        size = self.size() * self.devicePixelRatioF()
-        return (max(1, size.width()), max(1, size.height()))
 
     def initializeGL(self) -> None:
-        qt_context = self.context()
-        qt_context.aboutToBeDestroyed.connect(self.release)
-        try:
-            self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
-            self.drawer = self._surface._make_drawer(self._context)
-        except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
-            self._defer_failure(_failure_text(error, "The picture cannot be drawn"))
-
-    def is_lost(self) -> bool:
-        """Whether the driver has taken the context away: it was reset, or the card changed."""
-        if self.drawer is None:
-            return False
-        context = self.context()
-        return context is None or not context.isValid()
+        self.context().aboutToBeDestroyed.connect(self._release)
+        if self._surface.canvas is self:
+            self._surface.prepare(self)
 
     def paintGL(self) -> None:
-        if self.is_lost():
-            QTimer.singleShot(0, self._surface, self._surface._recover)
-            return
-        if self.drawer is None or self._context is None or self._surface._view is None:
-            return
-        start = time.perf_counter()
-        size = self.device_size()
-        try:
-            target = self._target(self._context, size)
-            target.use()
-            typical = self.drawer.draw(target, size, self._surface._view)
-            self._context.finish()
-            problem = self._context.error
-        except Exception as error:  # noqa: BLE001 - as above
-            if self.is_lost():
-                QTimer.singleShot(0, self._surface, self._surface._recover)
-                return
-            self._defer_failure(_failure_text(error, "The picture could not be drawn"))
-            return
-        if problem != "GL_NO_ERROR":
-            self._defer_failure(f"The graphics driver reported {problem} while drawing.")
-            return
-        milliseconds = (time.perf_counter() - start) * 1000.0
-        if typical:
-            self._surface.frame_ms = milliseconds
-        self._surface._finished.emit(milliseconds, typical)
+        if self._surface.canvas is self:
+            self._surface.draw_frame()
 
-    def release(self) -> None:
-        if self.drawer is None:
-            return
-        lost = self.is_lost()
-        drawer, self.drawer = self.drawer, None
-        self._framebuffer = None
-        if lost:
-            return  # all that it made went with the context
-        self.makeCurrent()
-        drawer.release()
-        self.doneCurrent()
-
-    def _target(self, context: Context, size: tuple[int, int]) -> Any:
-        """Return Qt's frame buffer, which changes with the size; a number that is gone must not stay bound."""
-        number = self.defaultFramebufferObject()
-        known = self._framebuffer
-        if known is None or known.glo != number or known.size != size:
-            self._framebuffer = known = context.detect_framebuffer(number)
-        return known
-
-    def _defer_failure(self, text: str) -> None:
-        """Change the widgets only after Qt has finished with this paint."""
-        QTimer.singleShot(0, self._surface, lambda: self._surface._fail(text))
+    def _release(self) -> None:
+        if self._surface.canvas is self:
+            self._surface.release()
 
 
 class _Notice(QWidget):

@@ -6,6 +6,9 @@ another; each works alone as well.
 
 Delivered is only the newest value of each topic, at most once per turn of the event loop, and only after it
 has passed the reader of its document. A newcomer receives the newest value of each topic.
+
+What waits to be written to a program is kept per topic, and a newer message of a topic takes the place of an older
+one. So a program that reads slowly, or has stopped reading, costs the others one message per topic and no more.
 """
 
 from __future__ import annotations
@@ -14,14 +17,25 @@ import logging
 import random
 import uuid
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtNetwork import QLocalServer, QLocalSocket
 
 from brdf_qt.link.address import LinkAddress, LinkAddressError, link_name
-from brdf_qt.link.messages import HELLO, PEERS, Check, Message, document_checks, encode, next_seq
-from brdf_qt.link.peer import Peer
+from brdf_qt.link.messages import (
+    HELLO,
+    MAX_BYTES,
+    PEERS,
+    BadMessageError,
+    Check,
+    Message,
+    decode,
+    document_checks,
+    encode,
+    next_seq,
+)
 from brdf_qt.program.feature import Feature
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
@@ -31,6 +45,20 @@ log = logging.getLogger(__name__)
 _RETRY_MS = (15, 90)
 _MAX_RETRY_MS = 2000
 _MAX_PEERS = 32
+_MAX_BAD_LINES = 20
+_READ_BYTES = 256 * 1024
+
+
+@dataclass(eq=False)
+class _Peer:
+    """A connection: what it has sent of a line, and by topic what waits to be written to it."""
+
+    socket: QLocalSocket
+    role: str = ""
+    incoming: bytes = b""
+    waiting: dict[str, bytes] = field(default_factory=dict)
+    bad_lines: int = 0
+    open: bool = True
 
 
 class LiveLink(Feature, QObject):
@@ -68,10 +96,10 @@ class LiveLink(Feature, QObject):
         self._address: LinkAddress | None = None
         self._server: QLocalServer | None = None
         self._socket: QLocalSocket | None = None
-        self._peers: list[Peer] = []
+        self._peers: list[_Peer] = []
         self._roles: tuple[str, ...] = ()
         self._latest: dict[str, Message] = {}
-        self._inbox: dict[tuple[str, str], tuple[Message, Peer]] = {}
+        self._inbox: dict[tuple[str, str], tuple[Message, _Peer]] = {}
         self._running = False
         self._failures = 0
         self._retry = make_timer(self, self._join)
@@ -109,7 +137,7 @@ class LiveLink(Feature, QObject):
         if self._socket is not None:
             self._socket.abort()
         for peer in tuple(self._peers):
-            peer.close()
+            self._end(peer)
         self._stop_serving()
 
     def publish(self, topic: str, value: dict[str, Any]) -> None:
@@ -126,7 +154,7 @@ class LiveLink(Feature, QObject):
         message = encode(topic, value, self._id, next_seq(max(seen, default=None)))
         self._latest[topic] = message
         for peer in self._peers:
-            peer.send(message)
+            self._send(peer, message)
 
     # Joining: hub where the lock is free, otherwise a connection to the program that holds it.
 
@@ -171,9 +199,9 @@ class LiveLink(Feature, QObject):
         socket.connected.disconnect(self._connected)
         socket.errorOccurred.disconnect(self._not_connected)
         peer = self._add(socket)
-        peer.send(encode(HELLO, {"role": self._role}, self._id, 0))
+        self._send(peer, encode(HELLO, {"role": self._role}, self._id, 0))
         for message in self._latest.values():
-            peer.send(message)
+            self._send(peer, message)
 
     def _not_connected(self) -> None:
         if self._socket is not None:
@@ -197,35 +225,103 @@ class LiveLink(Feature, QObject):
                 continue
             peer = self._add(socket)
             for message in self._latest.values():
-                peer.send(message)
+                self._send(peer, message)
             self._announce_peers()
 
-    def _add(self, socket: QLocalSocket) -> Peer:
-        peer = Peer(socket, self)
-        peer.arrived.connect(self._arrived)
-        peer.lost.connect(self._lost)
+    def _add(self, socket: QLocalSocket) -> _Peer:
+        peer = _Peer(socket)
+        socket.setParent(self)
+        socket.setReadBufferSize(2 * MAX_BYTES)
+        # Not by peer: a function that knew one would be called, too, when the link goes with its sockets.
+        socket.readyRead.connect(self._read_all)
+        socket.bytesWritten.connect(self._write_all)
+        socket.disconnected.connect(self._end_disconnected)
+        socket.errorOccurred.connect(self._end_disconnected)
         self._peers.append(peer)
         return peer
 
-    def _lost(self, peer: Peer) -> None:
+    def _end_disconnected(self, *_: object) -> None:
+        for peer in tuple(self._peers):
+            if peer.socket.state() != QLocalSocket.LocalSocketState.ConnectedState:
+                self._read(peer)  # what the other side wrote before it ended
+                self._end(peer)
+
+    def _end(self, peer: _Peer) -> None:
+        """End a connection; where it had ended before, nothing is done."""
+        if not peer.open:
+            return
+        peer.open = False
+        peer.waiting.clear()
+        peer.socket.abort()
+        peer.socket.deleteLater()
         self._peers.remove(peer)
-        peer.deleteLater()
         if self.is_hub:
             self._announce_peers()
             return
         self._set_roles(())
         self._join_later()
 
+    # Lines of a connection.
+
+    def _send(self, peer: _Peer, message: Message) -> None:
+        """Write now where the socket has nothing left to write, otherwise keep the newest of each topic."""
+        if peer.open:
+            peer.waiting[message.topic] = message.line
+            self._write_waiting(peer)
+
+    def _write_all(self, *_: object) -> None:
+        for peer in tuple(self._peers):
+            self._write_waiting(peer)
+
+    def _read_all(self) -> None:
+        for peer in tuple(self._peers):
+            self._read(peer)
+
+    def _write_waiting(self, peer: _Peer) -> None:
+        while peer.open and peer.waiting and peer.socket.bytesToWrite() == 0:
+            topic = next(iter(peer.waiting))
+            peer.socket.write(peer.waiting.pop(topic))
+            peer.socket.flush()
+
+    def _read(self, peer: _Peer) -> None:
+        while peer.open and peer.socket.bytesAvailable() > 0:
+            *lines, peer.incoming = (peer.incoming + bytes(peer.socket.read(_READ_BYTES).data())).split(b"\n")
+            for line in lines:
+                self._take_line(peer, line)
+            if len(peer.incoming) > MAX_BYTES:
+                log.warning("live link: a message is longer than %d bytes, closing its connection", MAX_BYTES)
+                self._end(peer)
+
+    def _take_line(self, peer: _Peer, line: bytes) -> None:
+        if not peer.open or not line.strip():
+            return
+        try:
+            if len(line) >= MAX_BYTES:
+                raise BadMessageError(f"longer than {MAX_BYTES} bytes")
+            message = decode(line)
+        except BadMessageError as error:
+            self._complain(peer, str(error))
+            return
+        self._arrived(peer, message)
+
+    def _complain(self, peer: _Peer, reason: str) -> None:
+        """Log a bad message; a connection that keeps sending them is closed."""
+        peer.bad_lines += 1
+        log.warning("live link: dropped a message: %s", reason)
+        if peer.bad_lines >= _MAX_BAD_LINES:
+            log.warning("live link: %d bad messages, closing their connection", peer.bad_lines)
+            self._end(peer)
+
     # Messages.
 
-    def _arrived(self, peer: Peer, message: Message) -> None:
+    def _arrived(self, peer: _Peer, message: Message) -> None:
         if message.topic == HELLO:
             self._hello(peer, message.value)
         elif message.topic == PEERS:
             if not self.is_hub:
                 self._take_peers(peer, message.value)
         elif self._checks is None or message.topic not in self._checks:
-            peer.complain(f"unknown topic {message.topic!r}")
+            self._complain(peer, f"unknown topic {message.topic!r}")
         elif self._is_news(message):
             key = (message.topic, message.sender)
             waiting = self._inbox.get(key)
@@ -246,7 +342,7 @@ class LiveLink(Feature, QObject):
             self._latest[message.topic] = message
             for peer in self._peers:
                 if peer is not source:
-                    peer.send(message)
+                    self._send(peer, message)
             self.received.emit(message.topic, message.value)
 
     def _is_valid(self, message: Message) -> bool:
@@ -257,18 +353,18 @@ class LiveLink(Feature, QObject):
             return False
         return True
 
-    def _hello(self, peer: Peer, value: dict[str, Any]) -> None:
+    def _hello(self, peer: _Peer, value: dict[str, Any]) -> None:
         role = value.get("role")
         if not isinstance(role, str) or len(role) > 40:
-            peer.complain("a hello without a role")
+            self._complain(peer, "a hello without a role")
         elif self.is_hub and role != peer.role:
             peer.role = role
             self._announce_peers()
 
-    def _take_peers(self, peer: Peer, value: dict[str, Any]) -> None:
+    def _take_peers(self, peer: _Peer, value: dict[str, Any]) -> None:
         roles = value.get("roles")
         if not isinstance(roles, list) or not all(isinstance(role, str) for role in roles):
-            peer.complain("a list of peers that is not one")
+            self._complain(peer, "a list of peers that is not one")
             return
         self._set_roles(tuple(sorted(roles)))
 
@@ -276,7 +372,7 @@ class LiveLink(Feature, QObject):
         """As the hub: send each program which others there are (and ourselves)."""
         for peer in self._peers:
             others = [self._role, *(p.role for p in self._peers if p is not peer and p.role)]
-            peer.send(encode(PEERS, {"roles": others}, self._id, 0))
+            self._send(peer, encode(PEERS, {"roles": others}, self._id, 0))
         self._set_roles(tuple(sorted(p.role for p in self._peers if p.role)))
 
     def _set_roles(self, roles: tuple[str, ...]) -> None:

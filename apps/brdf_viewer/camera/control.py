@@ -6,7 +6,6 @@ import dataclasses
 from typing import Any
 
 from brdf_qt.gl.gestures import CameraGestures
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import Camera, View
@@ -15,17 +14,16 @@ from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
 from brdf_suite.realtime.pictures.comparison import sides
 from brdf_viewer.camera.presets import look_from, signed_deg
 from brdf_viewer.camera.turntable import Turntable
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 
-class CameraControl(QObject):
+class CameraControl(ViewerFeature):
     """Moves the viewer state's camera; shows where it is."""
 
-    def __init__(self, state: ViewerState, window: ViewerWindow, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._state = state
-        self._window = window
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
+        super().__init__(state, window)
         self._turntable = Turntable(self)
         self._turntable.turned.connect(self._turn)
         self._turntable.running_changed.connect(window.commands.turntable.setChecked)

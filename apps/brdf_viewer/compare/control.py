@@ -11,7 +11,6 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import View
@@ -22,6 +21,7 @@ from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.overlay.overlay import Label, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
@@ -37,19 +37,12 @@ _OF = {"light": "of the light, before the tone curve", "picture": "of the pictur
 Ask = Callable[[QWidget, str], str]
 
 
-class CompareControl(QObject):
+class CompareControl(ViewerFeature):
     """Keeps the viewer state's second paint and the window in step with ``view.compare``."""
 
-    def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        runner: TaskRunner,
-        ask: Ask,
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._runner, self._ask = state, window, runner, ask
+    def __init__(self, state: ViewerState, window: ViewerWindow, runner: TaskRunner, ask: Ask) -> None:
+        super().__init__(state, window)
+        self._runner, self._ask = runner, ask
         self._names = paint_names()
         self._recent = RecentFiles(KIND)
         self._loading: str | None = None
@@ -129,6 +122,11 @@ class CompareControl(QObject):
         self._state.shows_second = not self._state.shows_second
         self._window.picture.redraw()
         self._show()
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether no second paint is being loaded."""
+        return self._loading is None
 
     def close(self) -> None:
         """Blink no more."""

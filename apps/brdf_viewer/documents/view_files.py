@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.window.dialogs import Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, QStandardPaths
+from PySide6.QtCore import QStandardPaths
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import resolve
 from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
@@ -24,24 +24,12 @@ _FILTERS = f"View (*{VIEW_ENDING});;All files (*)"
 _MESSAGE_MS = 6000
 
 
-class ViewFiles(QObject):
-    """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back.
+class ViewFiles(ViewerFeature):
+    """File ▸ Open View, Save View, Save View As; what is open is never asked about: Undo brings it back."""
 
-    ``light_edited`` returns whether the light on show is in no file as it is: a view cannot name it.
-    """
-
-    def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        dialogs: Dialogs,
-        parent: QObject | None = None,
-        *,
-        light_edited: Callable[[], bool] = lambda: False,
-    ) -> None:
-        super().__init__(parent)
-        self._light_edited = light_edited
-        self._state, self._window, self._dialogs = state, window, dialogs
+    def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: Dialogs) -> None:
+        super().__init__(state, window)
+        self._dialogs = dialogs
         self._recent = RecentFiles(KIND)
         self._path: Path | None = None
         self._stamp: FileStamp | None = None
@@ -103,7 +91,7 @@ class ViewFiles(QObject):
             return False
         self._take(path, stamp_of(path))
         self._window.status.showMessage(f"Saved {path.name}", _MESSAGE_MS)
-        if self._light_edited():
+        if self._state.edited_light:
             what = f"{path.name} refers to the light without its unsaved edits."
             todo = "Save the studio, then the view again."
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))

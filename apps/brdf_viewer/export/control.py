@@ -9,7 +9,6 @@ from pathlib import Path
 
 from brdf_qt.program.settings import settings
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from brdf_suite.documents.palette_store import PALETTE_ENDING
@@ -19,6 +18,7 @@ from brdf_suite.realtime.camera import frame, resolve
 from brdf_viewer.export.dialog import ExportDialog
 from brdf_viewer.export.job import ExportJob, ExportSettings
 from brdf_viewer.export.process import ExportProcess
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
@@ -58,25 +58,19 @@ def ask_source(parent: QWidget) -> str:
     return path if path.lower().endswith(PALETTE_ENDING) else str(Path(path).parent)
 
 
-class ExportControl(QObject):
-    """File ▸ Export: the dialog, then one export at a time.
-
-    ``light_edited`` returns whether the light on show is in no file as it is: an export would read another.
-    """
+class ExportControl(ViewerFeature):
+    """File ▸ Export: the dialog, then one export at a time."""
 
     def __init__(
         self,
         state: ViewerState,
         window: ViewerWindow,
-        parent: QObject | None = None,
         *,
         target: AskTarget = ask_target,
         source: AskSource = ask_source,
-        light_edited: Callable[[], bool] = lambda: False,
     ) -> None:
-        super().__init__(parent)
-        self._light_edited = light_edited
-        self._state, self._window, self.ask = state, window, target
+        super().__init__(state, window)
+        self.ask = target
         self.process: ExportProcess | None = None
         self._given_up = False
         self.dialog = ExportDialog(lambda: window.picture.device_size, source, window)
@@ -99,7 +93,7 @@ class ExportControl(QObject):
             todo = "Wait until paint, surface and environment are loaded, then export."
             messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
             return
-        if self._light_edited():
+        if self._state.edited_light:
             todo = "Save it with File ▸ Studio ▸ Save Studio, then export."
             what = "The light has unsaved changes, which an export would not include."
             messages.show_message(Message(KIND, what, todo=todo, severity="error"))

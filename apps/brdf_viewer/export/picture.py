@@ -9,12 +9,12 @@ from pathlib import Path
 import numpy as np
 from brdf_qt.window.message_bar import Message, message_of
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject
 from PySide6.QtGui import QImage
 
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.output.picture_file import picture_metadata
 from brdf_viewer.documents.file_kinds import PICTURE_ENDING, AskPicture
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
@@ -22,7 +22,7 @@ _KEY = "picture"
 _MESSAGE_MS = 6000
 
 
-class PictureExport(QObject):
+class PictureExport(ViewerFeature):
     """File ▸ Save Picture: every pixel of the picture, with paint and settings as text in the file.
 
     ``grab`` returns the picture in sRGB.
@@ -34,10 +34,9 @@ class PictureExport(QObject):
         window: ViewerWindow,
         ask: AskPicture,
         grab: Callable[[], QImage],
-        parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._ask, self._grab = state, window, ask, grab
+        super().__init__(state, window)
+        self._ask, self._grab = ask, grab
         window.commands.picture_requested.connect(self.save)
 
     def save(self) -> None:

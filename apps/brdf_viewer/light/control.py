@@ -13,10 +13,12 @@ from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.scene import environment_names
 from brdf_viewer.camera.turntable import Turntable
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.lamps_section import placed, polar
 from brdf_viewer.light.presets import preset_of, with_preset
 from brdf_viewer.paint.relit import RelitPaint
-from brdf_viewer.scene.drawn_part import DrawnPart
+from brdf_viewer.scene.viewer_state import ViewerState
+from brdf_viewer.window import ViewerWindow
 
 METER_AFTER_MS = 150
 """The meter waits for things to come to rest: an exposure that follows every step of a drag would pump."""
@@ -24,11 +26,11 @@ METER_AFTER_MS = 150
 _UNMETERED = ("exposure_ev", "tone_curve", "background", "background_colour", "clipping_marks", "gamut_marks")
 
 
-class LightingControl(DrawnPart):
+class LightingControl(ViewerFeature):
     """Puts the section's edits into the view, and measures the exposure where it is automatic."""
 
-    def _set_up(self) -> None:
-        state, window = self._state, self._window
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
+        super().__init__(state, window)
         self._meter = make_timer(self, self._measure, METER_AFTER_MS)
         self._round = Turntable(self)
         self._round.deg_per_second = 45.0
@@ -110,7 +112,7 @@ class LightingControl(DrawnPart):
             self._meter.start()
 
     def _measure(self) -> None:
-        drawer = self._drawer()
+        drawer = self._window.drawer
         if drawer is not None and self._state.view.exposure_mode == "automatic":
             picture = self._window.picture
             picture.with_context(lambda: drawer.meter(self._state.view, picture.device_size))

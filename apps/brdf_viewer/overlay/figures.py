@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from brdf_qt.program.settings import settings
-from PySide6.QtCore import QObject
 
 from brdf_suite.documents.view import View
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.overlay.frame_meter import FrameMeter
 from brdf_viewer.overlay.readout import Readout
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -17,19 +17,12 @@ SPARKLE_WORDS = {"off": "no sparkle", "texture": "flake texture", "glints": "gli
 FRESNEL_WORDS = {"off": "no Fresnel", "raised": "Fresnel raised", "multi_angle": "Fresnel by angle"}
 
 
-class FiguresOverlay(QObject):
+class FiguresOverlay(ViewerFeature):
     """Shows and hides the figures; remembers which."""
 
-    def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        meter: FrameMeter,
-        readout: Readout,
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._meter, self._readout = state, window, meter, readout
+    def __init__(self, state: ViewerState, window: ViewerWindow, meter: FrameMeter, readout: Readout) -> None:
+        super().__init__(state, window)
+        self._meter, self._readout = meter, readout
         self._on = bool(settings().value(_KEY, False, type=bool))
         window.commands.figures_requested.connect(self.set_on)
         window.commands.figures.setChecked(self._on)

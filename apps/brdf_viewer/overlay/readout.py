@@ -11,10 +11,12 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
-from brdf_viewer.scene.drawn_part import DrawnPart
+from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.trace_input import first_size
+from brdf_viewer.window import ViewerWindow
 
 REST_MS = 60
 _TIP = (
@@ -23,13 +25,13 @@ _TIP = (
 )
 
 
-class Readout(DrawnPart):
+class Readout(ViewerFeature):
     """Signals: ``changed(reading)`` with a :class:`CursorReading`, or None where the cursor is elsewhere."""
 
     changed = Signal(object)
 
-    def _set_up(self) -> None:
-        window = self._window
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
+        super().__init__(state, window)
         self._place: QPointF | None = None
         self.reading: CursorReading | None = None
         self._rest = make_timer(self, self._read, REST_MS)
@@ -60,7 +62,7 @@ class Readout(DrawnPart):
             self._rest.start()
 
     def _read(self) -> None:
-        drawer, place, state = self._drawer(), self._place, self._state
+        drawer, place, state = self._window.drawer, self._place, self._state
         if QGuiApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self._rest.start()
             return
@@ -71,20 +73,16 @@ class Readout(DrawnPart):
         pixel = (int(place.x() * ratio), int(place.y() * ratio))
         light = dominant_light(state.view, state.light_figures)
         second = None if state.compared is None or state.view.compare.mode == "off" else state.compared.value
-        picture.look(
-            lambda: self._show(
-                read_pixel(
-                    drawer.probe,
-                    state.exposed_view,
-                    size,
-                    pixel,
-                    second,
-                    light,
-                    shows_second=state.shows_second,
-                    traced=drawer.traced_light(first_size(state.view, size)),
-                )
+        traced = drawer.traced_light(first_size(state.view, size))
+        view, shows_second = state.exposed_view, state.shows_second
+
+        def read() -> None:
+            reading = read_pixel(
+                drawer.probe, view, size, pixel, second, light, shows_second=shows_second, traced=traced
             )
-        )
+            self._show(reading)
+
+        picture.with_context(read, redraw=False)
 
     def _show(self, reading: CursorReading | None) -> None:
         if reading == self.reading:

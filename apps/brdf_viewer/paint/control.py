@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.translation import tr
@@ -12,12 +11,9 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject
 
-from brdf_suite.documents.cook_torrance import CookTorrancePaint
-from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.store import AnyPaint
+from brdf_suite.documents.store import AnyPaint, paint_from_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.factored_maps import is_factored
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
@@ -35,62 +31,63 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.paint.patches import Patch
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
-from brdf_viewer.paint.source import DESIGNER, PaintSource
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
-
+DESIGNER = "designer:"
+"""The key of the paint that Designer holds; no file and no shipped paint has a name with a colon at its end."""
 _KEY = "paint"
 _OFFER = "follow"
 _DESIGNER = "designer"
 """What Designer calls itself on the link."""
 
 
-class PaintControl(QObject):
-    """Fits what :class:`PaintSource` gives and puts it on the viewer state."""
+class PaintControl(ViewerFeature):
+    """Fits Designer's paint while it is followed, else a shipped one or a file, and puts it on the viewer state.
+
+    The paint ``first`` is shown until Designer has another one; without ``follow`` it stays, and Designer is offered.
+    One that cannot be read or fitted is reported, and the default one shown.
+    """
 
     def __init__(
         self,
         state: ViewerState,
         window: ViewerWindow,
         link: LiveLink,
-        fitter: PaintFitter,
         runner: TaskRunner,
-        parent: QObject | None = None,
+        first: str,
+        *,
+        follow: bool,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(state, window)
         self._runner = runner
+        self._first = first
         self._loading: str | None = None
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
-        self._state = state
-        self._window = window
         self._link = link
-        self.fitter = fitter
+        self.fitter = PaintFitter()
         self._recent = RecentFiles(_KEY)
         self._recent_palettes = RecentFiles("palette")
         self._names = paint_names()
-        self._shown_key = ""
         self._exact = ExactFit(self)
-        self._exact.arrived.connect(self._show_exact)
+        self._exact.arrived.connect(lambda fit: self._set_fit(fit, state.paint_key))
         # The same fit again: it no longer says that an exact one follows.
-        self._exact.failed.connect(lambda fit, _error: self.show_fit(fit, self._shown_key))
-        self._offers = False
-        self.source = PaintSource(self)
-        self.source.changed.connect(self._take)
-        self.source.following_changed.connect(self._show_following)
+        self._exact.failed.connect(lambda fit, _error: self.show_fit(fit, self._state.paint_key))
+        self._following = follow
+        self._offers = not follow
+        self._of_designer: AnyPaint | None = None
         link.received.connect(self._received)
         link.peers_changed.connect(self._show_following)
-        window.paint.follow_edited.connect(self.source.set_following)
+        window.paint.follow_edited.connect(self.set_following)
         window.paint.chooser.chosen.connect(self.open)
-        window.commands.follow_requested.connect(self.source.set_following)
+        window.commands.follow_requested.connect(self.set_following)
         window.commands.paint_requested.connect(self.open)
         window.commands.set_paints(self._shipped())
         window.commands.step_requested.connect(self.step)
@@ -104,20 +101,45 @@ class PaintControl(QObject):
         """What is loaded in the background, by name or file; None where none is."""
         return self._loading
 
-    def start_with(self, name_or_path: str, *, follow: bool = True) -> None:
-        """Show this paint until Designer has another one; without ``follow`` it stays, and Designer is offered.
+    @property
+    def following(self) -> bool:
+        """Whether Designer's paint is shown as soon as there is one."""
+        return self._following
 
-        A paint that cannot be read or fitted is reported, and the default one shown.
-        """
-        self.source.set_following(follow)
-        self._offers = not follow
-        self._show_following()
-        file = is_file(name_or_path) and name_or_path not in self._names
-        if file and document_kind(name_or_path) != "paint":
-            self._show_default()  # until the file is read
-            self.open(name_or_path)
+    @property
+    def of_designer(self) -> AnyPaint | None:
+        """The newest paint that Designer has published; it stays when Designer closes."""
+        return self._of_designer
+
+    def set_following(self, following: bool) -> None:
+        """Follow Designer or not; its newest paint is shown at once."""
+        if following == self._following:
             return
-        self._show_document(name_or_path, self.source.start_with)
+        self._following = following
+        self._show_following()
+        if following and self._of_designer is not None:
+            self._show(self._of_designer, DESIGNER)
+
+    def _received(self, topic: str, value: dict[str, Any]) -> None:
+        """Take what Designer has published; ``value`` has passed the link's check."""
+        if topic == _KEY:
+            self._of_designer = paint_from_json(value, "Designer")
+            if self._following:
+                self._show(self._of_designer, DESIGNER)
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether no paint is being loaded."""
+        return self._loading is None
+
+    def start(self) -> None:
+        """Show the first paint."""
+        file = is_file(self._first) and self._first not in self._names
+        if file and document_kind(self._first) != "paint":
+            self._show_default()  # until the file is read
+            self.open(self._first)
+            return
+        self._show_document(self._first)
         if self._state.fit is None:
             message = self._window.messages.shown().get(_KEY)
             self._show_default()
@@ -127,11 +149,12 @@ class PaintControl(QObject):
     def open(self, key: str) -> None:
         """Show a shipped paint or a file, and follow Designer no more."""
         if key == DESIGNER:
-            self.source.set_following(True)
+            self.set_following(True)
             return
         self._stepped_to = key
         if key in self._paints:
-            self.source.show(self._paints[key], key)
+            self.set_following(False)
+            self._show(self._paints[key], key)
             return
         file = key not in self._names and is_file(key)
         key = str(Path(key).absolute()) if file else key
@@ -140,7 +163,7 @@ class PaintControl(QObject):
             self.open_palette(key)
         elif kind is None:
             self._load(key)
-        elif self._show_document(key, self.source.show) and file:
+        elif self._show_document(key, instead_of_designer=True) and file:
             self._remember(key)
 
     def open_palette(self, path: str) -> None:
@@ -162,22 +185,22 @@ class PaintControl(QObject):
         """Go through the shipped paints again; the paint on show stays."""
         self._palette, self._paints = None, {}
         self._list()
-        self._show_place(self._shown_key)
+        self._show_place(self._state.paint_key)
 
     def step(self, step: int) -> None:
         """Show the next paint of the palette, or of the shipped ones; -1 the one before."""
         keys = tuple(self._paints) if self._palette is not None else tuple(self._names)
         # From where the last step led, also where that paint could not be fitted.
-        key = stepped(keys, self._stepped_to or self._shown_key, step)
+        key = stepped(keys, self._stepped_to or self._state.paint_key, step)
         if key is not None:
             self.open(key)
 
     def _show_default(self) -> None:
         name = default_paint_name()
-        self.source.start_with(load_shipped_paint(name), name)
+        self._show(load_shipped_paint(name), name)
 
-    def _show_document(self, key: str, show: Callable[[AnyPaint, str], None]) -> bool:
-        """Show the paint of a name or file by ``show``; what has no document is loaded in the background."""
+    def _show_document(self, key: str, *, instead_of_designer: bool = False) -> bool:
+        """Show the paint of a name or file; what has no document is loaded in the background."""
         try:
             document = load_document(key)
         except SuiteError as error:
@@ -186,7 +209,9 @@ class PaintControl(QObject):
         if document is None:
             self._load(key)
             return False
-        show(document, key)
+        if instead_of_designer:
+            self.set_following(False)
+        self._show(document, key)
         return True
 
     def _load(self, key: str) -> None:
@@ -209,11 +234,9 @@ class PaintControl(QObject):
         if fit is None:
             self.open_palette(key)
             return
-        self.source.set_following(False)
+        self.set_following(False)
         self._exact.forget()
-        self._state.set_fit(fit, key)
-        self._shown_key = key
-        self.show_fit(fit, key)
+        self._set_fit(fit, key)
         if is_file(key):
             self._remember(key)
 
@@ -234,15 +257,11 @@ class PaintControl(QObject):
         self._recent.add(key)
         self._list()
 
-    def _received(self, topic: str, value: dict[str, Any]) -> None:
-        if topic == _KEY:
-            self.source.received(value)
-
     def close(self) -> None:
         """Drop a fit that is still worked at."""
         self.fitter.close()
 
-    def _take(self, paint: Paint | CookTorrancePaint | FactoredPaint, key: str) -> None:
+    def _show(self, paint: AnyPaint, key: str) -> None:
         """The edit path: fit and draw; no file, no texture, no import. Only designed paints are edited."""
         self._cancel(_KEY)
         try:
@@ -252,14 +271,11 @@ class PaintControl(QObject):
             return
         self._window.messages.dismiss(_KEY)
         self._exact.watch(fit)
-        self._state.set_fit(fit, key)
-        self._shown_key = key
-        self.show_fit(fit, key)
+        self._set_fit(fit, key)
 
-    def _show_exact(self, fit: LobeFit) -> None:
-        """The optimum of the paint on show, where the time limit came first."""
-        self._state.set_fit(fit, self._shown_key)
-        self.show_fit(fit, self._shown_key)
+    def _set_fit(self, fit: LobeFit, key: str) -> None:
+        self._state.set_fit(fit, key)
+        self.show_fit(fit, key)
 
     def _report(self, error: Exception) -> None:
         fit = self._state.fit
@@ -295,7 +311,7 @@ class PaintControl(QObject):
         )
 
     def _show_choice(self) -> None:
-        key = self._shown_key
+        key = self._state.paint_key
         title = self._designer_title() if key == DESIGNER else title_of(key, {})
         self._window.paint.chooser.show_source(key, "" if is_swatch(key) else title)
 
@@ -306,8 +322,7 @@ class PaintControl(QObject):
 
     def _designer_title(self) -> str:
         """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
-        paint = self.source.of_designer
-        name = "Paint" if paint is None else paint.name
+        name = "Paint" if self._of_designer is None else self._of_designer.name
         return f"{name} (Designer)" if _DESIGNER in self._link.peers else f"{name} (closed)"
 
     def _name_designer(self) -> None:
@@ -315,7 +330,7 @@ class PaintControl(QObject):
 
     def _show_following(self, *_: object) -> None:
         linked = _DESIGNER in self._link.peers
-        following = self.source.following
+        following = self._following
         self._name_designer()
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
@@ -336,7 +351,7 @@ class PaintControl(QObject):
                 _OFFER,
                 "Designer is open. Follow it to see its paint at every change.",
                 todo="Until then Viewer shows the paint that it was started with.",
-                actions=(("Follow Designer", lambda: self.source.set_following(True)),),
+                actions=(("Follow Designer", lambda: self.set_following(True)),),
             )
             self._window.messages.show_message(message)
 

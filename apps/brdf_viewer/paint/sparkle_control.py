@@ -5,19 +5,18 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-from PySide6.QtCore import QObject
-
 from brdf_suite.documents.view import View
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 
-class SparkleControl(QObject):
+class SparkleControl(ViewerFeature):
     """Keeps section, commands and view in step."""
 
-    def __init__(self, state: ViewerState, window: ViewerWindow, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._state, self._section, self._commands = state, window.sparkle, window.commands
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
+        super().__init__(state, window)
+        self._section, self._commands = window.sparkle, window.commands
         section = self._section
         for signal in (section.mode_edited, window.commands.sparkle_requested):
             signal.connect(lambda mode: self._change(mode=mode))

@@ -6,7 +6,8 @@ from pathlib import Path
 
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, Signal
+from brdf_qt.work.tasks import TaskRunner
+from PySide6.QtCore import Signal
 
 from brdf_suite.documents.light_store import STUDIO_ENDING
 from brdf_suite.documents.view import View
@@ -16,6 +17,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environ
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.documents.recent_files import RecentFiles
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.light.environment_figures import environment_facts
@@ -34,7 +36,7 @@ SHIPPED_TITLES = {
 }
 
 
-class SceneControl(QObject):
+class SceneControl(ViewerFeature):
     """Loads what the view names; the view changes only once that is there.
 
     Signals: ``failed(kind, text)`` where something could not be loaded.
@@ -42,18 +44,13 @@ class SceneControl(QObject):
 
     failed = Signal(str, str)
 
-    def __init__(
-        self, state: ViewerState, window: ViewerWindow, loader: SceneLoader, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._state = state
-        self._window = window
-        self._loader = loader
+    def __init__(self, state: ViewerState, window: ViewerWindow, runner: TaskRunner) -> None:
+        super().__init__(state, window)
+        self.loader = SceneLoader(runner, self)
         self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
         self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
         self._loading: dict[str, str] = {}
-        self._edited = ""  # the title of a light that is shown and edited, and that the view cannot name
         self._layout = state.view.environment_layout
         self._watch = FileWatch(self)
         self._watch.changed.connect(self._changed_on_disk)
@@ -64,12 +61,12 @@ class SceneControl(QObject):
             chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
             self._list(kind)
             self._show(kind)
-        loader.loaded.connect(self._loaded)
-        loader.partly_loaded.connect(self._partly_loaded)
-        loader.failed.connect(self._not_loaded)
-        loader.moved.connect(self._moved)
-        loader.ended.connect(self._ended)
-        loader.counted.connect(self._counted)
+        self.loader.loaded.connect(self._loaded)
+        self.loader.partly_loaded.connect(self._partly_loaded)
+        self.loader.failed.connect(self._not_loaded)
+        self.loader.moved.connect(self._moved)
+        self.loader.ended.connect(self._ended)
+        self.loader.counted.connect(self._counted)
         window.environment.layout_edited.connect(self.set_layout)
         window.busy_cancelled.connect(self.cancel)
         state.view_changed.connect(self._view_changed)
@@ -80,11 +77,11 @@ class SceneControl(QObject):
         return dict(self._loading)
 
     @property
-    def edited(self) -> bool:
-        """Whether the light on show is edited, and in no file as it is: the view names another."""
-        return bool(self._edited)
+    def is_idle(self) -> bool:
+        """Whether no environment and no surface is being loaded."""
+        return not self._loading
 
-    def load_first(self) -> None:
+    def start(self) -> None:
         """Load what the view names."""
         self.open(SURFACE, self._state.view.surface)
         self._open_environment(self._state.view.environment, self._state.view.environment_layout)
@@ -117,13 +114,17 @@ class SceneControl(QObject):
         self._loading[kind] = key
         self._show_facts()
         self._show_choice(kind, key)
-        self._loader.load(kind, key, self._layout, self._state.view.surface_look)
+        self.loader.load(kind, key, self._layout, self._state.view.surface_look)
+
+    def close(self) -> None:
+        """End what is loaded, and load no more."""
+        self.loader.stop()
 
     def cancel(self, kind: str) -> None:
         """Stop loading. A whole picture that was shown comes back; where there was none, what is there stays."""
         if kind not in self._choosers:
             return  # the work of another
-        self._loader.cancel(kind)
+        self.loader.cancel(kind)
         if kind == ENVIRONMENT:
             self._take_partial_back()
 
@@ -139,13 +140,13 @@ class SceneControl(QObject):
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if isinstance(value, PreparedEnvironment):
             first = not self._drawn_key(ENVIRONMENT)
-            self._edited = ""
+            self._state.edited_light = ""
             self._state.set_environment(key, value)
             change = self._state.follow_view if first else self._state.step_view
             change(environment=key, environment_layout=self._layout)
             self._show_facts()
             self._forget_figures()
-            self._loader.count(key, value.environment)
+            self.loader.count(key, value.environment)
         else:
             first = self._state.surface is None
             self._state.set_surface(key, value)
@@ -165,20 +166,20 @@ class SceneControl(QObject):
         The view goes on to name what it did; it cannot name what no file holds.
         """
         if ENVIRONMENT in self._loading:
-            self._loader.cancel(ENVIRONMENT)
-        self._edited = key
+            self.loader.cancel(ENVIRONMENT)
+        self._state.edited_light = key
         self._state.set_environment(key, prepared)
         self._show_facts()
         self._show(ENVIRONMENT)
         if prepared.is_final:
-            self._loader.count(key, prepared.environment)
+            self.loader.count(key, prepared.environment)
 
     def name_edited(self, path: str) -> None:
         """The light that was edited is now what a file holds: the view names it."""
         present = self._state.environment
-        if present is not None and self._edited:
+        if present is not None and self._state.edited_light:
             self._state.set_environment(path, present.value)
-        self._edited = ""
+        self._state.edited_light = ""
         self._layout = AUTOMATIC
         self._recent[ENVIRONMENT].add(path)
         self._list(ENVIRONMENT)
@@ -188,7 +189,7 @@ class SceneControl(QObject):
 
     def _partly_loaded(self, key: str, prepared: PreparedEnvironment) -> None:
         """Show what there is of an environment that is on its way; the view names it when it is whole."""
-        self._edited = ""
+        self._state.edited_light = ""
         present = self._state.environment
         if present is None or present.value.environment.content_hash != prepared.environment.content_hash:
             self._forget_figures()  # they are of another light than the one on show
@@ -204,7 +205,7 @@ class SceneControl(QObject):
         self._state.take_partial_back()
         present = self._state.environment
         if present is not None and self._state.light_figures is None:
-            self._loader.count(present.key, present.value.environment)
+            self.loader.count(present.key, present.value.environment)
         self._show_facts()
         self._show(ENVIRONMENT)
 
@@ -268,7 +269,7 @@ class SceneControl(QObject):
         self._show(kind)
 
     def _drawn_key(self, kind: str) -> str:
-        if kind == ENVIRONMENT and self._edited:
+        if kind == ENVIRONMENT and self._state.edited_light:
             return self._state.view.environment
         present = self._state.environment if kind == ENVIRONMENT else self._state.surface
         return "" if present is None else present.key
@@ -280,13 +281,13 @@ class SceneControl(QObject):
         self._window.commands.set_recent(kind, files)
 
     def _show(self, kind: str) -> None:
-        edited = self._edited if kind == ENVIRONMENT else ""
+        edited = self._state.edited_light if kind == ENVIRONMENT else ""
         self._show_choice(kind, self._loading.get(kind) or edited or getattr(self._state.view, kind))
 
     def _show_choice(self, kind: str, key: str) -> None:
         if kind == ENVIRONMENT:
             on_disk = key.lower().endswith(STUDIO_ENDING)
-            described = on_disk or key == self._edited
+            described = on_disk or key == self._state.edited_light
             loading = ENVIRONMENT in self._loading
             layout = self._layout if loading else self._state.view.environment_layout
             self._window.environment.set_layout(layout, not described and key not in self._names[kind])
@@ -320,7 +321,7 @@ class SceneControl(QObject):
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
-        title = title_of(loading or self._edited or self._state.view.environment, SHIPPED_TITLES)
+        title = title_of(loading or self._state.edited_light or self._state.view.environment, SHIPPED_TITLES)
         cell, present = self._window.status.cell("environment"), self._state.environment
         if present is None or present.value.is_final:
             cell.set(title, "Loading" if loading else "Environment", "stale" if loading else "fresh")

@@ -108,7 +108,7 @@ class SceneDrawer:
             framebuffer.clear(*self._surround(), 1.0)
             return False
         if fit is not self._fit:
-            self.scene_renderer.set_paint_fit(fit)
+            self.scene_renderer.set_material(fit)
             self._fit = fit
         uploads += [self._bring_second(), self._bring_images(), self._bring_traced()]
         self.scene_renderer.prepare(view)
@@ -178,7 +178,7 @@ class SceneDrawer:
         try:
             self._comparison.set_picture(picture)
             if value is not None and not isinstance(value, ComparedPicture):
-                self.scene_renderer.set_paint_fit(value, SECOND_MATERIAL)
+                self.scene_renderer.set_material(value, SECOND_MATERIAL)
         except SuiteError as error:
             self._second = None
             self._refused("compare", error)

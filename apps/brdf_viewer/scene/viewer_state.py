@@ -86,6 +86,8 @@ class ViewerState(QObject):
         self.traced: TracedPicture | None = None
         self.metered_ev: float | None = None
         self.light_figures: EnvironmentStatistics | None = None
+        self.edited_light = ""
+        """The title of a light that is shown and edited, and in no file as it is: the view names another."""
         self._environment: LoadedAsset[PreparedEnvironment] | None = None
         self._whole_environment: LoadedAsset[PreparedEnvironment] | None = None
         self._surface: LoadedSurface | None = None

@@ -20,6 +20,7 @@ from brdf_suite.realtime.camera import matrices
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh
 from brdf_suite.surface.picking import pick
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.loading import SURFACE
@@ -35,15 +36,11 @@ _RELOAD_MS = 250
 """A number that is dragged loads the surface when the hand rests."""
 
 
-class SurfaceControl(QObject):
+class SurfaceControl(ViewerFeature):
     """Wires the Surface section to the viewer state, bakes occlusion, and picks parts in the picture."""
 
-    def __init__(
-        self, state: ViewerState, window: ViewerWindow, scene: SceneControl, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._state = state
-        self._window = window
+    def __init__(self, state: ViewerState, window: ViewerWindow, scene: SceneControl) -> None:
+        super().__init__(state, window)
         self._scene = scene
         self._section = window.surface
         self._runner = TaskRunner(self, threads=1)
@@ -63,9 +60,9 @@ class SurfaceControl(QObject):
         self._section.set_look(state.view.surface_look)
 
     @property
-    def baking(self) -> bool:
-        """Whether occlusion is being baked."""
-        return self._baking is not None
+    def is_idle(self) -> bool:
+        """Whether no occlusion is being baked."""
+        return self._baking is None
 
     def bake(self) -> None:
         """Bake for the present surface; what is drawn stays until it is there."""

@@ -8,12 +8,12 @@ from typing import Any
 
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject
 
 from brdf_suite.documents.view import View
 from brdf_suite.pipeline.material import paint_names
 from brdf_suite.pipeline.surface_images import ImageRequest, SurfaceImages, load_surface_images
 from brdf_viewer.documents.file_kinds import AskFile
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -23,14 +23,12 @@ _CLOSING_MS = 60_000
 _NONE = Source("", "None")
 
 
-class ReliefControl(QObject):
+class ReliefControl(ViewerFeature):
     """Wires the section to the viewer state; an image that cannot be read is reported, and what was shown stays."""
 
-    def __init__(
-        self, state: ViewerState, window: ViewerWindow, ask: AskFile, parent: QObject | None = None
-    ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._ask = state, window, ask
+    def __init__(self, state: ViewerState, window: ViewerWindow, ask: AskFile) -> None:
+        super().__init__(state, window)
+        self._ask = ask
         self._section = window.relief
         self._runner = TaskRunner(self, threads=1)
         self._request = ImageRequest()
@@ -46,9 +44,9 @@ class ReliefControl(QObject):
         self._show(state.view)
 
     @property
-    def loading(self) -> bool:
-        """Whether images are on their way."""
-        return self._runner.busy
+    def is_idle(self) -> bool:
+        """Whether no images are being loaded."""
+        return not self._runner.busy
 
     def refused(self, error: Exception) -> None:
         """The graphics card did not take the images."""

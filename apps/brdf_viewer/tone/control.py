@@ -13,6 +13,7 @@ from PySide6.QtGui import QImage, QScreen
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -24,13 +25,11 @@ _COUNTED_WIDTH = 480
 _PROFILE_KEY = "tone/monitor_profile"
 
 
-class ToneControl(QObject):
+class ToneControl(ViewerFeature):
     """Puts the section's edits into the view, and the monitor's colours into the renderer.
 
     Parameters
     ----------
-    drawer
-        Returns what draws at present; None while nothing does.
     find_monitor
         Returns what is known of a screen.
     """
@@ -39,13 +38,10 @@ class ToneControl(QObject):
         self,
         state: ViewerState,
         window: ViewerWindow,
-        drawer: Callable[[], SceneDrawer | None],
-        parent: QObject | None = None,
         *,
         find_monitor: Callable[[QScreen | None], Monitor] = monitor_of,
     ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._drawer = state, window, drawer
+        super().__init__(state, window)
         self._find_monitor = find_monitor
         self._monitor = Monitor(SRGB_SPACE, "", False)
         self._used = bool(settings().value(_PROFILE_KEY, True, type=bool))
@@ -93,7 +89,7 @@ class ToneControl(QObject):
 
     def grab_srgb(self) -> QImage:
         """Return the picture as it is on screen, in sRGB whatever the monitor is."""
-        drawer = self._drawer()
+        drawer = self._window.drawer
         if drawer is None or self.display is SRGB:
             return self._window.picture.grab_image()
         drawer.renderer.screen = SRGB
@@ -114,7 +110,7 @@ class ToneControl(QObject):
         space = monitor.space if used else SRGB_SPACE
         if space is not self.display.space:
             self.display = SRGB if space is SRGB_SPACE else Display(space)
-            if (drawer := self._drawer()) is not None:
+            if (drawer := self._window.drawer) is not None:
                 self.prepare(drawer)
                 self._window.picture.redraw()
             self._count.start()
@@ -139,7 +135,7 @@ class ToneControl(QObject):
         section.set_marks(view.clipping_marks, view.gamut_marks, view.mark_style)
 
     def _measure(self) -> None:
-        drawer, picture = self._drawer(), self._window.picture
+        drawer, picture = self._window.drawer, self._window.picture
         if drawer is None or not drawer.is_complete or not self._window.tone.isVisible():
             return
         width, height = picture.device_size

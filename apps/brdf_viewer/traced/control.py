@@ -19,6 +19,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.store import view_to_json
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.frame_rate import FrameRate
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
@@ -44,7 +45,7 @@ Ask = Callable[[QWidget, str, str, str], str]
 T = TypeVar("T", bound=str)
 
 
-class TracedControl(QObject):
+class TracedControl(ViewerFeature):
     """The renderer that is chosen, its process, and its newest picture on the viewer state.
 
     A picture that was asked for is dropped as soon as the scene is another one, by its generation.
@@ -69,12 +70,11 @@ class TracedControl(QObject):
         window: ViewerWindow,
         runner: TaskRunner,
         ask: Ask,
-        parent: QObject | None = None,
         *,
         make_process: Callable[[QObject], TraceProcess] = TraceProcess,
     ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._runner, self._ask = state, window, runner, ask
+        super().__init__(state, window)
+        self._runner, self._ask = runner, ask
         self._make_process = make_process
         self._process: TraceProcess | None = None
         self._generation = 0

@@ -160,7 +160,7 @@ class SwatchPainter:
     def _alone(self, fit: LobeFit, look: SwatchLook) -> Bytes:
         """A paint whose coat stands otherwise than its base, which a captured form has not."""
         loaded, size = self._scene_of(look), (look.size, look.size)
-        loaded.scene.set_paint_fit(fit)
+        loaded.scene.set_material(fit)
         return loaded.scene.image(loaded.composed(look.view(), size), size)
 
     def _fit(self, paint: AnyPaint) -> LobeFit:

@@ -96,7 +96,7 @@ class ItemPictures:
         if self._tried and self._captured is not None and not waves:
             (picture,) = self._captured.draw([scene.swatch(fit)], self._display)
             return np.asarray(picture)
-        scene.set_paint_fit(fit)
+        scene.set_material(fit)
         # Automatic exposure is that of the first paint, so that all stand in the same light.
         self._view = metered(renderer, self._view, self._cell)
         if not self._tried:

@@ -54,7 +54,7 @@ def draw_pictures(
 def _draw(fit: LobeFit, view: View, size: tuple[int, int], progress: Progress | None) -> ReportPicture:
     view = replace(view, clipping_marks=False, gamut_marks=False)
     with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
-        loaded.scene.set_paint_fit(refit_under(fit, view.light_colour))
+        loaded.scene.set_material(refit_under(fit, view.light_colour))
         report(progress, 0.8, "drawing")
         renderer = loaded.scene.renderer
         shown = metered(renderer, loaded.composed(view, size), size)

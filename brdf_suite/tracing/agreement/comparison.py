@@ -226,7 +226,7 @@ def _drawn(
                 if fit is None:
                     continue
                 view = replace(truth.view, **FORMS[form].view)
-                scene.set_paint_fit(fit, view=view)
+                scene.set_material(fit, view=view)
                 linear = scene.renderer.linear_image(view, order.size)
                 drawn[paint][form] = _shown(np.asarray(linear[..., :3], np.float64), view)
     return {paint: {form: of[form] for form in order.forms if form in of} for paint, of in drawn.items()}

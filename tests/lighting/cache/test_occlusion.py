@@ -128,7 +128,7 @@ def test_a_picture_from_the_command_has_the_ground(shared_cache: Path) -> None:
     )
     plain = replace(view, surface_look=SurfaceLook(occlusion=False))
     with loaded_scene(view) as loaded:
-        loaded.scene.set_paint_fit(PaintFitter(time_limit_s=60.0).fit(default_paint()))
+        loaded.scene.set_material(PaintFitter(time_limit_s=60.0).fit(default_paint()))
         pictures = [loaded.scene.image(v, (96, 64)).astype(int) for v in (view, plain)]
     darker = (pictures[1] - pictures[0]).max(axis=2)
     assert darker[54:].max() > 20  # under the sphere

@@ -59,7 +59,7 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) ->
         for place in (0, 1):
             picture, content = pictures[place].pixels, contents[place]
             assert picture is not None
-            loaded.scene.set_paint_fit(fit_material(material_of(content)))  # type: ignore[arg-type]
+            loaded.scene.set_material(fit_material(material_of(content)))  # type: ignore[arg-type]
             alone = loaded.scene.image(view, size)
             assert np.abs(picture.astype(int) - alone).max() <= 1
     ink = pictures[3].pixels

@@ -129,7 +129,7 @@ def test_a_stale_part_is_dropped(start, held, light, lights, qtbot) -> None:
     held.hold = True
     seen = []
     viewer.state.contents_changed.connect(lambda: seen.append(viewer.state.environment.key))
-    old, loader = str(light(5)), viewer.controller.loader
+    old, loader = str(light(5)), viewer.controller.scene.loader
     viewer.controller.open_file(old)
     generation, part = loader.generation, viewer.state.environment.value
     viewer.controller.open_file(str(lights["bright"]))

@@ -49,7 +49,11 @@ def test_the_pixel_under_the_cursor(viewer) -> None:
     ratio = viewer.canvas.devicePixelRatioF()
     light = []
     drawer, size = viewer.controller.drawer, viewer.window.picture.device_size
-    viewer.window.picture.look(lambda: light.append(drawer.renderer.linear_image(viewer.view, size)))
+
+    def read() -> None:
+        light.append(drawer.renderer.linear_image(viewer.view, size))
+
+    viewer.window.picture.with_context(read, redraw=False)
     there = light[0][int(place.y() * ratio), int(place.x() * ratio), :3]
     np.testing.assert_allclose(one.radiance, there, rtol=5e-3)
     np.testing.assert_allclose(one.lab, working_to_lab(there * 2.0**0.5), atol=0.1)

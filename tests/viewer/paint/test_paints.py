@@ -38,7 +38,7 @@ def test_the_arrow_keys_go_through_the_shipped_paints_round_and_round(start) -> 
     focus(viewer)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Right)
     assert viewer.state.paint_key == names[0]
-    assert not viewer.controller.paint.source.following
+    assert not viewer.controller.paint.following
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Left)
     QTest.keyClick(viewer.canvas, Qt.Key.Key_Left)
     assert viewer.state.paint_key == names[-2]
@@ -101,7 +101,7 @@ def test_a_measured_file_is_fitted_in_the_background(viewer, shared_data, qtbot)
     qtbot.waitUntil(lambda: viewer.state.paint_key == str(file))
     assert viewer.state.fit.kind == "measured"
     assert viewer.window.paint.chooser.list.currentData() == str(file)
-    assert not viewer.controller.paint.source.following
+    assert not viewer.controller.paint.following
     viewer.controller.compare.freeze()
     assert viewer.view.compare.paint == str(file)
 

@@ -46,7 +46,7 @@ def section(viewer):
 
 
 def wait_images(viewer, qtbot) -> None:
-    qtbot.waitUntil(lambda: not viewer.controller.relief.loading)
+    qtbot.waitUntil(lambda: viewer.controller.relief.is_idle)
 
 
 def test_orange_peel_is_seen_and_its_height_reported(ball) -> None:

@@ -61,7 +61,7 @@ def test_occlusion_comes_in_the_background_and_goes_with_its_switch(balls, qtbot
     section(balls).occlusion.click()
     assert balls.view.surface_look.occlusion
     wait_baked(balls, qtbot)
-    assert not balls.controller.surface.baking
+    assert balls.controller.surface.is_idle
     wait_shape(balls, before)
     after = balls.pixels()
     darker = before.astype(int) - after
@@ -115,7 +115,7 @@ def test_baking_is_reported_cancelled_and_offered_again(balls, qtbot, monkeypatc
     qtbot.waitUntil(started.is_set)
     assert section(balls).baking.text() == "Computing ambient occlusion…"
     balls.window.busy_cancelled.emit(surface_control.OCCLUSION)
-    assert not balls.controller.surface.baking
+    assert balls.controller.surface.is_idle
     assert "Shown without ambient occlusion" in section(balls).baking.text()
     assert balls.state.surface.baked is None
     hold.set()

@@ -12,13 +12,13 @@ from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument
 from brdf_suite.documents.studio import Sky, Studio
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.studio import edits
 from brdf_viewer.light.studio.document import FORMAT, StudioFiles
 from brdf_viewer.light.studio.fields import Edits
@@ -35,7 +35,7 @@ from brdf_viewer.window import ViewerWindow
 _BUSY = "studio"
 
 
-class StudioControl(QObject):
+class StudioControl(ViewerFeature):
     """Begins, opens and saves studios; puts the panel's edits into the document, and the document into the picture.
 
     ``dialogs`` asks where to save, and about unsaved changes.
@@ -47,10 +47,9 @@ class StudioControl(QObject):
         window: ViewerWindow,
         scene: SceneControl,
         dialogs: Dialogs,
-        parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._state, self._window, self._scene = state, window, scene
+        super().__init__(state, window)
+        self._scene = scene
         self._panel = window.studio
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
         self.files = StudioFiles(self.store, dialogs, self)

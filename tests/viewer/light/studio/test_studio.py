@@ -260,7 +260,7 @@ def test_it_is_saved_and_then_named_by_the_view(start, script, tmp_path, qtbot) 
     assert "unsaved edits" in viewer.messages()["view"]  # a view cannot name it
     script.save_to = tmp_path / "mine.brdfstudio"
     viewer.window.studio.save.click()
-    assert not viewer.controller.scene.edited
+    assert not viewer.state.edited_light
     assert load_light(script.save_to) == control.store.value
     assert viewer.view.environment == str(script.save_to)
     assert viewer.window.studio.state.text() == "mine.brdfstudio"
