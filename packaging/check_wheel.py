@@ -34,6 +34,7 @@ NEEDED = (
     "brdf_lobe_visualizer/__main__.py",
     "brdf_lobe_visualizer/view3d/shaders/",
     "brdf_color_swatch/__main__.py",
+    "brdf_qt/gl/shaders/",
 )
 _SPREAD = """
 import sys

@@ -204,6 +204,11 @@ class MapPart(SwatchFeature):
         self.note.setText(text)
         self.stack.setCurrentWidget(self.note)
 
+    def _show_unavailable(self) -> None:
+        self._show_note(
+            tr("The three-dimensional map needs OpenGL, which is not available here. Use one of the planes.")
+        )
+
     def _plane(self) -> PlaneMap:
         if self.plane is None:
             # A quarter of a second to import: not at the start of the program.
@@ -217,17 +222,14 @@ class MapPart(SwatchFeature):
     def _space(self) -> SpaceMap | None:
         if self.space is None:
             if QGuiApplication.platformName() in ("offscreen", "minimal") or not _has_gl():
-                self._show_note(
-                    tr(
-                        "The three-dimensional map needs OpenGL, which is not available here. Use one of the planes."
-                    )
-                )
+                self._show_unavailable()
                 return None
             from brdf_color_swatch.map.space import SpaceMap
 
             self.space = SpaceMap()
             self.space.lasso = self.lasso.isChecked()
             self.space.chosen.connect(self._chosen)
+            self.space.failed.connect(self._show_unavailable)
             self.stack.addWidget(self.space)
         return self.space
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH
-from brdf_lobe_visualizer.view3d.view import SpaceView
+from brdf_lobe_visualizer.view3d.view import LobeView
 from brdf_suite.arrays import Floats
 
 DEG_PER_PIXEL = 0.35
@@ -27,7 +27,7 @@ class IncidenceDrag(QObject):
     turned = Signal(float, float)
     reset = Signal()
 
-    def __init__(self, view: SpaceView) -> None:
+    def __init__(self, view: LobeView) -> None:
         super().__init__(view)
         self._view = view
         self._mode = ""

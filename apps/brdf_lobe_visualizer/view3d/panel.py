@@ -38,7 +38,7 @@ from brdf_lobe_visualizer.window import LobeWindow
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.view3d.layers import SceneMaker
     from brdf_lobe_visualizer.view3d.values import SpaceValues
-    from brdf_lobe_visualizer.view3d.view import SpaceView
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 
 _CAMERA_KEY = "lobes/camera"
@@ -52,7 +52,7 @@ class Space(Feature, QObject):
         self.session, self._window = session, window
         self.state = SpaceState(self)
         self.camera = parse_camera(str(settings().value(_CAMERA_KEY, "")))
-        self.view: SpaceView | None = None
+        self.view: LobeView | None = None
         self.values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
         self._holder = _Holder()
@@ -162,13 +162,13 @@ class Space(Feature, QObject):
         from brdf_lobe_visualizer.view3d.layers import SceneMaker
         from brdf_lobe_visualizer.view3d.probe import SpaceProbe
         from brdf_lobe_visualizer.view3d.values import SpaceValues
-        from brdf_lobe_visualizer.view3d.view import SpaceView
+        from brdf_lobe_visualizer.view3d.view import LobeView
 
         self.values = SpaceValues(self.session, self._stale)
         self._maker = SceneMaker(self.session, self.values)
-        self.view = view = SpaceView()
+        self.view = view = LobeView()
         view.set_camera(self.camera)
-        view.failed.connect(self._holder.show_notice)
+        view.failed.connect(self._show_failure)
         gestures = CameraGestures(view)
         gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbit(a, e)))
         gestures.panned.connect(lambda r, u: self.set_camera(self.camera.pan(r, u)))
@@ -181,6 +181,9 @@ class Space(Feature, QObject):
         SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
+
+    def _show_failure(self, reason: str) -> None:
+        self._holder.show_notice(tr("The lobes cannot be drawn: {reason}").format(reason=reason))
 
     def _turn(self, theta: float, phi: float) -> None:
         now = self.session.incidence

@@ -21,7 +21,7 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.view import SpaceView
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 AskPath = Callable[[QWidget, str, Path, str], Path | None]
 """``(parent, title, suggested, filters) -> path``: asks where to write; tests answer for the user."""
@@ -104,7 +104,7 @@ class SaveSurface(QObject):
     def __init__(
         self,
         draw_now: Callable[[], object],
-        current_view: Callable[[], SpaceView | None],
+        current_view: Callable[[], LobeView | None],
         session: LobeSession,
         window: LobeWindow,
         ask_path: AskPath | None = None,
@@ -155,7 +155,7 @@ class SaveSurface(QObject):
     def _sizes(self) -> tuple[int, int]:
         return round(self.section.width_.value()), round(self.section.height_.value())
 
-    def _view(self) -> SpaceView:
+    def _view(self) -> LobeView:
         view = self._current_view()
         if view is None or not view.isValid():
             raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))

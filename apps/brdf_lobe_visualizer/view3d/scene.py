@@ -17,7 +17,6 @@ Style = Literal["solid", "glass", "lines"]
 
 CUT = 1.15
 """The radius at which what is longer than the scale ends."""
-Rgba = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)

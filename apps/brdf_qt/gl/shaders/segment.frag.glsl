@@ -1,5 +1,5 @@
 // Provides: the colour of a segment with soft edges.
-// Needs: segment.vert.glsl
+// Needs: segment.geom.glsl
 #version 330 core
 
 in vec4 segment_colour;
