@@ -44,7 +44,7 @@ _SUN_SPREAD = math.radians(0.53) / 4.0
 
 
 @dataclass(frozen=True)
-class Sparkle:
+class SparkleReadings:
     """The figure at one aspecular angle; ``crowded``: spots overlap, and what is seen is a grain, not spots."""
 
     aspecular_deg: float
@@ -53,10 +53,10 @@ class Sparkle:
     crowded: bool
 
 
-def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[Sparkle, ...]:
+def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReadings, ...]:
     """Return the figure of a paint at each of :data:`ANGLES_DEG`, from its fit; zeros without flakes."""
     if flakes is None:
-        return tuple(Sparkle(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
+        return tuple(SparkleReadings(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
     shares = _shares(weights, flakes)
     return tuple(
         _sparkle(angle, _spots(angle, share, weights.ior, flakes))
@@ -64,8 +64,8 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[Sparkle, ...]:
     )
 
 
-def _sparkle(angle: float, found: Spots) -> Sparkle:
-    return Sparkle(angle, found.per_mm2, found.mean_contrast, found.per_footprint > CROWDED)
+def _sparkle(angle: float, found: Spots) -> SparkleReadings:
+    return SparkleReadings(angle, found.per_mm2, found.mean_contrast, found.per_footprint > CROWDED)
 
 
 def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:

@@ -15,7 +15,7 @@ from reportlab.lib.utils import ImageReader
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFError, TTFont
 
-from brdf_suite.reports.paint_report.plots import INK, Line, Mark
+from brdf_suite.reports.paint_report.plots import INK, Mark, PlotLine
 from brdf_suite.reports.sheet_text import font_for
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ class Pen:
         image = ImageReader(Image.fromarray(np.ascontiguousarray(pixels)))
         self.canvas.drawImage(image, x, self.height - y - height, width, height)
 
-    def line(self, stroke: Line, x: float = 0.0, y: float = 0.0) -> None:
+    def line(self, stroke: PlotLine, x: float = 0.0, y: float = 0.0) -> None:
         """Draw a line, moved by ``x``, ``y``."""
         self.canvas.setStrokeColor(stroke.colour)
         self.canvas.setLineWidth(stroke.width)

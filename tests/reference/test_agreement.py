@@ -52,7 +52,7 @@ def test_flip_and_delta_e_of_pictures() -> None:
     brighter = errors_of(np.clip(first + 0.1, 0, 1), first, inside)
     assert brighter.mean > 1.0
     assert brighter.flip > 0.02
-    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.Errors(0.0, 0.0, 0.0)
+    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.PictureErrors(0.0, 0.0, 0.0)
 
 
 def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

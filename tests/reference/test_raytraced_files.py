@@ -128,7 +128,7 @@ def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkey
         raise MemoryError
 
     with monkeypatch.context() as patched:
-        patched.setattr(frames, "Film", huge)
+        patched.setattr(raytraced, "Film", huge)
         with pytest.raises(ReferenceUnavailableError, match="not enough memory to trace 24 × 20"):
             render_raytraced("copper", VIEW, SIZE, tmp_path / "c.png", quality=FOUR)
 

@@ -21,7 +21,7 @@ from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
-from brdf_suite.tracing.agreement.comparison import Errors, errors_of
+from brdf_suite.tracing.agreement.comparison import PictureErrors, errors_of
 from brdf_suite.tracing.raytraced.picture import PRESETS, Quality, RaytracedSession
 from brdf_suite.tracing.reference.scene import Size, prepare_reference
 
@@ -37,7 +37,7 @@ class Tried:
 
     name: str
     seconds: float
-    errors: Errors
+    errors: PictureErrors
     codes: NDArray[np.uint8]
 
 

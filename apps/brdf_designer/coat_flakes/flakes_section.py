@@ -10,7 +10,7 @@ from brdf_designer.session.edits import DEFAULT_FLAKES, SetFlakes
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.paint_sections import PaintSection, computed
 from brdf_suite.documents.paint import Flakes, Paint
-from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, Sparkle
+from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, SparkleReadings
 
 _DRAWN = mark(
     "Viewer renders these flakes individually in the brightest lights. The mean "
@@ -60,7 +60,7 @@ class FlakesSection(PaintSection):
         self._last = flakes
         self.panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in self._KEYS})
 
-    def show_sparkle(self, rows: tuple[Sparkle, ...]) -> None:
+    def show_sparkle(self, rows: tuple[SparkleReadings, ...]) -> None:
         """Show our own figure per aspecular angle; nothing: it is not known."""
         for label in self.figures.values():
             label.setText("–")
@@ -71,7 +71,7 @@ class FlakesSection(PaintSection):
         self.session.edit(SetFlakes(self._last if on else None))
 
 
-def _text(row: Sparkle) -> str:
+def _text(row: SparkleReadings) -> str:
     if row.spots_per_mm2 == 0.0:
         return tr("no spots")
     if row.crowded:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.parameters import Parameter, ParameterPanel
+from brdf_qt.fields.parameters import FieldParameter, ParameterPanel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
@@ -76,11 +76,11 @@ _RULES = {
 }
 
 
-def _parameter(key: str) -> Parameter:
+def _parameter(key: str) -> FieldParameter:
     known = PARAMETERS[key]
     step, decimals = _STEPS[key]
     unit = "×" if key == "near_specular" else known.unit
-    return Parameter(
+    return FieldParameter(
         key, tr(_LABELS[key]), unit, known.low, known.high, step, decimals, known.default, tr(_TIPS[key])
     )
 

@@ -78,7 +78,7 @@ class ChildProcess(QObject):
                 self.take_line(line.decode("utf-8", errors="replace"))
 
     def _read_errors(self) -> None:
-        found = self.process.readAllStandardError().data().decode("utf-8", errors="replace")
+        found = bytes(self.process.readAllStandardError().data()).decode("utf-8", errors="replace")
         self._errors = (self._errors + found)[-_LONGEST_ERROR:]
 
     def _not_started(self, error: QProcess.ProcessError) -> None:

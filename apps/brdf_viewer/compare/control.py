@@ -23,7 +23,7 @@ from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
 from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
-from brdf_viewer.overlay.overlay import Label, Scale
+from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
 from brdf_viewer.traced.words import SHORT_TITLES
 from brdf_viewer.window import ViewerWindow
@@ -290,17 +290,19 @@ class CompareControl(ViewerFeature):
         self._blinking = on
 
 
-def labels_of(mode: str, names: tuple[str, str], shows_second: bool, divider: float) -> tuple[Label, ...]:
+def labels_of(
+    mode: str, names: tuple[str, str], shows_second: bool, divider: float
+) -> tuple[OverlayLabel, ...]:
     """Return the captions of a comparison, each where its paint is."""
     first, second = names
     if mode == "swipe":
-        return (Label(first, 0.0, divider), Label(second, divider, 1.0 - divider))
+        return (OverlayLabel(first, 0.0, divider), OverlayLabel(second, divider, 1.0 - divider))
     if mode == "side":
-        return (Label(first, 0.0, 0.5), Label(second, 0.5, 0.5))
+        return (OverlayLabel(first, 0.0, 0.5), OverlayLabel(second, 0.5, 0.5))
     if mode == "blink":
-        return (Label(second if shows_second else first),)
+        return (OverlayLabel(second if shows_second else first),)
     if mode == "difference":
-        return (Label(f"{first}  –  {second}"),)
+        return (OverlayLabel(f"{first}  –  {second}"),)
     return ()
 
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class TracedFrame:
     """A picture so far.
 
     ``pixels`` (h, w, 4) float32: the object's radiance of the working space before exposure, weighted by its
@@ -54,7 +54,7 @@ class Job(Protocol):
     notices: tuple[str, ...]
     no_denoiser: str
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures; SuiteError where the renderer fails."""
         ...
 
@@ -154,12 +154,12 @@ class ReferenceJob:
         except SuiteError:
             self.no_denoiser = "The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here."
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures without end; first what there is of this very light already."""
         known = self._live.estimate
         while True:
             estimate, known = known or self._live.step(), None
-            yield Frame(
+            yield TracedFrame(
                 _with_coverage(estimate.radiance, estimate.coverage),
                 estimate.samples,
                 0,
@@ -197,7 +197,7 @@ class RaytracedJob:
         self.notices = session.scene.notices
         self.no_denoiser = "The ray tracer uses the same lights in each pixel: there is no noise to remove."
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures until the preset's samples are there."""
         grounded = self._session.scene.view.surface_look.ground
         for image in self._session.passes():
@@ -205,7 +205,7 @@ class RaytracedJob:
             pixels = _with_coverage(image.sums.radiance, image.coverage)
             if grounded:
                 pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
-            yield Frame(pixels, image.samples, image.of, None, image.seconds)
+            yield TracedFrame(pixels, image.samples, image.of, None, image.seconds)
 
     def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         """Return them as they are."""

@@ -7,12 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.session import (
     FORMAT,
     SESSION_FILE,
     Board,
     FlatField,
-    Intrinsics,
     Light,
     Position,
     Session,
@@ -106,7 +106,7 @@ def session_from_json(value: object, path: PathLike = "the message") -> Session:
 
 def _camera(reader: FieldReader) -> SessionCamera:
     parts = {
-        "intrinsics": _optional(reader, "intrinsics", Intrinsics, ("fx", "fy", "cx", "cy")),
+        "intrinsics": _optional(reader, "intrinsics", Lens, ("fx", "fy", "cx", "cy")),
         "board": _optional(reader, "board", Board, ("columns", "rows", "square_m", "photographs")),
     }
     return fill(reader, SessionCamera, required=("distance_m", "bit_depth"), taken={**parts})

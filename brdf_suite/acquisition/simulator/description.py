@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,
-    Intrinsics,
     Light,
     Position,
     Session,
@@ -77,7 +77,7 @@ def nominal_session(
 def describe_truth(
     settings: SimulatorSettings,
     name: str,
-    lens: Intrinsics,
+    lens: Lens,
     irradiance: Floats,
     black: int,
     unit: Floats,

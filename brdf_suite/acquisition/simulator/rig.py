@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session.session import Intrinsics, Session, SessionCamera
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.session import Session, SessionCamera
 from brdf_suite.acquisition.session.values import Matrix
 from brdf_suite.acquisition.simulator.calibration_pictures import (
     BOARD_COLUMNS,
@@ -211,7 +212,7 @@ def _optics(settings: SimulatorSettings) -> SimulatedCamera:
     focal = 0.5 * settings.fill * min(width, height) / outline
     corner = 0.5 * math.hypot(width, height) / focal
     # The principal point is never quite the middle of the picture.
-    lens = Intrinsics(
+    lens = Lens(
         focal,
         focal,
         0.5 * (width - 1) + 0.004 * width,

@@ -20,8 +20,8 @@ from brdf_suite.palettes.swatches.look import Form
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reports.contact_sheet.items import palette_items, sheet_items
-from brdf_suite.reports.contact_sheet.layout import Layout, Size
-from brdf_suite.reports.contact_sheet.painter import Painter
+from brdf_suite.reports.contact_sheet.layout import SheetLayout, Size
+from brdf_suite.reports.contact_sheet.painter import SheetPainter
 from brdf_suite.reports.contact_sheet.pictures import SheetItem, caption, item_pictures
 
 MOST_COLUMNS = 40
@@ -98,10 +98,10 @@ def write_sheet_of(
         return _write_pdf(title, subtitle, items, view, cell, path, columns, settings, form, progress)
 
     columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
-    layout = Layout.of(title, subtitle, items, cell, columns)
+    layout = SheetLayout.of(title, subtitle, items, cell, columns)
     problems: list[str] = []
     with item_pictures(view, cell, settings, Display(space), form, subrange(progress, 0.0, 0.2)) as pictures:
-        painter = Painter(pictures, layout, problems)
+        painter = SheetPainter(pictures, layout, problems)
         rows = painter.strips(subrange(progress, 0.2, 1.0))
         metadata = {
             "Software": "BRDF Suite",

@@ -11,7 +11,7 @@ from PIL import Image, ImageDraw
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
-from brdf_suite.reports.contact_sheet.layout import MARGIN, Layout, wrapped
+from brdf_suite.reports.contact_sheet.layout import MARGIN, SheetLayout, wrapped
 from brdf_suite.reports.contact_sheet.pictures import ItemPictures, SheetItem
 from brdf_suite.reports.sheet_text import shortened
 
@@ -20,10 +20,10 @@ _GREY = 119
 _BLACK, _SOFT = 0, 40
 
 
-class Painter:
+class SheetPainter:
     """Draws the sheet's strips; one paint after the other is shown in the one scene."""
 
-    def __init__(self, pictures: ItemPictures, layout: Layout, problems: list[str]) -> None:
+    def __init__(self, pictures: ItemPictures, layout: SheetLayout, problems: list[str]) -> None:
         self._pictures, self._layout, self._problems = pictures, layout, problems
         self._done = 0
 

@@ -58,7 +58,7 @@ class ReportOptions:
 
 
 @dataclass(frozen=True)
-class Row:
+class ReportRow:
     """One reading: what was asked, what the lobes of the fit give, and the standard there."""
 
     geometry: Geometry
@@ -79,7 +79,7 @@ class Row:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class AngleCurve:
     """L*, C*, h (n, 3) over aspecular angles (n,), degrees."""
 
     title: str
@@ -93,10 +93,10 @@ class Report:
 
     item: ExportItem
     when: datetime
-    rows: tuple[Row, ...]
+    rows: tuple[ReportRow, ...]
     light_deg: float
     strip: tuple[tuple[float, str], ...]
-    curves: tuple[Curve, ...]
+    curves: tuple[AngleCurve, ...]
     figures: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
     pictures: tuple[ReportPicture, ...]
     batch: BatchReport | None
@@ -141,11 +141,13 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
     angles = _angles(item, light)
     model = _lab_over(fit.reflectance, light, angles)
     curves = [
-        Curve("paint", angles, lab_to_lch(model)),
-        Curve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
+        AngleCurve("paint", angles, lab_to_lch(model)),
+        AngleCurve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
     ]
     if options.standard is not None and options.standard.seen is not None:
-        curves.append(Curve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles))))
+        curves.append(
+            AngleCurve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles)))
+        )
     rows = _rows(item, fit, batch)
     return Report(
         item=item,
@@ -194,7 +196,7 @@ def hex_code(lab: Sequence[float] | Floats) -> str:
     return "#" + "".join(f"{code:02x}" for code in codes.tolist())
 
 
-def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Row, ...]:
+def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[ReportRow, ...]:
     fitted: dict[tuple[float, float], tuple[Lab, float]] = {}
     for row in fit.readings or fit.angles:
         fitted[row.illumination_deg, row.aspecular_deg] = (row.lab_fitted, row.delta_e_2000)
@@ -203,7 +205,7 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Ro
         lightness, chroma, hue = lab_to_lch(m.lab).tolist()
         found = fitted.get((m.illumination_deg, m.aspecular_deg))
         rows.append(
-            Row(
+            ReportRow(
                 Geometry(m.illumination_deg, m.aspecular_deg),
                 m.lab,
                 (lightness, chroma, hue),
@@ -218,7 +220,7 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Ro
 
 
 def _figures(
-    item: ExportItem, fit: LobeFit, rows: tuple[Row, ...], batch: BatchReport | None
+    item: ExportItem, fit: LobeFit, rows: tuple[ReportRow, ...], batch: BatchReport | None
 ) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
     paint = item.paint
     flop = compute_flop(paint)

@@ -25,7 +25,7 @@ from brdf_suite.reports.paint_report.html import (
     standard_cells,
     standard_headings,
 )
-from brdf_suite.reports.paint_report.plots import GRID, INK, SOFT, STYLES, Line, Mark, Plot, plots_of
+from brdf_suite.reports.paint_report.plots import GRID, INK, SOFT, STYLES, Mark, Plot, PlotLine, plots_of
 from brdf_suite.reports.pdf_pen import Pen
 
 ATTACHMENT = "paint.json"
@@ -101,7 +101,7 @@ class _Page:
         pen.text(self.left, self.y, pen.shortened(made.title, 24.0, room, bold=True), 24.0, bold=True)
         pen.text(self.right, self.y, date, 9.0, anchor="end", colour=SOFT)
         self.y += 8.0
-        pen.line(Line(((self.left, self.y), (self.right, self.y)), INK, 1.2))
+        pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), INK, 1.2))
         self.y += 10.0
 
     def _pictures(self) -> None:
@@ -167,7 +167,7 @@ class _Page:
             pen.text(ends[index], self.y, heading, 7.0, anchor="end" if index else "start", colour=SOFT)
         self.y += 3.0
         for row in made.rows[:_MOST_ROWS]:
-            pen.line(Line(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
+            pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
             self.y += 9.5
             found = [*cells(row), *(standard_cells(row) if against else ())][: len(headings)]
             for index, (text, computed) in enumerate(found):
@@ -181,7 +181,7 @@ class _Page:
                     bold=text == "fail",
                 )
             self.y += 3.5
-        pen.line(Line(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
+        pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
         more = len(made.rows) - _MOST_ROWS
         if more > 0:
             self.y += 9.0
@@ -195,7 +195,7 @@ class _Page:
         self.y += 120.0
         x = self.left + 2.0
         for curve in self.made.curves:
-            self.pen.line(Line(((x, self.y - 2.2), (x + 20.0, self.y - 2.2)), *STYLES[curve.title]))
+            self.pen.line(PlotLine(((x, self.y - 2.2), (x + 20.0, self.y - 2.2)), *STYLES[curve.title]))
             self.pen.text(x + 24.0, self.y, curve.title, 6.5, colour=SOFT)
             x += 34.0 + self.pen.width(curve.title, 6.5)
         self.pen.mark(Mark(x + 3.0, self.y - 2.2, INK, True), 0.0, 0.0)
@@ -207,7 +207,7 @@ class _Page:
 
     def _plot(self, plot: Plot, x: float, y: float) -> None:
         for stroke in plot.strokes:
-            if isinstance(stroke, Line):
+            if isinstance(stroke, PlotLine):
                 self.pen.line(stroke, x, y)
             elif isinstance(stroke, Mark):
                 self.pen.mark(stroke, x, y)
@@ -242,6 +242,6 @@ class _Page:
 
     def _foot(self) -> None:
         bottom = _HEIGHT - _MARGIN
-        self.pen.line(Line(((self.left, bottom - 20.0), (self.right, bottom - 20.0)), GRID, 0.5))
+        self.pen.line(PlotLine(((self.left, bottom - 20.0), (self.right, bottom - 20.0)), GRID, 0.5))
         self.y = bottom - 11.0
         self._sentence(conventions(self.made), 6.5, colour=SOFT)

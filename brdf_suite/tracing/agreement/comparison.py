@@ -35,7 +35,7 @@ from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, trace
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.agreement.errors import Errors, delta_e_of, errors_of, flip_of
+from brdf_suite.tracing.agreement.errors import PictureErrors, delta_e_of, errors_of, flip_of
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
 
@@ -44,8 +44,8 @@ __all__ = [
     "FORMS",
     "LOBES",
     "Case",
-    "Errors",
     "Order",
+    "PictureErrors",
     "compare",
     "errors_of",
     "flip_of",
@@ -69,9 +69,9 @@ class Case:
     environment: str
     surface: str
     designed: bool
-    errors: Mapping[str, Errors]
-    look_up: Mapping[str, Errors]
-    noise: Errors
+    errors: Mapping[str, PictureErrors]
+    look_up: Mapping[str, PictureErrors]
+    noise: PictureErrors
     exposure_ev: float
     pictures: Mapping[str, Floats] = field(repr=False)
     differences: Floats = field(repr=False)
@@ -79,7 +79,7 @@ class Case:
     def to_json(self) -> dict[str, object]:
         """Return the figures as plain values."""
 
-        def plain(errors: Errors) -> dict[str, float]:
+        def plain(errors: PictureErrors) -> dict[str, float]:
             return {"de00_mean": errors.mean, "de00_p99": errors.p99, "flip": errors.flip}
 
         return {
@@ -243,7 +243,7 @@ def _case(
     view, inside = truth.view, truth.inside
     pictures = {"reference": _shown(truth.whole, view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
-    look_up: dict[str, Errors] = {}
+    look_up: dict[str, PictureErrors] = {}
     if order.lobes:
         material = Material(truth.fit.name, truth.fit.weights)
         lobes = build_reference(material, truth.scene.view, order.size, prepared.environment, mesh)

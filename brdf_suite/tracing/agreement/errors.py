@@ -16,7 +16,7 @@ PIXELS_PER_DEGREE = 67.0
 
 
 @dataclass(frozen=True)
-class Errors:
+class PictureErrors:
     """ΔE00 over the object's pixels: mean and 99th percentile; and the mean FLIP of them."""
 
     mean: float
@@ -24,13 +24,13 @@ class Errors:
     flip: float
 
 
-def errors_of(test: Floats, reference: Floats, inside: NDArray[np.bool_]) -> Errors:
+def errors_of(test: Floats, reference: Floats, inside: NDArray[np.bool_]) -> PictureErrors:
     """Return the errors of a picture against another, both encoded sRGB (h, w, 3), where ``inside`` (h, w)."""
     away = delta_e_of(test, reference)[inside]
     if not len(away):
-        return Errors(0.0, 0.0, 0.0)
+        return PictureErrors(0.0, 0.0, 0.0)
     flip = flip_of(reference, test)[inside]
-    return Errors(float(away.mean()), float(np.quantile(away, 0.99)), float(flip.mean()))
+    return PictureErrors(float(away.mean()), float(np.quantile(away, 0.99)), float(flip.mean()))
 
 
 def flip_of(reference: Floats, test: Floats) -> Floats:

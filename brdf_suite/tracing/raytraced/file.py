@@ -19,13 +19,13 @@ from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
 from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.tracing.raytraced.parts import Size
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
-from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
+from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
 
 KEEP_EVERY_S = 20.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class RaytracedPicture(TracedPicture):
+class RaytracedPicture(TracedFile):
     """A ray-traced picture that was written; ``rounds`` of the quality's samples, the last of them whole or not."""
 
     lights: int

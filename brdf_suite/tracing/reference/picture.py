@@ -18,14 +18,14 @@ from brdf_suite.reference.passes import Estimate, refine, trace
 from brdf_suite.reference.variant import start
 from brdf_suite.tracing.reference.file import check_settings, write_reference
 from brdf_suite.tracing.reference.scene import ReferenceScene, Size, prepare_reference
-from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
+from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
 
 DEFAULT_SAMPLES = 256
 _KEEP_EVERY_S = 20.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReferencePicture(TracedPicture):
+class ReferencePicture(TracedFile):
     """A path-traced picture that was written."""
 
     noise: float

@@ -27,7 +27,7 @@ def nominal_geometry(session: Session, shape: tuple[int, int], lens: Lens | None
     camera, light = session.camera, session.light
     known = lens is not None or camera.intrinsics is not None
     if lens is None:
-        lens = Lens.of(camera.intrinsics) if camera.intrinsics is not None else None
+        lens = camera.intrinsics
     tilt = math.radians(camera.tilt_deg)
     up = np.array((0.0, -math.cos(tilt), math.sin(tilt)))
     away = np.array((0.0, math.sin(tilt), math.cos(tilt)))  # level, from the camera to the axis
