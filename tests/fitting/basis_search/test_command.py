@@ -124,8 +124,8 @@ def test_killed_and_started_again_it_gives_what_it_would_have_given(tmp_path: Pa
 )
 def test_the_command_that_is_kept_makes_the_answer_again(more: tuple[str, ...], words: str) -> None:
     parser = argparse.ArgumentParser()
-    basis.add(parser.add_subparsers())
-    options = parser.parse_args(["basis", *more])
+    basis.add(parser)
+    options = parser.parse_args(more)
     assert basis._command(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
 
 
