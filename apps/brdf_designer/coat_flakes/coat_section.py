@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QWidget
 from brdf_designer.session.fields import DEFAULT_PEEL
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
-from brdf_suite.appearance.gloss import (
+from brdf_suite.appearance.clearcoat_gloss import (
     HIGHEST_IOR,
     HIGHEST_ROUGHNESS,
     LOWEST_IOR,

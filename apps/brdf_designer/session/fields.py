@@ -22,6 +22,7 @@ from typing import Any
 import numpy as np
 from brdf_qt.program.translation import mark, tr
 
+from brdf_suite.appearance.clearcoat_gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import (
     GREY_CHROMA,
@@ -32,7 +33,6 @@ from brdf_suite.appearance.flop.edits import (
     with_flop_travel,
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
-from brdf_suite.appearance.gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Lab, OrangePeel, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.paint_design.angle_sets import at_geometries, with_angle, without_angle
