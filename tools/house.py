@@ -38,7 +38,7 @@ OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsub
 LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
-    "brdf_suite/fitting/lobes/undivided_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
+    "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/factored/build.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/reflectance/tabulated/scattered.py": "scipy.spatial takes 0.5 s, and only scattered data need it",

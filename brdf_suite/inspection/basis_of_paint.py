@@ -68,7 +68,7 @@ def errors_over_count(
 
 def _colour_error(reflectance: Reflectance, exponents: Exponents) -> float:
     # Much to import, and only measured data need it.
-    from brdf_suite.fitting.lobes.undivided import fit_undivided
+    from brdf_suite.fitting.lobes.measured import fit_undivided
 
     weights = fit_undivided(reflectance, LobeBasis(exponents)).weights
     angles = np.array([angle for angle in BETWEEN_DEG if angle >= COAT_FROM_DEG])

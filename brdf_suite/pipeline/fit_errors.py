@@ -17,9 +17,9 @@ from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.fitting.lobes.raised import RaisedWeights
-from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, scattered_values
-from brdf_suite.fitting.lobes.undivided_samples import (
+from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
+from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, scattered_values
+from brdf_suite.fitting.lobes.measured_samples import (
     measured_pairs,
     scattered_rows,
     used_samples,

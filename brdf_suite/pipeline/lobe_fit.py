@@ -3,7 +3,7 @@
 The weights are of one kind, whatever they were fitted to, and the renderer draws them all. What differs is how:
 
 - A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.designed.layers``).
-- A reflectance without separate layers is fitted in a single step (``fitting.lobes.undivided``).
+- A reflectance without separate layers is fitted in a single step (``fitting.lobes.measured``).
 
 :class:`PaintFitter` is the edit path: no file access, no import, no allocation that grows; under a millisecond or
 two. What only :func:`fit_material` needs is therefore imported in it.
@@ -336,8 +336,8 @@ def _fit_layers(material: Material, layers: Layered, basis: LobeBasis | None) ->
 
 def _fit_undivided(material: Material, basis: LobeBasis | None, progress: Progress | None) -> LobeFit:
     # See fit_material.
-    from brdf_suite.fitting.lobes.undivided import fit_undivided
-    from brdf_suite.fitting.lobes.undivided_samples import PLANE_GAMMAS_DEG
+    from brdf_suite.fitting.lobes.measured import fit_undivided
+    from brdf_suite.fitting.lobes.measured_samples import PLANE_GAMMAS_DEG
     from brdf_suite.pipeline.fit_errors import angle_errors, sample_errors
     from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

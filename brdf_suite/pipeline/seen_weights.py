@@ -25,8 +25,8 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
 from brdf_suite.fitting.lobes.checks import check_targets
+from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import WeightsOverAngle
@@ -60,7 +60,7 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
         A value is negative or not finite; the message says where.
     """
     # With scipy's Legendre functions; no paint that is edited needs them.
-    from brdf_suite.fitting.lobes.undivided_samples import differs_with_azimuth
+    from brdf_suite.fitting.lobes.measured_samples import differs_with_azimuth
     from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     sphere = mirror_harmonics()

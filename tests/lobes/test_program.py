@@ -21,7 +21,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 SLOW = {
     "brdf_suite.inspection.measuring",
     "brdf_suite.pipeline.scene",
-    "brdf_suite.fitting.lobes.undivided",
+    "brdf_suite.fitting.lobes.measured",
     "trimesh",
     "moderngl",
     "colour",

@@ -14,7 +14,7 @@ from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetNumber, SetOra
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
-from brdf_suite.appearance.gloss import (
+from brdf_suite.appearance.clearcoat_gloss import (
     HIGHEST_IOR,
     HIGHEST_ROUGHNESS,
     LOWEST_IOR,

@@ -11,6 +11,7 @@ import numpy as np
 from brdf_qt.program.translation import mark, tr
 
 from brdf_designer.session.state import angle_text
+from brdf_suite.appearance.clearcoat_gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import (
     GREY_CHROMA,
@@ -21,7 +22,6 @@ from brdf_suite.appearance.flop.edits import (
     with_flop_travel,
 )
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
-from brdf_suite.appearance.gloss import HIGHEST_ROUGHNESS, LOWEST_ROUGHNESS
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import PARAMETERS, Flakes, Interpolation, Lab, OrangePeel, Paint
 from brdf_suite.errors import UnreachableError

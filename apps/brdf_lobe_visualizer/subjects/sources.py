@@ -151,7 +151,7 @@ class MeasuredBins:
         above = (flat_light[2] > 0.0) & (flat_view[2] > 0.0)
         if table.coverage is not None:
             # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
-            from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
+            from brdf_suite.fitting.lobes.measured_samples import measured_pairs
 
             return np.asarray((above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape))
         places = table.grid.index_of(flat_light, flat_view)

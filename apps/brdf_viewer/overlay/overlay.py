@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from brdf_suite.appearance.difference.scale import STEPS, scale_table
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 
 _MARGIN = 12.0
 _PADDING = 6.0

@@ -10,10 +10,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry, format_movement_notice
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+from brdf_suite.acquisition.geometry.sphere.nominal_geometry import nominal_geometry
 from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError

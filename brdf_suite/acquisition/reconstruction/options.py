@@ -18,7 +18,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.reconstruction.calibration import Calibration
-    from brdf_suite.acquisition.table.finished import ParameterizedTable
+    from brdf_suite.acquisition.table.table_from_sums import ParameterizedTable
 
 ResponseChoice = Literal["auto", "linear"]
 BINS = (90, 90, 180)

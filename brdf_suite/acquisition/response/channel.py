@@ -63,7 +63,7 @@ def fit_channel(
 ) -> Channel:
     """Return the curve that ``codes`` (p, n) show, ``black`` and ``high`` being those of no light and of saturation.
 
-    The first start needs no curve (:func:`brdf_suite.acquisition.response.response.kernels.add_start`); then each
+    The first start needs no curve (:func:`brdf_suite.acquisition.response.kernels.add_start`); then each
     step measures the noise under the curve so far, and solves the equations that follow from it.
     """
     size = 1 << samples.bit_depth

@@ -2,7 +2,7 @@
 
 The energy Σ w(y_ij)·(g(y_ij) - t_i x_j)² weighs each code by one over the variance of its exposure, which is measured
 from the photographs themselves. Robertson, Borman and Stevenson (2003) minimize it by turns, one free value for each
-code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.response.curve`) and the radiances x_j are
+code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.curve`) and the radiances x_j are
 eliminated, so that Gauss-Newton steps take both at once. OpenCV's ``CalibrateRobertson`` takes 8 bits only, and its
 free values are noisy where codes are rare; docs/method/acquisition.md has the figures of both.
 """

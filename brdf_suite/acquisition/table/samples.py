@@ -15,7 +15,7 @@ What a pixel covers
     clearcoat it is not: at 900 pixels across the sphere one pixel covers 0.13° of θh, a dozen bins of a table at its
     finest. There (θh < ``peak_deg``) each pixel is read in ``parts``² parts. How its radiance is divided among them
     follows a Gaussian on a base through its neighbours, sharpened by the pixel's own square (see
-    :func:`~brdf_suite.acquisition.table.sums.samples_kernel.lobe_through`), and keeps the pixel's mean: noise does
+    :func:`~brdf_suite.acquisition.table.samples_kernel.lobe_through`), and keeps the pixel's mean: noise does
     not grow. Each part has its own directions. The lens's blur is not undone.
 
 Everything that does not change with the light is computed once, for the pixels that can be samples; then a position

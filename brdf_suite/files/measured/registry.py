@@ -78,7 +78,7 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
     """Return the reflectance in a measured file of any known format.
 
     The value has ``eval`` and ``facts``; its class says what more it can do (a
-    :class:`~brdf_suite.reflectance.tensor.TensorReflectance`, scattered samples, a table).
+    :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`, scattered samples, a table).
 
     Raises
     ------

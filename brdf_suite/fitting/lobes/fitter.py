@@ -14,8 +14,8 @@ from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit, check_targets
 from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.weighting import (
     Weighting,
     check_weighting,

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Gloss, Paint

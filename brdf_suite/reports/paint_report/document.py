@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display, working_to_lab
 from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.gloss import haze_units
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab

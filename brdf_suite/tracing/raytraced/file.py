@@ -17,8 +17,8 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
 from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
 from brdf_suite.reference.raytraced.table_split import TableSplit
-from brdf_suite.tracing.raytraced.parts import Size
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
+from brdf_suite.tracing.raytraced.scene_parts import Size
 from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
 
 KEEP_EVERY_S = 20.0

@@ -47,7 +47,14 @@ from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import load_lit
 from brdf_suite.tracing.raytraced.key import scene_key
-from brdf_suite.tracing.raytraced.parts import Parts, Size, Wanted, materials_of, placed, sparkle_of
+from brdf_suite.tracing.raytraced.scene_parts import (
+    Parts,
+    PictureInputs,
+    Size,
+    materials_of,
+    placed,
+    sparkle_of,
+)
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
@@ -149,7 +156,7 @@ class RaytracedSession:
     def __init__(self) -> None:
         self._renderer = start().title
         self._parts = Parts()
-        self._wanted: Wanted | None = None
+        self._wanted: PictureInputs | None = None
         self._scene: RaytracedScene | None = None
         self._rays_per_second = 4e6
 
@@ -193,30 +200,30 @@ class RaytracedSession:
         ValueRangeError
             There is no such quality.
         """
-        wanted = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
+        inputs = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
         report(progress, 0.9, "building the scene")
-        shaped, bounds = self._parts.mesh(wanted)
-        wanted = replace(wanted, view=placed(view, bounds, size))
-        _, paint_notices = self._parts.splits(wanted, shaped)
-        self._wanted = wanted
+        shaped, bounds = self._parts.mesh(inputs)
+        inputs = replace(inputs, view=placed(view, bounds, size))
+        _, paint_notices = self._parts.splits(inputs, shaped)
+        self._wanted = inputs
         self._scene = RaytracedScene(
-            wanted.paint.name,
-            wanted.environment.name,
+            inputs.paint.name,
+            inputs.environment.name,
             shaped.name,
             self._renderer,
             (
-                *wanted.paint.notices,
+                *inputs.paint.notices,
                 *paint_notices,
-                *wanted.environment.notes,
+                *inputs.environment.notes,
                 *shaped.notes,
-                *left_out(wanted),
+                *left_out(inputs),
             ),
-            wanted.view,
+            inputs.view,
             size,
-            wanted.quality,
-            scene_key(wanted, shaped),
-            self._parts.camera(wanted.view, bounds, size),
-            self._parts.backdrop(wanted),
+            inputs.quality,
+            scene_key(inputs, shaped),
+            self._parts.camera(inputs.view, bounds, size),
+            self._parts.backdrop(inputs),
         )
         report(progress, 1.0, "ready")
         return self._scene
@@ -248,8 +255,8 @@ class RaytracedSession:
         ReferenceUnavailableError
             The renderer failed, as it does where memory runs out.
         """
-        scene, wanted = self.scene, self._wanted
-        assert wanted is not None
+        scene, inputs = self.scene, self._wanted
+        assert inputs is not None
         per_round = scene.quality.samples
         end = samples if samples is not None else None if rounds is None else rounds * per_round
         try:
@@ -283,19 +290,19 @@ class RaytracedSession:
         return image
 
     def _stage(self, turn: int) -> TracerScene:
-        wanted = self._wanted
-        assert wanted is not None
-        mesh, bounds = self._parts.mesh(wanted)
+        inputs = self._wanted
+        assert inputs is not None
+        mesh, bounds = self._parts.mesh(inputs)
         names = materials_of(mesh)
-        splits, _ = self._parts.splits(wanted, mesh)
-        sky, _ = self._parts.light(wanted)
+        splits, _ = self._parts.splits(inputs, mesh)
+        sky, _ = self._parts.light(inputs)
         return TracerScene(
             self._parts.surface(mesh),
             splits,
             sky,
-            self._parts.lights(wanted, turn),
-            d.number(bounds.minimum[1]) if wanted.view.surface_look.ground else None,
-            sparkle_of(wanted.paint, wanted.view) if "paint" in names else None,
+            self._parts.lights(inputs, turn),
+            d.number(bounds.minimum[1]) if inputs.view.surface_look.ground else None,
+            sparkle_of(inputs.paint, inputs.view) if "paint" in names else None,
             names.index("paint") if "paint" in names else 0,
         )
 
@@ -309,7 +316,7 @@ class RaytracedSession:
         environment: Environment | None,
         mesh: Mesh | None,
         progress: Progress | None,
-    ) -> Wanted:
+    ) -> PictureInputs:
         keep = self._parts.keep
         asked = paint if isinstance(paint, Material) else os.fspath(paint)
         illuminant = view.light_colour.illuminant
@@ -329,7 +336,7 @@ class RaytracedSession:
             (view.surface, file_stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
         )
-        return Wanted(material, environment, mesh, view, size, quality, tables)
+        return PictureInputs(material, environment, mesh, view, size, quality, tables)
 
 
 def too_large(size: Size) -> ReferenceUnavailableError:
@@ -344,10 +351,10 @@ def rays_a_sample(quality: Quality) -> float:
     return 1.0 + quality.lights_a_sample + 2.0 * quality.reflections_a_sample
 
 
-def left_out(wanted: Wanted) -> tuple[str, ...]:
+def left_out(inputs: PictureInputs) -> tuple[str, ...]:
     """Return sentences about what the view asks for and the ray tracer does not draw."""
-    view, notices = wanted.view, []
-    peeled = view.relief.orange_peel > 0.0 or wanted.paint.orange_peel is not None
+    view, notices = inputs.view, []
+    peeled = view.relief.orange_peel > 0.0 or inputs.paint.orange_peel is not None
     if view.relief.normal_map is not None or peeled:
         notices.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:

@@ -16,10 +16,10 @@ from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes import solver as solver_module
+from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
-from brdf_suite.fitting.lobes.limited import LimitedSolver
-from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.reflectance.designed.build import build_paint
 
 Targets = list[list[Floats]]

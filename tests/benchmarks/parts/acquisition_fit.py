@@ -28,7 +28,7 @@ from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_chec
 from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
 from brdf_suite.fitting.cook_torrance.reflectance_samples import ASKED, even_pairs, samples_of
 from brdf_suite.fitting.cook_torrance.samples import Floor
-from brdf_suite.fitting.lobes.undivided import fit_undivided
+from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

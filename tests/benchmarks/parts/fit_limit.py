@@ -17,8 +17,8 @@ from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LayersFit, LobeFitter
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.designed.build import build_paint
 

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from brdf_suite.fitting.lobes import fallback, limited
-from brdf_suite.fitting.lobes.limited import LimitedSolver
+from brdf_suite.fitting.lobes import fallback, time_limit
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0
 START_S = 100.0
@@ -40,7 +40,7 @@ class Clock:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     made = Clock()
-    for module in (limited, fallback):
+    for module in (time_limit, fallback):
         monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=made))
     return made
 

@@ -22,8 +22,8 @@ import numpy as np
 import numpy.typing as npt
 from scipy.special import ndtr
 
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.arrays import Floats
 
 _OUTSIDE = 5.0

@@ -18,9 +18,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.edge import LEAST_LIT, Edge, circle, find_edge, lit_share
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple, unit
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report

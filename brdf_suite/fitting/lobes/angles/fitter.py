@@ -14,8 +14,8 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.angles.future_chain import chain_futures
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
-from brdf_suite.fitting.lobes.angles.late import chain_futures
 from brdf_suite.fitting.lobes.angles.program import base_program, coat_program
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, check_samples, coat_target
@@ -23,9 +23,9 @@ from brdf_suite.fitting.lobes.angles.weights import AngleWeights
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit
 from brdf_suite.fitting.lobes.fitter import PartError
-from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
+from brdf_suite.fitting.lobes.time_limit import LimitedSolution, LimitedSolver
 from brdf_suite.reflectance.protocol import Layered
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit

@@ -90,9 +90,9 @@ class AngleWeights:
     time_limited
         The time limit came before the optimum.
 
-    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.raised.RaisedWeights`) is never applied on top: it is in the
-    weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is negative or not
-    finite.
+    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.fresnel_extrapolation.RaisedWeights`) is never applied on top:
+    it is in the weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is
+    negative or not finite.
     """
 
     grid: AngleGrid

@@ -89,7 +89,7 @@ def drag() -> dict[str, float]:
 def _subjects():
     from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 
-    from brdf_suite.fitting.lobes.undivided import fit_undivided
+    from brdf_suite.fitting.lobes.measured import fit_undivided
     from brdf_suite.reflectance.models.ggx import Ggx
     from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable

@@ -5,7 +5,7 @@ that grow with the program. Two ways keep it, by the size of the program (docs/m
 
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
   pace seen last. Handing it to a thread and back costs more than the fit. Where two targets had their optimum at
-  one vertex, that vertex is kept and tried before the solver (``kept_vertex``).
+  one vertex, that vertex is kept and tried before the solver (:mod:`.warm_start`).
 - A large one is given to a thread of lower priority, after the caller has computed feasible answers: at once,
   the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves
   with the best that it has.
@@ -35,9 +35,9 @@ from brdf_suite.fitting.lobes.answers import (
 )
 from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
-from brdf_suite.fitting.lobes.kept_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import SolverOutcome
+from brdf_suite.fitting.lobes.warm_start import KeptVertex, kept_vertex
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py

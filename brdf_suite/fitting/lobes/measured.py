@@ -27,14 +27,14 @@ from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_limit, check_targets
-from brdf_suite.fitting.lobes.limited import LimitedSolver
-from brdf_suite.fitting.lobes.program import build_program
-from brdf_suite.fitting.lobes.undivided_samples import (
+from brdf_suite.fitting.lobes.measured_samples import (
     UndividedRows,
     reflectance_rows,
     scattered_rows,
     used_samples,
 )
+from brdf_suite.fitting.lobes.program import build_program
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_angle, mirror
 from brdf_suite.progress import Progress, report

@@ -20,7 +20,7 @@ import math
 from dataclasses import dataclass
 from functools import cache
 
-from brdf_suite.appearance.root import bracketed_root
+from brdf_suite.appearance.root_finder import bracketed_root
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_at
 

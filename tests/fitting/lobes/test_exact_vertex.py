@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.program import build_program
-from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 

@@ -1,11 +1,22 @@
-"""What an environment's installed packages take on disk, by package; standard library only."""
+"""The wheel of the checkout, and what installed packages take on disk; imports the standard library alone."""
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from importlib.metadata import distributions
 from pathlib import Path
 
 _SHOWN = 12
+
+
+def build_wheel(folder: Path) -> Path:
+    """Build the wheel of this checkout into an empty folder, without an environment of its own, and return it."""
+    checkout = Path(__file__).resolve().parent.parent
+    words = ["build", "--wheel", "--no-isolation", "--outdir", str(folder), str(checkout)]
+    subprocess.run([sys.executable, "-m", *words], cwd=checkout, check=True, stdout=subprocess.DEVNULL)
+    (wheel,) = folder.glob("*.whl")
+    return wheel
 
 
 def installed_sizes(site_packages: Path) -> dict[str, int]:

@@ -7,7 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.gloss import black_glass, gloss_units, nearest_coat, receptor_fraction, solve_coat
+from brdf_suite.appearance.clearcoat_gloss import (
+    black_glass,
+    gloss_units,
+    nearest_coat,
+    receptor_fraction,
+    solve_coat,
+)
 from brdf_suite.errors import UnreachableError, ValueRangeError
 
 

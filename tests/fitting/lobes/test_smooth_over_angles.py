@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.optimize import nnls
 
-from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
+from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
 
 
 def system(rng: np.random.Generator, angles: int = 5, rows: int = 12, columns: int = 4):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
-from brdf_suite.appearance.difference.scale import STEPS, scale_colour, scale_table
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_colour, scale_table
 
 
 def test_lightness_rises_evenly_and_nothing_is_clipped() -> None:

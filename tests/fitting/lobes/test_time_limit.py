@@ -18,8 +18,8 @@ from hypothesis import strategies as st
 from scipy.optimize import linprog
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0
 
@@ -279,7 +279,7 @@ def test_the_interpreter_ends_while_a_fit_is_in_work(ending: str) -> None:
     code = f"""
 import sys, time
 import numpy as np
-from brdf_suite.fitting.lobes.limited import LimitedSolver
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.program import build_program
 rng = np.random.default_rng(0)
 solver = LimitedSolver([build_program(rng.uniform(0, 1, (3000, 150)), np.ones(3000))])

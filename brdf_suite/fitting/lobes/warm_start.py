@@ -14,8 +14,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from brdf_suite.arrays import Floats
+from brdf_suite.fitting.lobes.exact_vertex import BETWEEN, GAP, IN_USE, SMALLEST_ERROR
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.refine import BETWEEN, GAP, IN_USE, SMALLEST_ERROR
 from brdf_suite.fitting.lobes.solver import BlockSolution
 
 #: A system whose inverse is larger than this would answer with rounding.

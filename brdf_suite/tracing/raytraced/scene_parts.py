@@ -44,7 +44,7 @@ _T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
-class Wanted:
+class PictureInputs:
     """All that a picture is made of, loaded."""
 
     paint: Material
@@ -70,25 +70,25 @@ class Parts:
         found: _T = self._kept[what][1]
         return found
 
-    def mesh(self, wanted: Wanted) -> tuple[Mesh, Bounds]:
+    def mesh(self, inputs: PictureInputs) -> tuple[Mesh, Bounds]:
         """Return the mesh with the materials that the view gives its parts, and its bounds."""
-        chosen = {item.part: item.material for item in wanted.view.surface_look.materials}
+        chosen = {item.part: item.material for item in inputs.view.surface_look.materials}
 
         def make() -> tuple[Mesh, Bounds]:
-            parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in wanted.mesh.parts)
-            mesh = replace(wanted.mesh, parts=parts)
+            parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in inputs.mesh.parts)
+            mesh = replace(inputs.mesh, parts=parts)
             return mesh, Bounds.of(p.positions for p in mesh.parts)
 
-        return self.keep("mesh", (Same(wanted.mesh), tuple(chosen.items())), make)
+        return self.keep("mesh", (Same(inputs.mesh), tuple(chosen.items())), make)
 
     def surface(self, mesh: Mesh) -> Any:
         """Return the mesh in the ray tracer."""
         numbers = {name: index for index, name in enumerate(materials_of(mesh))}
         return self.keep("surface", Same(mesh), lambda: Surface(SurfaceArrays.of(mesh.parts, numbers)))
 
-    def splits(self, wanted: Wanted, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
+    def splits(self, inputs: PictureInputs, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
         """Return each material cut in two, by its number, and sentences about the paint."""
-        mirror, view = wanted.quality.mirrors, wanted.view
+        mirror, view = inputs.quality.mirrors, inputs.view
         names = materials_of(mesh)
 
         def stock() -> dict[str, Any]:
@@ -99,34 +99,34 @@ class Parts:
         others = self.keep("stock", (tuple(names), mirror, view.fresnel), stock)
         if PAINT not in names:
             return [others[name] for name in names], ()
-        made_of = (Same(wanted.paint.reflectance), view.fresnel)
-        term, notices = self.keep("term", made_of, lambda: term_of(wanted.paint, view))
+        made_of = (Same(inputs.paint.reflectance), view.fresnel)
+        term, notices = self.keep("term", made_of, lambda: term_of(inputs.paint, view))
         cut = self.keep(
             "paint",
-            (Same(term), mirror, wanted.tables),
-            lambda: split(term, mirror=mirror, tables=wanted.tables),
+            (Same(term), mirror, inputs.tables),
+            lambda: split(term, mirror=mirror, tables=inputs.tables),
         )
         return [cut if name == PAINT else others[name] for name in names], notices
 
-    def light(self, wanted: Wanted) -> tuple[TracedSky, NDArray[np.float32]]:
+    def light(self, inputs: PictureInputs) -> tuple[TracedSky, NDArray[np.float32]]:
         """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""
-        environment, view = wanted.environment, wanted.view
+        environment, view = inputs.environment, inputs.view
         colour = view.light_colour
-        made_of = (Same(environment), colour, wanted.quality.lights)
+        made_of = (Same(environment), colour, inputs.quality.lights)
 
         def make() -> tuple[TracedSky, NDArray[np.float32]]:
             tint = environment_matrix(colour)
             radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
-            return TracedSky.of(radiance, self._strata(wanted).without_suns(radiance)), radiance
+            return TracedSky.of(radiance, self._strata(inputs).without_suns(radiance)), radiance
 
         sky, radiance = self.keep("sky", made_of, make)
         turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
         return turned, radiance
 
-    def backdrop(self, wanted: Wanted) -> TracedSky:
+    def backdrop(self, inputs: PictureInputs) -> TracedSky:
         """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
-        view = wanted.view
-        sky, radiance = self.light(wanted)
+        view = inputs.view
+        sky, radiance = self.light(inputs)
         if view.background != "blurred":
             return sky
 
@@ -134,18 +134,18 @@ class Parts:
             around = direction(ring_angles(_BLURRED_ROWS)[:, None], column_angles(2 * _BLURRED_ROWS)[None])
             return TracedSky.of(blur_map(radiance, BLUR_EXPONENT)(around))
 
-        soft = self.keep("blurred", (Same(wanted.environment), view.light_colour), make)
+        soft = self.keep("blurred", (Same(inputs.environment), view.light_colour), make)
         return soft.turned(view.rotation_deg)
 
-    def lights(self, wanted: Wanted, turn: int) -> LightArrays:
+    def lights(self, inputs: PictureInputs, turn: int) -> LightArrays:
         """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""
-        view, quality = wanted.view, wanted.quality
+        view, quality = inputs.view, inputs.quality
         colour = view.light_colour
         tint = environment_matrix(colour)
-        made_of = (Same(wanted.environment), quality.lights)
+        made_of = (Same(inputs.environment), quality.lights)
 
         def make() -> LightArrays:
-            tinted = self._strata(wanted).tinted(tint)
+            tinted = self._strata(inputs).tinted(tint)
             found: LightSet = tinted.middles() if turn == 0 else tinted.drawn(turn)
             return LightArrays.of(
                 found.turned(view.rotation_deg).with_lamps(view.lamps).dealt(quality.samples)
@@ -155,8 +155,8 @@ class Parts:
             "lights", (*made_of, quality.samples, colour, view.rotation_deg, view.lamps, turn), make
         )
 
-    def _strata(self, wanted: Wanted) -> Strata:
-        environment, count = wanted.environment, wanted.quality.lights
+    def _strata(self, inputs: PictureInputs) -> Strata:
+        environment, count = inputs.environment, inputs.quality.lights
         return self.keep(
             "strata", (Same(environment), count), lambda: Strata.of(environment, count, np.eye(3))
         )

@@ -93,7 +93,7 @@ def bin_means(sums: TableSums, colour: npt.ArrayLike | None = None, *, centre: b
         (3, 3) from the photographs' channels to linear Rec. 2020; None: they are that already. What lies outside
         it is cut at 0.
     centre
-        Whether to bring the means to the bins' centres (:mod:`brdf_suite.acquisition.table.sums.bin_centring`).
+        Whether to bring the means to the bins' centres (:mod:`brdf_suite.acquisition.table.bin_centring`).
     """
     shape = sums.parameterization.shape
     rows = sums.sums
