@@ -1,7 +1,9 @@
-"""The controller with a real fitter and a window that only notes what it is told."""
+"""The controller with a real fitter and a window that only notes what it is shown."""
 
 from __future__ import annotations
 
+from concurrent.futures import Future
+from dataclasses import replace
 from unittest.mock import create_autospec
 
 import numpy as np
@@ -18,7 +20,7 @@ from brdf_qt.link.messages import BadMessageError, encode
 from brdf_qt.window.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
-from brdf_suite.fitting.lobes.solver import SolverOutcome
+from brdf_suite.errors import FittingError
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -28,6 +30,17 @@ def fitter() -> PaintFitter:
     return PaintFitter(time_limit_s=60.0)  # exact, however busy the machine is
 
 
+class LosingFitter(PaintFitter):
+    """A fitter out of time, whose solver then loses the optimum: no paint is known that does this."""
+
+    def __init__(self) -> None:
+        super().__init__(time_limit_s=1e-6)
+        self.optimum: Future = Future()
+
+    def fit(self, paint):
+        return replace(super().fit(paint), exact=self.optimum)
+
+
 class Parts:
     """A controller and all that it works with."""
 
@@ -35,9 +48,8 @@ class Parts:
         self.view = create_autospec(View, instance=True)
         self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
-        self.desk = PaintSession(
-            self.documents, fitter, lambda *message: self.published.append(message), self.view
-        )
+        self.publish = lambda *message: self.published.append(message)
+        self.desk = PaintSession(self.documents, fitter, lambda *message: self.publish(*message), self.view)
         self.controller = Controller(self.view, self.desk)
 
     @property
@@ -97,12 +109,12 @@ def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(desk):
     assert np.array_equal(desk.view.show_curves.call_args.args[0].strip_rgb, due.strip_rgb)
 
 
-def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
-    desk.desk._publish = lambda topic, value: encode(topic, value, "me", 1)
+def test_a_paint_that_the_link_refuses_is_reported(desk, qtbot):
+    desk.publish = lambda topic, value: encode(topic, value, "me", 1)
     desk.desk.edit(SetText("source", "\u20ac" * 10_000))
     qtbot.wait(20)
     desk.view.show_message.assert_not_called()
-    desk.desk._publish = refuse
+    desk.publish = refuse
     desk.desk.edit(SetLab(1, 0, 30.0))
     qtbot.waitUntil(lambda: desk.view.show_message.called)
     assert desk.view.show_message.call_args.args[0].key == "link"
@@ -112,7 +124,7 @@ def refuse(topic, value) -> None:
     raise BadMessageError("longer than a message may be")
 
 
-def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
+def test_an_unreachable_gloss_is_reported_and_the_last_state_stays(desk, qtbot):
     desk.desk.refresh()
     qtbot.waitUntil(lambda: len(desk.published) >= 1)
     assert len(desk.published) == 1
@@ -143,7 +155,7 @@ def test_an_edit_of_another_field_ends_the_gesture(desk):
     ]
 
 
-def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
+def test_a_refused_value_is_reported_and_the_field_shows_the_document_again(desk):
     desk.desk.begin_gesture()
     desk.desk.edit(SetText("name", ""))
     assert desk.store.value.name == "Blue"
@@ -165,7 +177,7 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     exact = desk.view.show_fit.call_args.args[0]
     assert not exact.time_limited
     assert exact.worst_delta_e < min(0.5, limited.worst_delta_e)
-    # The other programs were told of the paint once; its weights are theirs to find.
+    # The paint was sent to the other programs once; its weights are theirs to find.
     qtbot.wait(20)
     assert len(desk.published) == 1
     hurried.close()
@@ -173,13 +185,12 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
 
 
 def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot):
-    hurried = PaintFitter(time_limit_s=1e-6)
+    hurried = LosingFitter()
     desk = Parts(hurried, dialogs)
-    with hurried._fitter._solver._background.lock:
-        hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
-        desk.desk.edit(SetLab(1, 0, 30.0))
-        before = desk.view.show_fit.call_args.args[0]
-        assert (before.time_limited, before.exact_follows) == (True, True)
+    desk.desk.edit(SetLab(1, 0, 30.0))
+    before = desk.view.show_fit.call_args.args[0]
+    assert (before.time_limited, before.exact_follows) == (True, True)
+    hurried.optimum.set_exception(FittingError("the solver gave up"))
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
     assert desk.view.show_fit.call_count == 2
     qtbot.waitUntil(lambda: desk.view.show_curves.called)
@@ -193,12 +204,12 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     qtbot.addWidget(row)
     row.show_colours(desk.view.show_colours.call_args.args[0])
     large = [2.0] * len(after.delta_e)
-    for state, told in ((before, "follows automatically"), (after, "no exact")):
+    for state, words in ((before, "follows automatically"), (after, "no exact")):
         status.show_fit(state)
         status.show_curves(desk.view.show_curves.call_args.args[0])
-        assert told in status._fit.toolTip()
+        assert words in line.cell("Fit").toolTip()
         row.show_differences(large, time_limited=True, exact_follows=state.exact_follows)
-        assert told in row._cells[0][3].toolTip()
+        assert words in row.patches[0].fit.toolTip()
     hurried.close()
     desk.close()
 

@@ -7,10 +7,10 @@ import threading
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer
+from brdf_designer.preview import thumbnails
 from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview.preview import PreviewControl
 from brdf_designer.preview.scene import LIGHT_WIDTH
-from brdf_designer.preview.thumbnails import Thumbnails
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
@@ -33,7 +33,7 @@ class NoDialogs:
 @pytest.fixture
 def designer(qtbot, monkeypatch) -> Designer:
     # The pictures of the history come from a process of their own, which is no matter of these tests.
-    monkeypatch.setattr(Thumbnails, "_ask_next", lambda _self: None)
+    monkeypatch.setattr(thumbnails, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: NoDialogs())
     qtbot.addWidget(designer.window)
     designer.window.resize(800, 560)

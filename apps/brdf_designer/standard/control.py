@@ -57,9 +57,9 @@ class StandardControl(Feature, QObject):
         section.swap_requested.connect(self.swap)
         section.remove_requested.connect(self.remove)
         section.chosen.connect(self.choose)
-        section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
+        section.formula_chosen.connect(lambda name: self.judge_by(replace(self._settings, difference=name)))
         section.limit_edited.connect(self._set_limit)
-        section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
+        section.ellipsoid_chosen.connect(lambda on: self.judge_by(replace(self._settings, ellipsoid=on)))
         section.add_batches_requested.connect(self._ask_batch)
         section.clear_batches_requested.connect(self._clear_batches)
         section.batch_opened.connect(self._open_batch)
@@ -292,9 +292,10 @@ class StandardControl(Feature, QObject):
     # Formula and tolerances.
 
     def _set_limit(self, angle: float | None, part: str, value: float | None) -> None:
-        self._judge_by(self._settings.with_limit(angle, part, value))
+        self.judge_by(self._settings.with_limit(angle, part, value))
 
-    def _judge_by(self, chosen: ToleranceSettings) -> None:
+    def judge_by(self, chosen: ToleranceSettings) -> None:
+        """Judge by this formula and these tolerances, and keep them for the next run."""
         self._settings = chosen
         save(chosen)
         self._angles = None

@@ -29,7 +29,7 @@ from brdf_suite.progress import Progress, report
 
 KEY = "variations"
 _STEP, _LIGHT, _FORM = "variations/step", "variations/environment", "variations/surface"
-_NAMES = {
+STEP_NAMES = {
     "lighter": mark("Lighter"),
     "darker": mark("Darker"),
     "cleaner": mark("Cleaner"),
@@ -101,7 +101,7 @@ class VariationsControl(Feature, QObject):
             known = variations(paint, self._step)
         chosen = next(one for one in known if one.direction == direction)
         if chosen.paint is not None:
-            self._desk.set_paint(chosen.paint, tr(_NAMES[chosen.word]))
+            self._desk.set_paint(chosen.paint, tr(STEP_NAMES[chosen.word]))
 
     def set_step(self, step: float) -> None:
         """Look at neighbours nearer or farther away."""

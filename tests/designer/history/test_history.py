@@ -134,14 +134,14 @@ def test_any_state_is_reached_from_any_other(values, places):
         store.set(value, str(value))
     states = store.states()
     assert [value for _, value in states][-1] == store.value
-    told = []
-    store.changed.connect(lambda old, new: told.append((old, new)))
+    changes = []
+    store.changed.connect(lambda old, new: changes.append((old, new)))
     for place in places:
         place = min(place, len(states) - 1)
         before = store.value
-        told.clear()
+        changes.clear()
         store.go_to(place)
         assert store.value == states[place][1]
-        assert told == ([] if before == store.value else [(before, store.value)])
+        assert changes == ([] if before == store.value else [(before, store.value)])
         assert store.states() == states
         assert store.stack.index() == place

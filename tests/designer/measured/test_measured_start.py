@@ -1,4 +1,4 @@
-"""New from a measurement: by the menu, by opening and by dropping; with the report, and told what cannot be read."""
+"""New from a measurement: by menu, by opening, by dropping; with the report, or why a file cannot be read."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> 
     assert len(desk.documents.row) == 2
 
 
-def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None:
+def test_what_is_neither_is_reported(desk, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")
     desk.window.open_requested.emit(text)

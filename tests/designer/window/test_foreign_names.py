@@ -59,7 +59,7 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     measured = part(designer, MeasuredControl)
     measured.open(lobes)
     qtbot.waitUntil(lambda: measured.start_of_front() is not None)
-    designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # told in a message, with its name
+    designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # a message names it
     assert window.messages.shown()
     designer.documents.show(designer.documents.row[0])
     qtbot.waitUntil(lambda: designer.controller.is_idle)
@@ -74,9 +74,10 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
 def test_unsaved_work_is_offered_in_plain_text(designer, hostile, walks) -> None:
     form = designer.documents.front.files.format
     paint = form.load(hostile)
-    left = [Recovery(DocumentStore(form.new()), form, lambda error: None) for _ in range(2)]
-    for recovery in left:
-        recovery._store.set(paint, "Open")
+    for _ in range(2):
+        store = DocumentStore(form.new())
+        recovery = Recovery(store, form, lambda error: None)
+        store.set(paint, "Open")
         recovery.write()
         recovery.close(keep=True)
     designer.recovery_offer.show()
