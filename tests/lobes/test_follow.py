@@ -37,7 +37,7 @@ def front_lab(program) -> float:
 
 def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbot, own_session) -> None:
     following.link.start()
-    designer = LiveLink("designer", name=following.link._name)
+    designer = LiveLink("designer", name=following.link.name)
     designer.start()
     try:
         qtbot.waitUntil(lambda: designer.peers == ("lobes",) and following.link.peers == ("designer",))

@@ -47,7 +47,7 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
     swatch.window.show_message(Message("test", walks.HOSTILE, where=walks.HOSTILE))
     swatch.window.show_recent([path])
     link = swatch.feature(LinkPart)
-    designer = LiveLink("designer", name=link.link._name)
+    designer = LiveLink("designer", name=link.link.name)
     designer.start()
     try:
         qtbot.waitUntil(lambda: "designer" in link.link.peers)

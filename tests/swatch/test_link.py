@@ -28,7 +28,7 @@ def part(swatch):
 @pytest.fixture
 def designer(part, qtbot) -> Iterator[LiveLink]:
     """Another program on the link of this module's program."""
-    link = LiveLink("designer", name=part.link._name)
+    link = LiveLink("designer", name=part.link.name)
     link.start()
     qtbot.waitUntil(lambda: "designer" in part.link.peers)
     yield link

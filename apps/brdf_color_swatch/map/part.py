@@ -10,7 +10,7 @@ from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from brdf_color_swatch.feature import SwatchFeature
@@ -266,8 +266,6 @@ class MapPart(SwatchFeature):
 
 def _has_gl() -> bool:
     """Whether a context of OpenGL can be made here."""
-    from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
-
     context = QOpenGLContext()
     if not context.create():
         return False

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.gl.items import BEFORE, OPAQUE, DiscItem, SegmentItem, polyline, segments
+from brdf_qt.gl.items import BEFORE, OPAQUE, DiscItem, SegmentItem
+from brdf_qt.gl.segments import polyline, segments
 from brdf_qt.gl.space import SpaceView, project
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal

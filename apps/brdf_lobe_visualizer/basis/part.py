@@ -6,6 +6,7 @@ of a folder can be started here. Beside the search's errors stands that of the s
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -254,8 +255,6 @@ class Basis(Feature, QObject):
 
     def _output(self) -> Path:
         """Return where a search of the present folder is kept: by the folder's place."""
-        import hashlib
-
         if self._output_of is None or self._output_of[0] != self.folder:
             place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
             self._output_of = self.folder, state_folder("basis") / f"{place}.json"

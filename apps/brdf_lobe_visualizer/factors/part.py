@@ -16,6 +16,7 @@ from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
 from brdf_suite.inspection.slices.tone import Tone
 
 _CHANNEL_KEY, _TONE_KEY = "lobes/factor_channel", "lobes/factor_tone"
@@ -132,8 +133,6 @@ class Factors(Feature, QObject):
     def _show(self) -> None:
         if self._closed or not self._ready or not self.panel.isVisible():
             return
-        from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
-
         front = self._session.front
         value = None if front is None else factored_in(front.reflectance)
         tone = cast(Tone, self._tone)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
@@ -11,6 +12,9 @@ from PySide6.QtGui import QMouseEvent
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH
 from brdf_lobe_visualizer.view3d.view import LobeView
 from brdf_suite.arrays import Floats
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 DEG_PER_PIXEL = 0.35
 FINE = 0.1

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -27,10 +26,8 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
-
-if TYPE_CHECKING:
-    from brdf_suite.inspection.figures.figures import ReflectanceFigures
-    from brdf_suite.inspection.figures.text import Group
+from brdf_suite.inspection.figures.figures import ReflectanceFigures
+from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
 _GROUPS: dict[Group, str] = {
@@ -201,16 +198,12 @@ class Numbers(Feature, QObject):
 
     def copy(self) -> None:
         """Copy the table that is shown, as text with tabs."""
-        from brdf_suite.inspection.figures.text import figures_text
-
         named = self._named()
         if named:
             QGuiApplication.clipboard().setText(figures_text(named, (self._group,)))
 
     def export(self) -> None:
         """Write all figures of the visible subjects as CSV."""
-        from brdf_suite.inspection.figures.text import save_figures
-
         named = self._named()
         if not named:
             self._window.show_message(
@@ -258,8 +251,6 @@ class Numbers(Feature, QObject):
         self._show_lines()
         if not self.panel.isVisible():
             return
-        from brdf_suite.inspection.figures.text import figure_rows
-
         shown = [s for s in self._session.visible if self.work.figures(s.key) is not None]
         rows = [row for row in figure_rows(self._named()) if row.group == self._group]
         ratio = self.panel.devicePixelRatioF()

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +14,7 @@ import numpy.typing as npt
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
@@ -26,10 +26,12 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.checks import is_isotropic
+from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
@@ -90,9 +92,6 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
 
 def _describe(material: Material) -> PlottedMaterial:
     """Add the properties of the reflectance: whether it is isotropic, where its samples and holes are, and notes."""
-    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
     subject = PlottedMaterial("", material.name, material, notes=material.notices)
     value = material.reflectance
     if isinstance(value, ScatteredSamples):
@@ -104,8 +103,6 @@ def _describe(material: Material) -> PlottedMaterial:
         return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
-        from brdf_suite.reflectance.checks import is_isotropic
-
         known = material.document is not None or is_isotropic(value)
     return _add_notes(replace(subject, isotropic=known))
 
@@ -127,8 +124,6 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
 
 def _look(reflectance: Reflectance) -> Floats:
     """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
-    from brdf_suite.geometry.directions import illumination, mirror, spherical
-
     theta, phi = np.meshgrid(np.radians(np.arange(2.0, 90.0, 8.0)), np.radians(np.arange(0.0, 360.0, 30.0)))
     views = spherical(theta.ravel(), phi.ravel())
     found = []
@@ -164,9 +159,6 @@ class MeasuredBins:
 
 def names() -> dict[str, Sequence[tuple[str, str]]]:
     """Return what comes with the program: title and name of every shipped paint, paint of Table 1, and model."""
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-    from brdf_suite.reflectance.registry import MODELS
-
     return {
         "paints": [(name.replace("_", " ").capitalize(), name) for name in paint_names()],
         "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],

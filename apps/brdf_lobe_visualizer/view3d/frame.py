@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from brdf_qt.gl.items import Rgba, Segments, polyline, segments
+from brdf_qt.gl.segments import Rgba, Segments, polyline, segments
 
 from brdf_lobe_visualizer.view3d.scene import FrameOptions
 from brdf_suite.arrays import Floats

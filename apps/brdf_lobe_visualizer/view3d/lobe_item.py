@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from brdf_qt.gl.items import BEHIND, Rgba, set_uniforms, write_buffer
+from brdf_qt.gl.items import BEHIND, set_uniforms, write_buffer
+from brdf_qt.gl.segments import Rgba
 from OpenGL import GL
 from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem  # pyqtgraph has no types
 from PySide6.QtOpenGL import QOpenGLBuffer

@@ -1,6 +1,6 @@
 """The part of the window that shows lobes in three dimensions: view, gestures, commands and their sections.
 
-The view takes pyqtgraph's OpenGL and its own half a second to import, so it is built after the window's first paint; a
+The view takes a quarter of a second to import with pyqtgraph's OpenGL, so it is built after the window's first paint; a
 widget of Qt's own holds its place, so that the window is one for OpenGL from the start and is not made again.
 """
 
@@ -18,6 +18,7 @@ from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
+from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
 from brdf_lobe_visualizer.incidence.section import IncidenceSection
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.session import LobeSession
@@ -30,14 +31,15 @@ from brdf_lobe_visualizer.view3d.camera import (
     parse_camera,
     preset,
 )
+from brdf_lobe_visualizer.view3d.layers import SceneMaker
 from brdf_lobe_visualizer.view3d.options import SpaceState
+from brdf_lobe_visualizer.view3d.probe import SpaceProbe
 from brdf_lobe_visualizer.view3d.save import SaveSurface
 from brdf_lobe_visualizer.view3d.section import SurfaceSection
+from brdf_lobe_visualizer.view3d.values import SpaceValues
 from brdf_lobe_visualizer.window import LobeWindow
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.layers import SceneMaker
-    from brdf_lobe_visualizer.view3d.values import SpaceValues
     from brdf_lobe_visualizer.view3d.view import LobeView
 
 
@@ -157,11 +159,6 @@ class Space(Feature, QObject):
         if QGuiApplication.platformName() in ("offscreen", "minimal"):
             self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
-        # Half a second of imports.
-        from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
-        from brdf_lobe_visualizer.view3d.layers import SceneMaker
-        from brdf_lobe_visualizer.view3d.probe import SpaceProbe
-        from brdf_lobe_visualizer.view3d.values import SpaceValues
         from brdf_lobe_visualizer.view3d.view import LobeView
 
         self.values = SpaceValues(self.session, self._stale)

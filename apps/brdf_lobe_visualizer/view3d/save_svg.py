@@ -10,11 +10,11 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from xml.sax.saxutils import escape
+from html import escape
 
 import numpy as np
 import numpy.typing as npt
-from brdf_qt.gl.items import Segments
+from brdf_qt.gl.segments import Segments
 from brdf_qt.gl.space import project
 from PySide6.QtCore import QRectF, QSize
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
-from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, Rgba, SegmentItem
+from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
+from brdf_qt.gl.segments import Rgba
 from brdf_qt.gl.space import Region, SpaceView, project
 from brdf_qt.program.translation import tr
 from OpenGL import GL
@@ -30,8 +32,10 @@ from brdf_lobe_visualizer.view3d.lobe_item import (
     LobeItem,
 )
 from brdf_lobe_visualizer.view3d.overlay import Overlay
+from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
 from brdf_suite.arrays import Floats
+from brdf_suite.files.images.png import write_png
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met
 
 _TILE = 1024
@@ -290,6 +294,19 @@ class LobeView(SpaceView):
                     Qt.TransformationMode.SmoothTransformation,
                 )
                 painter.drawImage(left, top, smooth)
+
+    def write_picture(self, path: Path, width: int, height: int, about: str) -> None:
+        """Write the scene as PNG or SVG, by the ending of ``path``; raises :class:`FileError`."""
+        if path.suffix.lower() == ".svg":
+            size, palette = QSize(width, height), self.palette()
+            look = Look(palette.text().color().name(), palette.base().color().name(), height / 60.0)
+            write_svg(path, svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look))
+            return
+        image = self.picture(width, height)
+        rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, -1)[:, : 4 * width]
+        write_png(
+            path, np.ascontiguousarray(rows.reshape(height, width, 4)[..., 2::-1]), {"Description": about}
+        )
 
     def frame(self) -> Frame:
         """Return the lines and labels about the lobes, in the theme's colours."""

@@ -18,13 +18,8 @@ from pyqtgraph.opengl import GLLinePlotItem, GLScatterPlotItem  # pyqtgraph has 
 from PySide6.QtGui import QMatrix4x4
 from PySide6.QtOpenGL import QOpenGLBuffer
 
+from brdf_qt.gl.segments import Rgba, Segments
 from brdf_suite.errors import GraphicsError
-
-Rgba = tuple[float, float, float, float]
-Segments = npt.NDArray[np.void]
-"""Rows of :data:`SEGMENT`."""
-SEGMENT = np.dtype([("ends", "f4", (2, 3)), ("widths", "f4", 2), ("colour", "f4", 4)])
-"""Start and end, the widths there in logical pixels, and the colour, 0 to 1."""
 
 _SHADERS = Path(__file__).parent / "shaders"
 _KINDS = {"vert": GL.GL_VERTEX_SHADER, "geom": GL.GL_GEOMETRY_SHADER, "frag": GL.GL_FRAGMENT_SHADER}
@@ -89,20 +84,6 @@ def write_buffer(buffer: Any, array: npt.NDArray[Any]) -> None:
         buffer.allocate(array, array.nbytes)
     else:
         buffer.write(0, array, array.nbytes)
-
-
-def segments(start: npt.ArrayLike, end: npt.ArrayLike, widths: npt.ArrayLike, colour: Rgba) -> Segments:
-    """Return segments from ``start`` to ``end`` (n, 3), with the widths at both (2,) in logical pixels."""
-    ends = np.stack((np.atleast_2d(start), np.atleast_2d(end)), axis=1)
-    rows = np.zeros(len(ends), SEGMENT)
-    rows["ends"], rows["widths"], rows["colour"] = ends, widths, colour
-    return rows
-
-
-def polyline(points: npt.ArrayLike, width: float, colour: Rgba) -> Segments:
-    """Return the segments between neighbouring points (n, 3)."""
-    points = np.asarray(points, np.float32)
-    return segments(points[:-1], points[1:], (width, width), colour)
 
 
 class SegmentItem(GLLinePlotItem):  # type: ignore[misc]  # pyqtgraph has no types

@@ -90,7 +90,7 @@ class LiveLink(Feature, QObject):
     ) -> None:
         super().__init__(parent)
         self._role = role
-        self._name = link_name() if name is None else name
+        self.name = link_name() if name is None else name
         self._checks = checks
         self._id = uuid.uuid4().hex
         self._address: LinkAddress | None = None
@@ -120,7 +120,7 @@ class LiveLink(Feature, QObject):
         if self._running:
             return
         try:
-            self._address = LinkAddress(self._name)
+            self._address = LinkAddress(self.name)
         except LinkAddressError as error:
             log.warning("live link: %s", error)
             return
