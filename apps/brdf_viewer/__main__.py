@@ -24,6 +24,7 @@ from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import default_paint_name
 from brdf_suite.pipeline.scene import environment_names, name_in_view, surface_names
+from brdf_viewer.documents.remembered import recall
 from brdf_viewer.traced.request import QUALITIES, RENDERERS
 
 _SETTLE_MS = 200
@@ -112,8 +113,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _first_view(options: argparse.Namespace) -> View:
-    from brdf_viewer.documents.remembered import recall
-
     wanted: dict[str, Any] = {
         "environment": options.environment and name_in_view(options.environment, environment_names()),
         "surface": options.surface and name_in_view(options.surface, surface_names()),

@@ -24,6 +24,7 @@ from brdf_suite.fitting.basis_search.database import (
 )
 from brdf_suite.fitting.basis_search.error import MEASURED_UNIT, BasisError
 from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.undivided import fit_undivided
 from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.designed.layers import split_layers
@@ -66,9 +67,6 @@ def errors_over_count(
 
 
 def _colour_error(reflectance: Reflectance, exponents: Exponents) -> float:
-    # Much to import, and only measured data need it.
-    from brdf_suite.fitting.lobes.undivided import fit_undivided
-
     weights = fit_undivided(reflectance, LobeBasis(exponents)).weights
     angles = np.array([angle for angle in BETWEEN_DEG if angle >= COAT_FROM_DEG])
     light, views = illumination(LIGHT_DEG), aspecular_view(LIGHT_DEG, angles)

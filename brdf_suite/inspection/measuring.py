@@ -21,14 +21,16 @@ from brdf_suite.appearance.difference.tolerance import (
 from brdf_suite.appearance.difference.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.errors import SuiteError
+from brdf_suite.files.measured import ReadOptions, read_measured, write_measured
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
 from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, Reading, measure
-from brdf_suite.reflectance.instruments.under_light import has_spectra, metamerism, readings_under
+from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
+from brdf_suite.reflectance.protocol import has_spectra
 
 _USUAL_LIGHT_DEG = 45.0
 
@@ -237,8 +239,6 @@ def convert(
     SuiteError
         One of the files cannot be read or written, or the target's format cannot hold the data.
     """
-    from brdf_suite.files.measured import ReadOptions, read_measured, write_measured
-
     read_from, write_to = Path(source), Path(target)
     if write_to.exists() and read_from.exists() and write_to.samefile(read_from):
         raise SuiteError(f"{write_to}: the target is the source itself; name another file.")
