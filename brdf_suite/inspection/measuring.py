@@ -28,8 +28,9 @@ from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemispher
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, Reading, measure
-from brdf_suite.reflectance.instruments.under_light import has_spectra, metamerism, readings_under
+from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
+from brdf_suite.reflectance.protocol import has_spectra
 
 _USUAL_LIGHT_DEG = 45.0
 

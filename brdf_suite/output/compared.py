@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material
@@ -55,7 +56,5 @@ def read_compared_picture(path: str | os.PathLike[str]) -> ComparedPicture:
     Raises :class:`brdf_suite.errors.FileError` where it cannot be read.
     """
     if Path(path).suffix.lower() == LIGHT_ENDING:
-        from brdf_suite.files.images.environments import read_environment_image
-
         return ComparedPicture(read_environment_image(path).pixels, is_light=True)
     return ComparedPicture(read_rgb(path, ("PNG",), most_bytes=MOST_OWN_BYTES), is_light=False)

@@ -15,6 +15,7 @@ from brdf_suite.appearance.colour.display_space import SPACES, WORKING_SPACE, Di
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.images.environments import write_exr_strips, write_png_strips
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress, report
@@ -117,8 +118,6 @@ def write_picture(
     Cancelled
         The progress callback asked for it.
     """
-    from brdf_suite.files.images.environments import write_exr_strips, write_png_strips
-
     bits, space = settings.of_file(path)
     linear = path.suffix.lower() == ".exr"
     display = LINEAR if linear else Display(space, dithered=bits == 8)

@@ -22,6 +22,8 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError
+from brdf_suite.palettes.swatches.flat import colours_at
+from brdf_suite.reflectance.designed.build import build_reflectance
 
 LIGHT_DEG = 45.0
 MAIN_ANGLES_DEG = (15.0, 45.0, 110.0)
@@ -221,10 +223,6 @@ class ColumnsWork:
 @lru_cache(maxsize=_MOST_KEPT)
 def _computed(paint: AnyPaint, angles_deg: tuple[float, ...]) -> Floats:
     """L*a*b* (k, 3) that the reflectance gives at aspecular angles; NaN where there is no such paint."""
-    # Models that no palette of readings needs.
-    from brdf_suite.palettes.swatches.flat import colours_at
-    from brdf_suite.reflectance.designed.build import build_reflectance
-
     try:
         reflectance = build_reflectance(paint)
     except SuiteError:

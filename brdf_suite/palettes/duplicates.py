@@ -131,14 +131,12 @@ def _joined(roots: Indices, one: Indices, other: Indices) -> Indices:
     """Return the roots after the rows of these pairs were put together."""
     if len(one) == 0:
         return roots
-    # SciPy's graphs are for this alone.
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    from scipy.sparse import coo_array, csgraph  # for this alone: 0.5 s at the start of Color Swatch
 
     known, at = np.unique(np.concatenate((roots[one], roots[other])), return_inverse=True)
     first, second = at.reshape(2, -1)
     edges = coo_array((np.ones(len(first), np.int8), (first, second)), shape=(len(known), len(known)))
-    count, part_of = connected_components(edges, directed=False)
+    count, part_of = csgraph.connected_components(edges, directed=False)
     least = np.full(count, len(roots), np.intp)
     np.minimum.at(least, part_of, known)
     now = np.arange(len(roots))

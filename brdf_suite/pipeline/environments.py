@@ -5,17 +5,16 @@ from __future__ import annotations
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
 from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_light
 from brdf_suite.documents.studio import Sky
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.layouts import LAYOUTS, Layout, as_latlong, detect_layout
+from brdf_suite.lighting.procedural import ProceduralEnvironment, sky, studio
 from brdf_suite.progress import Progress
-
-if TYPE_CHECKING:
-    from brdf_suite.lighting.procedural import ProceduralEnvironment
 
 AUTOMATIC = "auto"
 DRAFT_ROWS = 256
@@ -63,8 +62,6 @@ def read_environment_file(
     path: str | os.PathLike[str], layout: str = AUTOMATIC, progress: Progress | None = None
 ) -> EnvironmentFile:
     """Return an environment and what its file was; arguments and errors as :func:`read_environment`."""
-    from brdf_suite.files.images.environments import read_environment_image
-
     if layout != AUTOMATIC and layout not in LAYOUTS:
         raise ValueRangeError("layout", f"must be {AUTOMATIC} or one of {', '.join(LAYOUTS)}, not {layout!r}")
     if Path(path).suffix.lower() == STUDIO_ENDING:
@@ -90,8 +87,6 @@ def draw_light(
     light: LightDocument, progress: Progress | None = None, *, draft: bool = False
 ) -> ProceduralEnvironment:
     """Return the map of a studio or a sky, 1,024 × 512; a ``draft`` has half as many rows and rougher edges."""
-    from brdf_suite.lighting.procedural import sky, studio
-
     if isinstance(light, Sky):
         return sky(light, DRAFT_ROWS, progress=progress) if draft else sky(light, progress=progress)
     return studio(light, DRAFT_ROWS, 2, progress) if draft else studio(light, progress=progress)

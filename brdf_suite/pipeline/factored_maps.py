@@ -16,6 +16,7 @@ from brdf_suite.realtime.factors.values import (
     FactorMap,
     FactorTerm,
 )
+from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
@@ -33,9 +34,7 @@ TOO_MANY = (
 
 def is_factored(reflectance: Reflectance) -> bool:
     """Whether lamps on it are shaded by its factors: it is factored, with a clearcoat or without."""
-    from brdf_suite.reflectance.factored.model import Factored
-
-    return isinstance(getattr(reflectance, "base", reflectance), Factored) and not too_many_maps(reflectance)
+    return _factored_part(reflectance) is not None and not too_many_maps(reflectance)
 
 
 def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
@@ -43,30 +42,32 @@ def maps_of(reflectance: Reflectance | None) -> FactoredMaps | None:
 
     So they do where there are more maps than a shader has textures for (:func:`too_many_maps`).
     """
-    # Not on the start-up path: a paint without factors has no need of them.
-    from brdf_suite.reflectance.factored.model import Factored
-    from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
-
-    if too_many_maps(reflectance):
+    factored = _factored_part(reflectance)
+    if factored is None or too_many_maps(reflectance):
         return None
-    if isinstance(reflectance, Coated) and isinstance(reflectance.base, Factored):
+    if isinstance(reflectance, Coated):
         even = mean_fresnel(reflectance.ior)
         red, green, blue = reflectance.base_albedo.tolist()
         inner = 1.0 - (1.0 - even) / reflectance.ior**2
         coat = FactorCoat(reflectance.ior, reflectance.spread, inner, even, (red, green, blue))
-        return replace(factored_maps(reflectance.base), coat=coat)
-    return factored_maps(reflectance) if isinstance(reflectance, Factored) else None
+        return replace(factored_maps(factored), coat=coat)
+    return factored_maps(factored)
 
 
 def too_many_maps(reflectance: object) -> bool:
     """Whether it is factored, with a clearcoat or without, into more maps than a shader has textures for."""
-    from brdf_suite.reflectance.factored.model import Factored
+    factored = _factored_part(reflectance)
+    if factored is None:
+        return False
+    maps, terms = _read(factored)
+    return len(maps) > MOST_MAPS or sum(len(term.factors) for term in terms) > MOST_FACTORS
+
+
+def _factored_part(reflectance: object) -> Factored | None:
+    from brdf_suite.reflectance.factored.model import Factored  # 8 ms at the start of the Viewer
 
     base = getattr(reflectance, "base", reflectance)
-    if not isinstance(base, Factored):
-        return False
-    maps, terms = _read(base)
-    return len(maps) > MOST_MAPS or sum(len(term.factors) for term in terms) > MOST_FACTORS
+    return base if isinstance(base, Factored) else None
 
 
 def factored_maps(value: Factored) -> FactoredMaps:

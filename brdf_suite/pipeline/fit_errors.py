@@ -18,8 +18,9 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
-from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, scattered_values
+from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, fit_undivided, scattered_values
 from brdf_suite.fitting.lobes.measured_samples import (
+    PLANE_GAMMAS_DEG,
     measured_pairs,
     scattered_rows,
     used_samples,
@@ -55,6 +56,16 @@ _FEWEST_FOR_FOLDS = 50
 # A fit to 100,000 samples takes 10 s, and there are five; a fifth of that judges as well.
 _MOST_IN_A_FOLD = 20_000
 _FOLDED = "each fifth of the samples by a fit to the other four, weighted by the solid angle of views they stand for"
+
+
+def fit_and_compare(
+    reflectance: Reflectance, basis: LobeBasis | None, progress: Progress | None
+) -> tuple[UndividedFit, tuple[AngleError, ...]]:
+    """Fit lobes to what has no layers; return them and their errors at the usual geometries."""
+    fit = fit_undivided(reflectance, basis, progress=progress)
+    if isinstance(reflectance, ScatteredSamples):
+        return fit, sample_errors(reflectance, fit)
+    return fit, angle_errors(reflectance, fit.weights, PLANE_GAMMAS_DEG)
 
 
 def angle_errors(

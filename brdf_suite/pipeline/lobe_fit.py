@@ -41,6 +41,8 @@ from brdf_suite.reflectance.protocol import Layered, Reflectance
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
+    from brdf_suite.fitting.lobes.measured import UndividedFit
+
 DEFAULT_TIME_LIMIT_S = 0.004
 PATIENT_TIME_LIMIT_S = 1.0
 """For work without a screen: no frame waits for the fit, and a busy machine must not make the answer worse."""
@@ -241,13 +243,13 @@ class PaintFitter:
         start = perf_counter()
         material = material_of(paint)
         assert isinstance(material.reflectance, PaintReflectance)
-        fit = self.fit_layers(material, material.reflectance)
+        fit = self.fit_layers(material, material.reflectance, "designed")
         return replace(fit, seconds=perf_counter() - start)
 
-    def fit_layers(self, material: Material, layers: Layered) -> LobeFit:
+    def fit_layers(self, material: Material, layers: Layered, kind: Kind) -> LobeFit:
         """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated."""
         fit = self._fitter.fit(layers)
-        weights, kind = fit.weights, _kind_of_layers(material)
+        weights = fit.weights
         notices = material.notices + _light_notice(material.reflectance, weights)
         if kind == "cook_torrance" and weights.ior == 1.0:
             notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
@@ -287,18 +289,29 @@ def fit_material(
     Cancelled
         The progress callback asked for it.
     """
-    # Much to import, and no paint that is edited needs it.
+    # No paint that is edited needs these; they would add 30 ms to the start of each program.
     from brdf_suite.pipeline.factored_maps import TOO_MANY, too_many_maps
-    from brdf_suite.pipeline.fit_errors import held_out_errors
-    from brdf_suite.reflectance.designed.layers import split_layers
+    from brdf_suite.pipeline.fit_errors import angle_errors, fit_and_compare, held_out_errors
+    from brdf_suite.reflectance.designed.layers import has_cook_torrance_base, split_layers
 
     report(progress, 0.0, "fitting")
     layers = split_layers(material.reflectance)
     try:
         if layers is None:
-            found = _fit_undivided(material, basis, subrange(progress, 0.0, 0.3 if errors else 1.0))
+            fitting = subrange(progress, 0.0, 0.3 if errors else 1.0)
+            found = _undivided_fit(material, *fit_and_compare(material.reflectance, basis, fitting))
         else:
-            found = _fit_layers(material, layers, basis)
+            kind: Kind = "layered"
+            if isinstance(material.reflectance, PaintReflectance):
+                kind = "designed"
+            elif has_cook_torrance_base(material.reflectance):
+                kind = "cook_torrance"
+            fitter = PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S)
+            try:
+                found = fitter.fit_layers(material, layers, kind)
+            finally:
+                fitter.close()
+            found = replace(found, angles=angle_errors(material.reflectance, found.weights))
     except FittingError as error:
         if not material.origin:
             raise
@@ -323,30 +336,7 @@ def refit_under(fit: LobeFit, colour: LightColour, progress: Progress | None = N
     return replace(fit_material(material, progress=progress), notices=fit.notices)
 
 
-def _fit_layers(material: Material, layers: Layered, basis: LobeBasis | None) -> LobeFit:
-    from brdf_suite.pipeline.fit_errors import angle_errors  # see fit_material
-
-    fitter = PaintFitter(basis, time_limit_s=PATIENT_TIME_LIMIT_S)
-    try:
-        found = fitter.fit_layers(material, layers)
-    finally:
-        fitter.close()
-    return replace(found, angles=angle_errors(material.reflectance, found.weights))
-
-
-def _fit_undivided(material: Material, basis: LobeBasis | None, progress: Progress | None) -> LobeFit:
-    # See fit_material.
-    from brdf_suite.fitting.lobes.measured import fit_undivided
-    from brdf_suite.fitting.lobes.measured_samples import PLANE_GAMMAS_DEG
-    from brdf_suite.pipeline.fit_errors import angle_errors, sample_errors
-    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
-    reflectance = material.reflectance
-    fit = fit_undivided(reflectance, basis, progress=progress)
-    if isinstance(reflectance, ScatteredSamples):
-        angles = sample_errors(reflectance, fit)
-    else:
-        angles = angle_errors(reflectance, fit.weights, PLANE_GAMMAS_DEG)
+def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleError, ...]) -> LobeFit:
     # That samples are interpolated is true of reading them, not of fitting them.
     known = tuple(notice for notice in material.notices if notice != SCATTERED)
     return LobeFit(
@@ -361,18 +351,6 @@ def _fit_undivided(material: Material, basis: LobeBasis | None, progress: Progre
         incidences_deg=tuple(float(np.degrees(angle)) for angle in fit.incidences_rad),
         samples=fit.samples,
     )
-
-
-def _kind_of_layers(material: Material) -> Kind:
-    if isinstance(material.reflectance, PaintReflectance):
-        return "designed"
-    # With models that no paint that is edited needs.
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
-
-    reflectance = material.reflectance
-    below = reflectance.base if isinstance(reflectance, Coated) else reflectance
-    return "cook_torrance" if isinstance(below, CookTorrance) else "layered"
 
 
 def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:

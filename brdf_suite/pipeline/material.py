@@ -21,8 +21,12 @@ from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
 from brdf_suite.reflectance.designed.misses import interpolation_notices
+from brdf_suite.reflectance.instruments.through_aperture import build_through
 from brdf_suite.reflectance.material import Material
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.protocol import Reflectance, has_spectra
+from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
@@ -125,9 +129,6 @@ def load_material(
     if found is None:
         return _load_model(text) if not is_file(text) else load_measured(text, observer_deg)
     if isinstance(found, Paint) and solved_through is not None:
-        # Solved by measuring in turns, which few ask for.
-        from brdf_suite.reflectance.instruments.through_aperture import build_through
-
         solved = build_through(found, solved_through)
         return _designed(found, text, solved.reflectance, solved.notices)
     return material_of(found, text)
@@ -172,10 +173,8 @@ def material_of_entry(entry: Entry, origin: str = "") -> Material:
 
 def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Material:
     """Return the material of a measured file; raise :class:`FileError` where it is none."""
-    # Measured data are much to import, and most starts need none.
+    # 14 to 30 ms at the start of each program.
     from brdf_suite.files.measured import ReadOptions, read_measured
-    from brdf_suite.reflectance.instruments.under_light import has_spectra
-    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
     value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
     notes = value.facts.get("notes", ())
@@ -199,7 +198,7 @@ def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Mater
 
 def load_palette_file(path: str | os.PathLike[str]) -> ReadPalette:
     """Return a palette of any format; raise :class:`FileError` with the place where it cannot be read."""
-    from brdf_suite.files.palettes import read_palette  # many formats, and most starts need none
+    from brdf_suite.files.palettes import read_palette  # 60 to 90 ms at the start of each program
 
     return read_palette(path)
 
@@ -212,11 +211,10 @@ def under_illuminant(material: Material, colour: LightColour) -> Material:
     illuminant = ILLUMINANT_OF.get(colour.illuminant, "D65")
     if illuminant == "D65":
         return material
-    from brdf_suite.reflectance.instruments.relit import relit
-    from brdf_suite.reflectance.instruments.under_light import has_spectra
-
     if not has_spectra(material.reflectance):
         return material
+    from brdf_suite.reflectance.instruments.relit import relit  # 15 ms at the start of each program
+
     return replace(material, reflectance=relit(material.reflectance, illuminant))
 
 
@@ -229,8 +227,6 @@ def _find(text: str) -> AnyPaint | Entry | None:
     names = paint_names()
     if text in names:  # without Table 1, which most starts do not need
         return load_shipped_paint(text)
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-
     name = packaged_name(text, [*names, *TABLE_1])
     if name is not None:
         return TABLE_1[name] if name in TABLE_1 else load_shipped_paint(name)
@@ -242,8 +238,6 @@ def _find(text: str) -> AnyPaint | Entry | None:
     path, _, entry_id = text.rpartition(ENTRY_MARK)
     if path and is_file(path):
         return palette_entry(load_palette_file(path).palette, path, entry_id)
-    from brdf_suite.reflectance.registry import MODELS
-
     if text in MODELS:
         return None
     check_exists(text, "paint", [*names, *TABLE_1])
@@ -268,21 +262,18 @@ def _only_entry(path: str) -> Entry:
 
 
 def _load_model(name: str) -> Material:
-    from brdf_suite.reflectance.registry import MODELS
-
     model = MODELS[name]
     return Material(model.title, model.make(), name, notices=(f"{model.source}.",))
 
 
 def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
-    from brdf_suite.files.measured.registry import sniff as sniff_measured
-    from brdf_suite.files.palettes.registry import sniff as sniff_palette
+    from brdf_suite.files import measured, palettes  # see load_measured and load_palette_file
 
     try:
-        sniff_measured(path)
+        measured.sniff(path)
     except FileError as no_measurement:
         try:
-            sniff_palette(Path(path).read_bytes(), path)
+            palettes.sniff(Path(path).read_bytes(), path)
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         except FileError:

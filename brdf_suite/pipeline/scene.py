@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.documents.view import View
+from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.lighting.cache.maps import MapCache
 from brdf_suite.lighting.environment import Environment
@@ -222,6 +223,4 @@ def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Me
     check_surface(name_or_path)
     shipped = packaged_name(os.fspath(name_or_path), surface_names())
     path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
-    from brdf_suite.files.meshes.reading import read_mesh
-
     return read_mesh(path, unit)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, TypeGuard, runtime_checkable
 
+import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
@@ -61,3 +62,22 @@ class Layered(Protocol):
     def base_under_coat(self) -> bool:
         """Whether light for the base crosses the coat, so that T² applies."""
         ...
+
+
+@runtime_checkable
+class SpectralReflectance(Protocol):
+    """A reflectance with optional spectra; ``wavelengths_nm`` is ``None`` without them."""
+
+    @property
+    def wavelengths_nm(self) -> npt.NDArray[np.floating] | None:
+        """Return the bands (k,), nanometres."""
+        ...
+
+    def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return f_r (..., k) in 1/sr, without the cosine."""
+        ...
+
+
+def has_spectra(reflectance: object) -> TypeGuard[SpectralReflectance]:
+    """Return whether the reflectance can be recomputed under any light."""
+    return isinstance(reflectance, SpectralReflectance) and reflectance.wavelengths_nm is not None

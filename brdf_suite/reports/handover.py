@@ -19,7 +19,8 @@ from brdf_suite.pipeline.material import Material, load_document, load_material,
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.instruments.aperture import POINT
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
-from brdf_suite.reflectance.instruments.under_light import has_spectra, spectrum_at
+from brdf_suite.reflectance.instruments.under_light import spectrum_at
+from brdf_suite.reflectance.protocol import has_spectra
 from brdf_suite.reports.paint_report.document import ReportOptions
 from brdf_suite.reports.paint_report.formats import report_formats
 

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.output.compared import load_compared
 from brdf_suite.pipeline.material import is_file, paint_names
-from brdf_suite.progress import Progress
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
@@ -164,7 +164,7 @@ class CompareControl(ViewerFeature):
         self._window.set_busy(KIND, 0.0, f"B: {_title(key)}")
         self._runner.submit(
             KIND,
-            _load,
+            load_compared,
             key,
             done=lambda value: self._loaded(key, value),
             failed=self._failed,
@@ -330,10 +330,3 @@ def _title(key: str) -> str:
     return frozen_title(key) or (
         title_of(key, {}) if Path(key).is_absolute() else title_of(key, {}).capitalize()
     )
-
-
-def _load(key: str, progress: Progress) -> LobeFit | ComparedPicture:
-    # Not at the start: it loads what reads measured files and pictures.
-    from brdf_suite.output.compared import load_compared
-
-    return load_compared(key, progress)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 
 from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.images.environments import write_png
 from brdf_suite.output.picture_file import picture_metadata
 from brdf_viewer.documents.file_kinds import PICTURE_ENDING, AskPicture
 from brdf_viewer.feature import ViewerFeature
@@ -74,9 +75,6 @@ def pixels_of(image: QImage) -> NDArray[np.uint8]:
 
 
 def _write(path: Path, image: QImage, metadata: dict[str, str]) -> None:
-    # Here, because the room of files loads the image libraries, and no picture is saved at the start.
-    from brdf_suite.files.images.environments import write_png
-
     if path.suffix.lower() != PICTURE_ENDING:
         raise FileError(path, f"pictures are written as PNG; give a name that ends in {PICTURE_ENDING}")
     write_png(path, pixels_of(image), metadata)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.protocol import has_spectra
 from brdf_viewer.light.presets import is_tinted
 from brdf_viewer.light.section import Spectra
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -78,8 +79,6 @@ class RelitPaint(QObject):
         fit = second if self._second else state.fit
         if fit is None or not is_tinted(colour):
             return None
-        from brdf_suite.reflectance.instruments.under_light import has_spectra
-
         return (fit, colour.illuminant) if isinstance(fit, LobeFit) and has_spectra(fit.reflectance) else None
 
 

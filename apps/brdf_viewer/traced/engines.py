@@ -6,65 +6,27 @@ Only the process that traces imports this: Mitsuba can end a process, and holds 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
+from brdf_suite.lighting.environment import Environment
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reference.raytraced.sums_file import write_sums
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
+from brdf_viewer.traced.job import Job, TracedFrame, add_coverage
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
 if TYPE_CHECKING:
-    from brdf_suite.lighting.environment import Environment
-    from brdf_suite.surface.mesh import Mesh
-    from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
     from brdf_suite.tracing.reference.live import LiveReference
-
-
-@dataclass(frozen=True, eq=False)
-class TracedFrame:
-    """A picture so far.
-
-    ``pixels`` (h, w, 4) float32: the object's radiance of the working space before exposure, weighted by its
-    coverage, and that coverage; (h, w, 7) with the darkness of the ground after them. ``samples`` a pixel, of ``of``
-    (0: without end). ``noise``: the standard error of the luminance as a share of it, median over the object; None
-    where it is not estimated. ``seconds`` were spent.
-    """
-
-    pixels: NDArray[np.float32]
-    samples: int
-    of: int
-    noise: float | None
-    seconds: float
-
-
-class Job(Protocol):
-    """A scene that is open.
-
-    ``title`` names the renderer, ``notices`` are what it leaves out; ``no_denoiser`` says why it cannot take the noise
-    out, empty where it can.
-    """
-
-    title: str
-    notices: tuple[str, ...]
-    no_denoiser: str
-
-    def frames(self) -> Iterator[TracedFrame]:
-        """Yield ever better pictures; SuiteError where the renderer fails."""
-        ...
-
-    def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return the pixels of a frame without their noise; SuiteError where that fails."""
-        ...
-
-    def save(self, path: Path, view: View) -> None:
-        """Write the newest picture as EXR with its variance, in ``view``'s background; FileError."""
-        ...
+    from brdf_viewer.traced.reference_job import ReferenceJob
 
 
 class Engines:
@@ -93,6 +55,9 @@ class Engines:
     def _open_reference(
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> ReferenceJob:
+        # Here, because Mitsuba comes with it, which is optional.
+        from brdf_viewer.traced.reference_job import LiveReference, ReferenceJob
+
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
             from brdf_suite.tracing.reference.live import LiveReference  # here, because Mitsuba comes with it
@@ -137,56 +102,6 @@ class Engines:
         return known[1]
 
 
-class ReferenceJob:
-    """The path tracer: unbiased, without end."""
-
-    def __init__(self, live: LiveReference, *, grounded: bool = False) -> None:
-        from brdf_suite.reference.denoise import check_denoiser
-
-        self._live = live
-        self.title = live.scene.renderer
-        self.notices = live.scene.notices
-        if grounded:
-            self.notices = (*self.notices, "The ground shadow is that of the real-time picture.")
-        self.no_denoiser = ""
-        try:
-            check_denoiser()
-        except SuiteError:
-            self.no_denoiser = "The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here."
-
-    def frames(self) -> Iterator[TracedFrame]:
-        """Yield ever better pictures without end; first what there is of this very light already."""
-        known = self._live.estimate
-        while True:
-            estimate, known = known or self._live.step(), None
-            yield TracedFrame(
-                _with_coverage(estimate.radiance, estimate.coverage),
-                estimate.samples,
-                0,
-                estimate.noise if np.isfinite(estimate.noise) else None,
-                estimate.seconds,
-            )
-
-    def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Take the noise out of the light; the object's edge stays as it is."""
-        from brdf_suite.reference.denoise import denoise_picture
-
-        return _with_coverage(denoise_picture(pixels[..., :3].astype(np.float64)), pixels[..., 3])
-
-    def save(self, path: Path, view: View) -> None:
-        """Write radiance, variance and all that a render goes on from."""
-        from brdf_suite.reference.estimate_file import write_estimate
-
-        estimate = self._live.estimate
-        if estimate is None:
-            raise SuiteError("There is no picture yet.")
-        scene = replace(self._live.scene, view=replace(view, camera=self._live.scene.view.camera))
-        comments = (
-            f"{scene.name} on {scene.surface} in {scene.environment}, path-traced, {estimate.samples} samples"
-        )
-        write_estimate(path, estimate, scene.whole(estimate), scene.key, {"comments": comments})
-
-
 class RaytracedJob:
     """The ray tracer: one picture of the preset's samples, in passes."""
 
@@ -202,7 +117,7 @@ class RaytracedJob:
         grounded = self._session.scene.view.surface_look.ground
         for image in self._session.passes():
             self._newest = image
-            pixels = _with_coverage(image.sums.radiance, image.coverage)
+            pixels = add_coverage(image.sums.radiance, image.coverage)
             if grounded:
                 pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
             yield TracedFrame(pixels, image.samples, image.of, None, image.seconds)
@@ -213,9 +128,6 @@ class RaytracedJob:
 
     def save(self, path: Path, view: View) -> None:
         """Write radiance, and what it adds up from: lights and samples are a preset's, so no variance is known."""
-        from brdf_suite.reference.raytraced.sums_file import write_sums
-        from brdf_suite.tracing.raytraced.picture import RaytracedImage
-
         if self._newest is None:
             raise SuiteError("There is no picture yet.")
         scene = self._newest.scene
@@ -226,11 +138,3 @@ class RaytracedJob:
 def _without_backdrop(view: View) -> View:
     """Return the view with the plainest background: the window draws what is behind the object, of any kind."""
     return replace(view, background="environment")
-
-
-def _with_coverage(radiance: NDArray[Any], coverage: NDArray[Any]) -> NDArray[np.float32]:
-    """Return (h, w, 4) of radiance and coverage."""
-    pixels = np.empty((*coverage.shape, 4), np.float32)
-    pixels[..., :3] = radiance
-    pixels[..., 3] = coverage
-    return pixels

@@ -24,7 +24,8 @@ from typing import Any, TextIO
 
 from brdf_suite.documents.store import view_from_json
 from brdf_suite.errors import SuiteError
-from brdf_viewer.traced.engines import Engines, Job, TracedFrame
+from brdf_viewer.traced.engines import Engines
+from brdf_viewer.traced.job import Job, TracedFrame
 from brdf_viewer.traced.picture_slots import SlotWriter
 from brdf_viewer.traced.request import TraceRequest
 

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from typing import Any, TextIO
 
 from brdf_suite.documents.paint import solid_paint
+from brdf_suite.documents.palette_store import entry_from_json
 from brdf_suite.errors import GraphicsError, SuiteError
 from brdf_suite.palettes.swatches.look import Content, SwatchLook, swatch_key
 from brdf_suite.palettes.swatches.pictures import SwatchPainter
@@ -144,8 +145,6 @@ def _fault(error: Exception) -> _Refusal:
 
 
 def _content(item: Mapping[str, Any]) -> Content:
-    from brdf_suite.documents.palette_store import entry_from_json
-
     return entry_from_json(
         {name: item[name] for name in ("paint", "flat") if name in item}, "the request"
     ).content

@@ -72,6 +72,11 @@ class SeenThrough:
         return np.asarray(self.part.eval(wi, wo) * self.coated.base_factor(wi, wo))
 
 
+def has_cook_torrance_base(reflectance: Reflectance) -> bool:
+    """Whether it is a sum of Cook-Torrance lobes, with a clearcoat or without."""
+    return isinstance(reflectance.base if isinstance(reflectance, Coated) else reflectance, CookTorrance)
+
+
 def split_layers(reflectance: object, *, sharp_slope: float = SHARP_SLOPE) -> Layered | None:
     """Return the layers of ``reflectance``, or None where nothing divides it (measured data, other models).
 

@@ -13,8 +13,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.arrays import Floats
-from brdf_suite.reflectance.instruments.under_light import SpectralReflectance
-from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reflectance.protocol import Reflectance, SpectralReflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol, TypeGuard, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -20,21 +19,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.instruments.aperture import Aperture, reflectance_factor
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
-from brdf_suite.reflectance.protocol import Reflectance
-
-
-@runtime_checkable
-class SpectralReflectance(Protocol):
-    """A reflectance with optional spectra; ``wavelengths_nm`` is ``None`` without them."""
-
-    @property
-    def wavelengths_nm(self) -> npt.NDArray[np.floating] | None:
-        """Return the bands (k,), nanometres."""
-        ...
-
-    def eval_spectra(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return f_r (..., k) in 1/sr, without the cosine."""
-        ...
+from brdf_suite.reflectance.protocol import Reflectance, SpectralReflectance, has_spectra
 
 
 @dataclass(frozen=True)
@@ -45,11 +30,6 @@ class _Bands:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         return self.source.eval_spectra(wi, wo)
-
-
-def has_spectra(reflectance: object) -> TypeGuard[SpectralReflectance]:
-    """Return whether the reflectance can be recomputed under any light."""
-    return isinstance(reflectance, SpectralReflectance) and reflectance.wavelengths_nm is not None
 
 
 def spectrum_at(reflectance: SpectralReflectance, geometry: Geometry, aperture: Aperture) -> Floats:

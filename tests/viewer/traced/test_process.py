@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_viewer.traced.engines import TracedFrame
+from brdf_viewer.traced.job import TracedFrame
 from brdf_viewer.traced.picture_slots import SLOTS, take
 from brdf_viewer.traced.process import WORKER, TraceProcess
 from brdf_viewer.traced.request import TraceRequest
