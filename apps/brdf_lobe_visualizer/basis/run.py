@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from brdf_suite.processes import child_command
@@ -81,7 +82,9 @@ class BasisRun(QObject):
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart and not self._ended:
             self._ended = True
-            self.failed.emit(f"The search could not be started: {self._process.errorString()}.")
+            self.failed.emit(
+                tr("The search could not be started: {reason}.").format(reason=self._process.errorString())
+            )
 
     def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
         if self._ended:
@@ -96,7 +99,7 @@ class BasisRun(QObject):
             last = (
                 words.splitlines()[-1].removeprefix("brdf-suite: ")
                 if words
-                else "the search ended without an error message"
+                else tr("the search ended without an error message")
             )
             self.failed.emit(last)
         else:
