@@ -9,7 +9,7 @@ from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
-from brdf_qt.program.translation import moment, tr
+from brdf_qt.program.translation import mark, moment, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
@@ -40,7 +40,7 @@ _MOST_NAMED = 4
 def palette_format() -> DocumentFormat[Palette]:
     """Return how palettes are made, read and written."""
     return DocumentFormat(
-        kind="palette",
+        kind=mark("palette"),
         ending=PALETTE_ENDING,
         new=new_palette,
         load=load_palette,

@@ -10,7 +10,7 @@ from brdf_qt.documents.store import DocumentStore
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QProcess
@@ -49,7 +49,7 @@ def new_paint() -> Paint:
 def paint_format() -> DocumentFormat[Paint]:
     """Return how paints are made, read and written."""
     return DocumentFormat(
-        kind="paint",
+        kind=mark("paint"),
         ending=PAINT_ENDING,
         new=new_paint,
         load=load_paint,

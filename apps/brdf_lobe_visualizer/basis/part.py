@@ -163,7 +163,7 @@ class Basis(Feature, QObject):
     def _begin_search(self, paints: PaintsIn) -> None:
         if not paints.count:
             self._drop_search()
-            error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
+            error = FileError(self.folder, tr("there is no paint ({ending})").format(ending=PAINT_ENDING))
             self._session.show_message(message_of(error, BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_suite.arrays import Floats
@@ -76,7 +77,7 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
     palette = read.palette
     entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if not entries:
-        raise FileError(path, "is a palette without a paint")
+        raise FileError(path, tr("is a palette without a paint"))
     subjects: list[PlottedMaterial] = []
     refused: list[str] = []
     for place, entry in enumerate(palette):
@@ -113,12 +114,15 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     numbers = np.isfinite(values).all(axis=-1)
     notes = list(subject.notes)
     if not numbers.all():
-        notes.append(f"{100.0 * np.mean(~numbers):.0f} % of the directions have no value (drawn as holes).")
+        share = 100.0 * np.mean(~numbers)
+        notes.append(
+            tr("{share:.0f} % of the directions have no value (drawn as holes).").format(share=share)
+        )
     known = values[numbers]
     if known.size and not known.any():
-        notes.append("The reflectance is zero in every sampled direction.")
+        notes.append(tr("The reflectance is zero in every sampled direction."))
     elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
-        notes.append("All light is reflected into one narrow lobe; other views are dark.")
+        notes.append(tr("All light is reflected into one narrow lobe; other views are dark."))
     return replace(subject, notes=tuple(notes))
 
 

@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QStandardPaths, Signal
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import SuiteError
@@ -28,7 +29,8 @@ MOST_RECENT = 10
 class DocumentFormat(Generic[T]):
     """How a kind of document is made, read, written and named.
 
-    ``kind`` is the word for the user ("paint"), ``ending`` has its dot, ``name_of`` gives the document's name.
+    ``kind`` is the word for the user ("paint"), marked for translation; ``ending`` has its dot; ``name_of`` gives
+    the document's name.
     """
 
     kind: str
@@ -43,7 +45,7 @@ class DocumentFormat(Generic[T]):
     @property
     def filters(self) -> str:
         """The filter line of a file dialog."""
-        return f"{self.kind.capitalize()} (*{self.ending});;All files (*)"
+        return f"{tr(self.kind).capitalize()} (*{self.ending});;{tr('All files (*)')}"
 
 
 class DocumentFiles(QObject, Generic[T]):
@@ -98,7 +100,7 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             value = self.format.load(path)
         except SuiteError as error:
-            todo = f"The {self.format.kind} that was open is unchanged."
+            todo = tr("The {kind} that was open is unchanged.").format(kind=tr(self.format.kind))
             self.failed.emit(message_of(error, "open", todo=todo))
             self._forget(path)
             return None
@@ -169,7 +171,7 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             self.format.save(self.store.value, path)
         except SuiteError as error:
-            todo = "The document is still open with all changes. Choose another place with Save As."
+            todo = tr("The document is still open with all changes. Choose another place with Save As.")
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
         self.store.mark_clean(path, stamp_of(path))
