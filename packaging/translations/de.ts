@@ -2726,20 +2726,12 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Das Bild konnte nicht vorbereitet werden</translation>
     </message>
     <message>
-        <source>The picture could not be read</source>
-        <translation>Das Bild konnte nicht gelesen werden</translation>
-    </message>
-    <message>
         <source>The picture cannot be drawn</source>
         <translation>Das Bild kann nicht gezeichnet werden</translation>
     </message>
     <message>
         <source>The picture could not be drawn</source>
         <translation>Das Bild konnte nicht gezeichnet werden</translation>
-    </message>
-    <message>
-        <source>The graphics driver reported {problem} while drawing.</source>
-        <translation>Der Grafiktreiber meldete beim Zeichnen {problem}.</translation>
     </message>
     <message>
         <source>Try again</source>
@@ -3854,14 +3846,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>{count} lobes</source>
         <translation>{count} Keulen</translation>
-    </message>
-    <message>
-        <source>The search could not be started: {reason}.</source>
-        <translation>Die Suche konnte nicht gestartet werden: {reason}.</translation>
-    </message>
-    <message>
-        <source>the search ended without an error message</source>
-        <translation>die Suche endete ohne Fehlermeldung</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -5460,10 +5444,6 @@ Die Datei reparieren oder aus einer Sicherungskopie wiederherstellen, dann neu l
         <translation>{format}-Dateien lassen sich nicht exportieren. Ein anderes Format wählen.</translation>
     </message>
     <message>
-        <source>The contact sheet could not be rendered.</source>
-        <translation>Der Kontaktbogen konnte nicht gerendert werden.</translation>
-    </message>
-    <message>
         <source>Contact S&amp;heet…</source>
         <translation>&amp;Kontaktbogen …</translation>
     </message>
@@ -6416,6 +6396,14 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>Library</source>
         <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>The work could not be started: {reason}.</source>
+        <translation>Die Berechnung konnte nicht gestartet werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>The work ended without a message.</source>
+        <translation>Die Berechnung endete ohne Meldung.</translation>
     </message>
 </context>
 <context>
