@@ -132,12 +132,12 @@
         <translation>Einzeln</translation>
     </message>
     <message>
-        <source>Each paint opens in a tab. No file is changed.</source>
-        <translation>Jeder Lack öffnet sich in einem Reiter. Keine Datei wird geändert.</translation>
-    </message>
-    <message>
         <source>Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
         <translation>Designer wurde unerwartet beendet. Ungesicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>No file is changed.</source>
+        <translation>Keine Datei wird geändert.</translation>
     </message>
     <message>
         <source>{what} {count} more will follow.</source>
@@ -3602,6 +3602,14 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Open a folder of photographs first.</source>
         <translation>Öffnen Sie zuerst einen Ordner mit Fotos.</translation>
+    </message>
+    <message>
+        <source>The work could not be started: {reason}.</source>
+        <translation>Die Arbeit konnte nicht gestartet werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>The work ended without a message.</source>
+        <translation>Die Arbeit endete ohne Meldung.</translation>
     </message>
 </context>
 <context>

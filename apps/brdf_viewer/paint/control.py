@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -34,7 +35,6 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report, subrange
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.paint.patches import Patch
@@ -74,8 +74,8 @@ class PaintControl(QObject):
         self._window = window
         self._link = link
         self.fitter = fitter
-        self._recent = RecentFiles(_KEY)
-        self._recent_palettes = RecentFiles("palette")
+        self._recent = RecentFiles(f"recent/{_KEY}")
+        self._recent_palettes = RecentFiles("recent/palette")
         self._names = paint_names()
         self._shown_key = ""
         self._exact = ExactFit(self)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
@@ -15,7 +16,6 @@ from brdf_suite.pipeline.environments import AUTOMATIC
 from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.light.environment_figures import environment_facts
@@ -51,7 +51,7 @@ class SceneControl(QObject):
         self._loader = loader
         self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
-        self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
+        self._recent = {kind: RecentFiles(f"recent/{kind}") for kind in self._choosers}
         self._loading: dict[str, str] = {}
         self._edited = ""  # the title of a light that is shown and edited, and that the view cannot name
         self._layout = state.view.environment_layout

@@ -17,7 +17,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 @pytest.fixture
 def control(desk) -> MeasuredControl:
-    return next(part for part in desk.sections if isinstance(part, MeasuredControl))
+    return desk.feature(MeasuredControl)
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_a_dropped_file_and_the_original_as_standard(desk, control, qtbot, cook_
         )
     )
     wait_for(qtbot, control)
-    standards = next(part for part in desk.sections if isinstance(part, StandardControl))
+    standards = desk.feature(StandardControl)
     control.section.standard.click()
     qtbot.waitUntil(lambda: standards.standard is not None)
     assert standards.section.results.item(0, 1).text() == "0.00"

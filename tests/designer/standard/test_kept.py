@@ -20,7 +20,7 @@ from brdf_suite.reflectance.designed.build import build_paint
 
 @pytest.fixture
 def control(desk) -> StandardControl:
-    return next(part for part in desk.sections if isinstance(part, StandardControl))
+    return desk.feature(StandardControl)
 
 
 @pytest.fixture

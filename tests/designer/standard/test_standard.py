@@ -25,7 +25,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 @pytest.fixture
 def control(desk) -> StandardControl:
-    control = next(part for part in desk.sections if isinstance(part, StandardControl))
+    control = desk.feature(StandardControl)
     control._judge_by(load())
     return control
 

@@ -36,7 +36,7 @@ def pictures(desk, monkeypatch) -> Thumbnails:
 
 
 def part(desk, kind):
-    return next(one for one in desk.sections if isinstance(one, kind))
+    return desk.feature(kind)
 
 
 @pytest.fixture
