@@ -6,11 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFormat
-from brdf_qt.documents.recovery import Recovered
+from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program
-from brdf_qt.program.translation import mark, moment, tr
-from brdf_qt.window.message_bar import Message
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
@@ -33,8 +32,6 @@ from brdf_suite.documents.palette_store import (
     save_palette,
 )
 from brdf_suite.resources import resource_names
-
-_MOST_NAMED = 4
 
 
 def palette_format() -> DocumentFormat[Palette]:
@@ -137,34 +134,14 @@ class ColorSwatch(Program):
 
     def offer_recovery(self) -> None:
         """Show a message with the unsaved work of earlier runs; nothing where there is none."""
-        found = self.unsaved.find()
-        if not found:
-            return
-        names = [tr("“{name}”").format(name=_name(item)) for item in found]
-        if len(names) > _MOST_NAMED:
-            names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
-        newest = max(item.when for item in found)
-        what = tr("Unsaved work found, the newest from {when}: {names}.").format(
-            when=moment(newest), names=", ".join(names)
-        )
-        todo = tr("Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.")
-        actions = (
-            (tr("Recover"), lambda: self._recover(found)),
-            (tr("Discard"), lambda: self._discard(found)),
-        )
-        self.window.show_message(Message("recovery", what, todo=todo, actions=actions))
-
-    def _discard(self, found: list[Recovered[Palette]]) -> None:
-        for item in found:
-            self.unsaved.discard(item)
-
-    def _recover(self, found: list[Recovered[Palette]]) -> None:
-        key = ""
-        # The newest was worked at last, and is shown.
-        for item in reversed(found):
-            key = self.unsaved.recover(item)
-        self.session.show_scope(Scope(key))
-
-
-def _name(item: Recovered[Palette]) -> str:
-    return item.path.name if item.path else item.value.name
+        RecoveryOffer(
+            self.window.show_message,
+            self.unsaved.find,
+            lambda found: self.session.show_scope(Scope(self.unsaved.recover(found))),
+            self.unsaved.discard,
+            tr("Color Swatch closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
+            tr(
+                "Color Swatch closed unexpectedly. Recover unsaved work on {count} palettes (newest: {when}): "
+                "{names}?"
+            ),
+        ).show()

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
@@ -18,7 +19,6 @@ from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
-from brdf_designer.documents.recovery_offer import RecoveryOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.thumbnails import thumbnails_of
@@ -77,7 +77,16 @@ class Designer(Program):
         self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
         self.window.build(self.desk, names)
         self.controller = Controller(self.window, self.desk, self.window)
-        self.recovery_offer = RecoveryOffer(self.documents, self.window)
+        self.recovery_offer = RecoveryOffer(
+            self.window.show_message,
+            lambda: self.documents.front.recovery.found(),
+            self.documents.recover,
+            lambda item: self.documents.front.recovery.drop(item),
+            tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
+            tr(
+                "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
+            ),
+        )
         self._has_closed_documents = False
         self._join()
         self.features += (*build_sections(self.desk, self.window), self.link)
@@ -143,6 +152,7 @@ class Designer(Program):
         window, controller, documents = self.window, self.controller, self.documents
         window.new_requested.connect(documents.new)
         window.open_requested.connect(documents.open)
+        window.files_dropped.connect(lambda paths: documents.open(paths[0]))
         window.shipped_requested.connect(
             lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
         )

@@ -137,9 +137,9 @@ class LobeVisualizer(Program):
     def _join(self) -> None:
         window, sources = self.window, self.sources
         window.open_requested.connect(lambda path: self.ask_files() if path is None else sources.open(path))
-        window.dropped.connect(sources.open_many)
+        window.files_dropped.connect(sources.open_many)
         window.recent_cleared.connect(sources.clear_recent)
-        window.closing.connect(lambda: remembered.remember(self.session, window))
+        window.close_requested.connect(lambda _question: remembered.remember(self.session, window))
         sources.recent_changed.connect(lambda: window.show_recent(sources.recent()))
         sources.palette_opened.connect(self.panel.add_palette)
         self.panel.open_requested.connect(sources.open_many)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.program import Program
@@ -150,9 +151,9 @@ class ViewerController(Program):
         else:
             self._open(kind, path)
 
-    def _open_files(self, paths: list[str]) -> None:
+    def _open_files(self, paths: list[Path]) -> None:
         for path in paths:
-            self.open_file(path)
+            self.open_file(str(path))
 
     def _open(self, kind: str, path: str) -> None:
         own: dict[str, Callable[[str], object]] = {

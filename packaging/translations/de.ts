@@ -132,12 +132,12 @@
         <translation>Einzeln</translation>
     </message>
     <message>
-        <source>Each paint opens in a tab. No file is changed.</source>
-        <translation>Jeder Lack öffnet sich in einem Reiter. Keine Datei wird geändert.</translation>
-    </message>
-    <message>
         <source>Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
         <translation>Designer wurde unerwartet beendet. Ungespeicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>No file is changed.</source>
+        <translation>Keine Datei wird geändert.</translation>
     </message>
     <message>
         <source>{what} {count} more will follow.</source>
@@ -5264,12 +5264,12 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Palette</translation>
     </message>
     <message>
-        <source>Unsaved work found, the newest from {when}: {names}.</source>
-        <translation>Ungespeicherte Arbeit gefunden, die neueste von {when}: {names}.</translation>
+        <source>Color Swatch closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
+        <translation>Color Swatch wurde unerwartet beendet. Ungespeicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
     </message>
     <message>
-        <source>Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.</source>
-        <translation>Color Swatch wurde unerwartet beendet. „Wiederherstellen“ öffnet die ungespeicherte Arbeit; keine Datei wird geändert.</translation>
+        <source>Color Swatch closed unexpectedly. Recover unsaved work on {count} palettes (newest: {when}): {names}?</source>
+        <translation>Color Swatch wurde unerwartet beendet. Ungespeicherte Arbeit an {count} Paletten (neueste: {when}) wiederherstellen: {names}?</translation>
     </message>
     <message>
         <source>{palette}, tag {tag}</source>

@@ -28,7 +28,7 @@ class DropPart(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         add = window.add_command
-        window.menu("edit").addSeparator()
+        window.menus["edit"].addSeparator()
         self._of_selected = [
             add("edit", mark("Move Up"), "Alt+Left", lambda: self.step(-1), "earlier"),
             add("edit", mark("Move Do&wn"), "Alt+Right", lambda: self.step(1), "later"),

@@ -29,7 +29,7 @@ class EditPart(SwatchFeature):
         super().__init__(session, window)
         self._cut: Carried | None = None
         keys = QKeySequence.StandardKey
-        add, edit = window.add_command, window.menu("edit")
+        add, edit = window.add_command, window.menus["edit"]
         undo = add(
             "edit",
             mark("&Undo"),

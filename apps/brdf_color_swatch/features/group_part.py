@@ -20,7 +20,7 @@ class GroupPart(SwatchFeature):
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         add = window.add_command
-        window.menu("edit").addSeparator()
+        window.menus["edit"].addSeparator()
         self._new_group = add(
             "edit", mark("New G&roup"), "Ctrl+G", self.new_group, "new_group", icon="folder-plus",
             tip=mark("New group from selection"),

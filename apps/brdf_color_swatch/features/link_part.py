@@ -41,13 +41,13 @@ class LinkPart(SwatchFeature):
         self.start_program = QProcess.startDetached
         """Starts a program: its path and arguments; replaced where none is to be started."""
         add = window.add_command
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         self._sends = []
         icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
         for role, (_package, _name, text, keys) in _PROGRAMS.items():
             action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icons[role])
             self._sends.append(action)
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         self._take = add(
             "paint", mark("&Add Paint from Designer"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
             tip=mark("Add the paint being edited in Designer to this palette"),

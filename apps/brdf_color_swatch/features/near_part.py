@@ -40,7 +40,7 @@ class NearPart(SwatchFeature):
             "paint", mark("Find Nearest to Clip&board"), None, self.find_clipboard, "nearest_clipboard",
             tip=mark("Sort by mean ΔE00 to the paint, colour or L*a*b* values on the clipboard"),
         )  # fmt: skip
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         window.toolbar.addAction(self._near)
         session.selection_changed.connect(lambda _pane: self._enable())
         session.front_changed.connect(self._enable)

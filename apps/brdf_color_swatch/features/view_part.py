@@ -29,7 +29,7 @@ class ViewPart(SwatchFeature):
         super().__init__(session, window)
         self.show_second: Callable[[bool], None] = lambda _shown: None
         """Set by who owns the panes."""
-        view, add = window.menu("view"), window.add_command
+        view, add = window.menus["view"], window.add_command
         view.addSeparator()
         for number, (key, text) in enumerate(_FORMS, 1):
             add(

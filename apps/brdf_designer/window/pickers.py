@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
-from pathlib import Path
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
@@ -89,20 +88,6 @@ class ReadingMenus(QObject):
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
             self._solid.addAction(text, partial(self.solid_requested.emit, index))
         return True
-
-
-def fill_recent(
-    menu: QMenu, paths: Sequence[Path], open_path: Callable[[Path], object], clear: Callable[[], object]
-) -> None:
-    """Fill the menu of the files that were open lately."""
-    menu.clear()
-    for number, path in enumerate(paths, 1):
-        action = menu.addAction(f"&{number % 10} {path.name}")
-        action.setToolTip(plain_tip(str(path)))
-        action.triggered.connect(lambda _=False, path=path: open_path(path))
-    menu.addSeparator()
-    menu.addAction(tr("&Clear"), clear)
-    menu.setEnabled(bool(paths))
 
 
 def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:

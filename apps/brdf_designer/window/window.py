@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
-from pathlib import Path
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.main_window import Shortcut, SuiteWindow
+from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
-from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
@@ -28,7 +26,7 @@ from brdf_designer.session.state import Colours, Curves, FitState, TabState
 from brdf_designer.window.focus import order_focus
 from brdf_designer.window.letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
-from brdf_designer.window.pickers import ColourPickers, ReadingMenus, fill_recent, name_step
+from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import DeskStatus
 from brdf_suite.documents.paint import Paint
 
@@ -36,15 +34,12 @@ from brdf_suite.documents.paint import Paint
 class DesignerWindow(SuiteWindow):
     """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Its sections edit the paint session. Intents: ``new_requested``, ``open_requested(Path | None)``,
-    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``viewer_requested``, ``recent_cleared``;
-    of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``, ``close_front_requested``,
-    ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``; ``close_requested(QCloseEvent)``,
-    to be ignored where the window must stay.
+    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, ``save_requested``,
+    ``save_as_requested``, ``viewer_requested``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
+    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``.
     """
 
     new_requested = Signal()
-    open_requested = Signal(object)
     shipped_requested = Signal(str)
     save_requested = Signal()
     save_as_requested = Signal()
@@ -55,16 +50,14 @@ class DesignerWindow(SuiteWindow):
     tab_step_requested = Signal(int)
     reopen_requested = Signal()
     viewer_requested = Signal()
-    recent_cleared = Signal()
-    close_requested = Signal(QCloseEvent)
+
+    takes_several_files = False
 
     def __init__(self) -> None:
         super().__init__("Designer")
-        self.setAcceptDrops(True)
         self._colours: Colours | None = None
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
-        self._sections: dict[str, Section] = {}
         self._below: list[QWidget] = []
 
     def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
@@ -79,38 +72,6 @@ class DesignerWindow(SuiteWindow):
 
     # What a part of the desk adds.
 
-    def add_section(
-        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
-    ) -> Section:
-        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
-
-        ``is_open`` is how a first start shows it; later starts show it as the user left it.
-        """
-        section = Section(title, key, is_open=is_open)
-        section.add(widget)
-        self.inspector.add_section(section, after=self._sections[after] if after else None)
-        self._sections[key] = section
-        return section
-
-    def section(self, key: str) -> Section:
-        """Return the section of that key: ``colour``, ``coat``, ``flakes``, ``model``, ``paint``, or one added."""
-        return self._sections[key]
-
-    def add_dock(
-        self,
-        key: str,
-        title: str,
-        widget: QWidget,
-        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
-        *,
-        visible: bool = False,
-    ) -> QDockWidget:
-        """Add a panel that docks, floats and hides; listed in View ▸ Panels."""
-        dock = self.add_panel(title, widget, area)
-        dock.setObjectName(f"panel_{key}")
-        dock.setVisible(visible)
-        return dock
-
     def add_history(self, strip: QWidget) -> None:
         """Put the strip of states under the desk."""
         self._centre_box.addWidget(strip)
@@ -122,48 +83,9 @@ class DesignerWindow(SuiteWindow):
         self.lower_split.setStretchFactor(1, 2)
         self.lower_split.setSizes([560, 400])
 
-    def add_command(
-        self,
-        menu: str,
-        text: str,
-        shortcut: Shortcut | None,
-        slot: Callable[[], object],
-        key: str,
-        *,
-        icon: str | None = None,
-        tip: str = "",
-    ) -> QAction:
-        """Add a command to a menu: ``file``, ``edit``, ``view``, ``paint``, ``window`` or ``help``.
-
-        ``key`` is its object name after ``action_``; Ctrl+K finds it by its text. Quit stays last in File.
-        """
-        menus = {
-            "file": self.file_menu,
-            "edit": self.edit_menu,
-            "view": self.view_menu,
-            "paint": self.paint_menu,
-            "window": self.window_menu,
-            "help": self.help_menu,
-        }
-        before = self._file_end if menu == "file" else None
-        action = self.add_action(menus[menu], text, slot, shortcut, icon, tip)
-        action.setObjectName(f"action_{key}")
-        if before is not None:
-            self.file_menu.removeAction(action)
-            self.file_menu.insertAction(before, action)
-        return action
-
     def complete(self) -> None:
         """Settle what depends on every part: letters of the menus, order of the focus, size and place of the panels."""
-        top = (
-            self.file_menu,
-            self.edit_menu,
-            self.view_menu,
-            self.paint_menu,
-            self.window_menu,
-            self.help_menu,
-        )
-        give_letters(top)
+        give_letters(tuple(self.menus.values()))
         self.order_focus()
         self.restore_layout()
 
@@ -230,15 +152,7 @@ class DesignerWindow(SuiteWindow):
         """See :class:`brdf_designer.controller.View`."""
         if message.key == "edit":
             self._whole = None  # a field holds what was refused
-        self.messages.show_message(message)
-
-    def dismiss_message(self, key: str) -> None:
-        """See :class:`brdf_designer.controller.View`."""
-        self.messages.dismiss(key)
-
-    def show_recent(self, paths: Sequence[Path]) -> None:
-        """Fill File ▸ Open Recent."""
-        fill_recent(self.recent_menu, paths, self.open_requested.emit, self.recent_cleared.emit)
+        super().show_message(message)
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
@@ -305,8 +219,7 @@ class DesignerWindow(SuiteWindow):
         for name in shipped:
             action = shipped_menu.addAction(name.replace("_", " ").capitalize())
             action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
-        self.recent_menu: QMenu = file.addMenu(tr("Open &Recent"))
-        self.recent_menu.setToolTipsVisible(True)
+        self.add_recent_menu()
         file.addSeparator()
         save = self.add_action(file, mark("&Save"), self.save_requested.emit, keys.Save, "floppy-disk")
         self.add_action(file, mark("Save &As…"), self.save_as_requested.emit, "Ctrl+Shift+S")
@@ -317,7 +230,6 @@ class DesignerWindow(SuiteWindow):
         )
         self.reopen_action.setEnabled(False)
         self.add_quit()
-        self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
             self.edit_menu, mark("&Undo"), session.undo, keys.Undo, "arrow-counter-clockwise"
         )
@@ -371,17 +283,3 @@ class DesignerWindow(SuiteWindow):
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""
         self.pickers.close()
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if len(event.mimeData().urls()) == 1 and event.mimeData().urls()[0].isLocalFile():
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
-        self.open_requested.emit(Path(event.mimeData().urls()[0].toLocalFile()))
-
-    def may_close(self) -> bool:
-        """See :meth:`SuiteWindow.may_close`: the controller answers through ``close_requested``."""
-        question = QCloseEvent()
-        self.close_requested.emit(question)
-        return question.isAccepted()

@@ -13,16 +13,15 @@ from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.documents.store import DocumentStore
-from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import SuiteError
 
 T = TypeVar("T")
-MOST_RECENT = 10
 
 
 @dataclass(frozen=True)
@@ -102,7 +101,8 @@ class DocumentFiles(QObject, Generic[T]):
         except SuiteError as error:
             todo = tr("The {kind} that was open is unchanged.").format(kind=tr(self.format.kind))
             self.failed.emit(message_of(error, "open", todo=todo))
-            self._forget(path)
+            RecentFiles().remove(path)
+            self.recent_changed.emit()
             return None
         return value, stamp
 
@@ -153,13 +153,11 @@ class DocumentFiles(QObject, Generic[T]):
 
     def recent(self) -> list[Path]:
         """Return the files opened or saved last, newest first."""
-        found = settings().value("recent", [])
-        names = found if isinstance(found, list) else [found]
-        return [Path(name) for name in names if isinstance(name, str)]
+        return [Path(path) for path in RecentFiles().paths()]
 
     def clear_recent(self) -> None:
         """Forget the recent files."""
-        settings().setValue("recent", [])
+        RecentFiles().clear()
         self.recent_changed.emit()
 
     def _changed_elsewhere(self, path: Path) -> bool:
@@ -181,14 +179,7 @@ class DocumentFiles(QObject, Generic[T]):
 
     def remember(self, path: Path) -> None:
         """Put ``path`` first among the recent files."""
-        kept = [path, *(known for known in self.recent() if known != path)][:MOST_RECENT]
-        self._store_recent(kept)
-
-    def _forget(self, path: Path) -> None:
-        self._store_recent([known for known in self.recent() if known != path.absolute()])
-
-    def _store_recent(self, paths: list[Path]) -> None:
-        settings().setValue("recent", [str(path) for path in paths])
+        RecentFiles().add(path)
         self.recent_changed.emit()
 
     def _folder(self) -> Path:

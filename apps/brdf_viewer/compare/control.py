@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -20,7 +21,6 @@ from brdf_suite.pipeline.material import is_file, paint_names
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
@@ -44,7 +44,7 @@ class CompareControl(ViewerFeature):
         super().__init__(state, window)
         self._runner, self._ask = runner, ask
         self._names = paint_names()
-        self._recent = RecentFiles(KIND)
+        self._recent = RecentFiles(f"recent/{KIND}")
         self._loading: str | None = None
         self._listed = False
         self._before_blink = "off"
