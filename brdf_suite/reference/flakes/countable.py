@@ -63,7 +63,7 @@ class FlakeLayer:
             reach = footprint_of_sample(PIXEL_REACH)
             found = texture_ratio(place, slope, self.waviness, self.flakes, reach)
         else:
-            found = _Field.of(place, self).ratio(slope)
+            found = FlakeField.of(place, self).ratio(slope)
         return dr.select(place.seen, found, mi.Color3f(1.0))
 
 
@@ -81,7 +81,7 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
 
 
 @dataclass(frozen=True, eq=False)
-class _Field:
+class FlakeField:
     """The flakes in the footprint of a place; see ``flakes.glints.GlintField``."""
 
     spot: Spot
@@ -89,7 +89,8 @@ class _Field:
     layer: FlakeLayer
 
     @classmethod
-    def of(cls, place: Place, layer: FlakeLayer) -> _Field:
+    def of(cls, place: Place, layer: FlakeLayer) -> FlakeField:
+        """Return the flakes of a layer at a place."""
         own = d.number((0.25e-3 * layer.flakes.size_um) ** 2)
         # The level is that of the whole pixel, so that the flakes are those of the real-time picture.
         _, widest = spot(place.uv, place.across, place.down, own, PIXEL_REACH)
