@@ -17,9 +17,9 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.flakes.countable import visible_flake_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.tilt import tilt_place
+from tools.evaluation.visible_flake_part import visible_flake_part
 
 pytestmark = pytest.mark.usefixtures("variant")
 FLAKES = Flakes(120.0, 20.0, 0.17, 0.3)

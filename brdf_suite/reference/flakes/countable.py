@@ -46,7 +46,11 @@ class FlakeLayer:
     as_texture: bool = False
 
     def visible_part(self, base: Colour, light: Vector, view: Vector) -> Colour:
-        """Return the part of the base's f_r, 1/sr, that visible flakes reflect; see ``flakes.countable``."""
+        """Return the part of the base's f_r, 1/sr, that visible flakes reflect.
+
+        It is c R T(light) T(view) bell / (8π m² n² cosθ'l cosθ'v): flakes of coverage c and reflectance R whose tilts
+        have the density bell / (2π m²) per solid angle, below a coat of index n, θ' below it; never most of the base.
+        """
         slope = slope_between(light, view, self.ior)
         m2 = self.flakes.roughness**2
         most = self.strength * flake_coverage(self.flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * m2)
