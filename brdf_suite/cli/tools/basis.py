@@ -129,7 +129,7 @@ def _number(low: int, high: int) -> Callable[[str], int]:
     return parse
 
 
-def _command(options: argparse.Namespace, workers: int) -> str:
+def command_line(options: argparse.Namespace, workers: int) -> str:
     """Return the command that makes this answer again; what was left out and has one default stays out."""
     words = [
         "brdf-suite",
@@ -156,7 +156,7 @@ def _provenance(
     """Return how, where and when the answer was made."""
     machine = describe_machine()
     return {
-        "command": _command(options, workers),
+        "command": command_line(options, workers),
         "database_sha256": sha256,
         "starts": options.starts,
         "workers": workers,

@@ -140,7 +140,7 @@ class BackgroundSolver:
     def _slice(self, work: Work) -> None:
         future = work.future
         try:
-            answer = self._advance(work)
+            answer = self.advance(work)
             if answer is None:
                 if future.cancelled():
                     self._drop(work)
@@ -160,7 +160,7 @@ class BackgroundSolver:
             self.last = answer[1]
             future.set_result(value)
 
-    def _advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
+    def advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
         """Solve for one slice; None where the optimum is still to come or is not requested."""
         request = work.request
         with self.lock:

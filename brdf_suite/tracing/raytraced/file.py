@@ -135,13 +135,13 @@ class _Clock:
             share = max(share, min(spent / self._seconds, 1.0))
         left = spent * (1.0 - share) / max(share, 1e-6)
         words = f"{self._samples} of {self._end} samples"
-        return share, f"{words}, {_clock_words(left)} left" if spent > 1.0 else words
+        return share, f"{words}, {duration_text(left)} left" if spent > 1.0 else words
 
 
-def _clock_words(seconds: float) -> str:
+def duration_text(seconds: float) -> str:
     """Return a duration in words.
 
-    >>> _clock_words(48.2), _clock_words(600.0), _clock_words(9000.0)
+    >>> duration_text(48.2), duration_text(600.0), duration_text(9000.0)
     ('48 s', '10 min', '2 h 30 min')
     """
     if seconds < 100.0:

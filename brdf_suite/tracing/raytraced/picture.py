@@ -271,7 +271,7 @@ class RaytracedSession:
             fitting = round(PASS_SECONDS * self._rays_per_second / (rays * pixels))
             count = max(1, min(fitting, per_round - done))
             count = count if end is None else min(count, end - sums.samples)
-            stage = self._stage(turn)
+            stage = self.tracer_scene(turn)
             deal = SampleBudget.of(scene.quality, len(stage.lights.kinds))
             start = perf_counter()
             values = trace_samples(
@@ -289,7 +289,8 @@ class RaytracedSession:
         *_, image = self.passes()
         return image
 
-    def _stage(self, turn: int) -> TracerScene:
+    def tracer_scene(self, turn: int) -> TracerScene:
+        """Return what is traced with the lights of a round, made of the parts that are kept."""
         inputs = self._wanted
         assert inputs is not None
         mesh, bounds = self._parts.mesh(inputs)

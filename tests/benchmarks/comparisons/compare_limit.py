@@ -83,7 +83,7 @@ def ways(fitter: LobeFitter, near: Targets, far: Targets) -> None:
             seconds = []
             for target in targets:
                 if not keep:
-                    solver._vertex = None
+                    solver.vertex = None
                 start = time.perf_counter()
                 # The thread's way begins with the feasible answers; a limit of 4 ms leaves the rest to wait.
                 solver.solve(target, start + 0.004, finish=False)

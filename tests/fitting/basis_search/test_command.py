@@ -126,7 +126,7 @@ def test_the_command_that_is_kept_makes_the_answer_again(more: tuple[str, ...], 
     parser = argparse.ArgumentParser()
     basis.add(parser)
     options = parser.parse_args(more)
-    assert basis._command(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
+    assert basis.command_line(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
 
 
 def test_interrupted_it_keeps_what_is_done_and_says_so(tmp_path: Path, few_paints: Path) -> None:

@@ -133,9 +133,9 @@ class AngleFitter:
         base, coat = self.programs
         # A coat is the same in all channels, as a rule, and its program is then solved once; sharp lobes of
         # Cook-Torrance paints are coloured.
-        self._grey_coat = LimitedSolver([coat], 1)
-        self._coloured_coat = LimitedSolver([coat], 3, fallbacks=self._grey_coat.fallbacks)
-        self._base = LimitedSolver([base], 3)
+        self.grey_coat = LimitedSolver([coat], 1)
+        self.coloured_coat = LimitedSolver([coat], 3, fallbacks=self.grey_coat.fallbacks)
+        self.base_solver = LimitedSolver([base], 3)
         # A base that has to wait for the optimum of its coat is begun from the coat's thread: held meanwhile, so that
         # the next fit either finds it begun, and supersedes it, or keeps it from being begun.
         self._late = threading.Lock()
@@ -144,11 +144,11 @@ class AngleFitter:
 
     def close(self) -> None:
         """Drop what is in work and end the background threads, each at most one slice of its solver later."""
-        self._supersede()
-        for solver in (self._grey_coat, self._coloured_coat, self._base):
+        self.supersede()
+        for solver in (self.grey_coat, self.coloured_coat, self.base_solver):
             solver.close()
 
-    def _supersede(self) -> None:
+    def supersede(self) -> None:
         """Cancel the background work of the last fit."""
         with self._late:
             if self._exact is not None:
@@ -205,18 +205,18 @@ class AngleFitter:
         return self._fit(checked, start, self.time_limit_s)
 
     def _fit(self, samples: AngleSamples, start: float, limit_s: float) -> AngleFit:
-        self._supersede()
+        self.supersede()
         target, scale = coat_target(self.programs[1], self.coat_samples, samples)
         grey = bool(np.ptp(target, axis=1).max() <= SAME * target.max(initial=0.0))
         # The base takes what is left of the coat in the plane, so the coat comes first, and half of the time is its.
-        answer = (self._grey_coat if grey else self._coloured_coat).solve(
+        answer = (self.grey_coat if grey else self.coloured_coat).solve(
             [target[:, :1] if grey else target],
             start + COAT_SHARE * limit_s,
             then=lambda exact: self._coat(exact, target, scale),
         )
         coat = self._coat(answer, target, scale)
-        below, below_scale = self._base_target(samples, coat)
-        answered = self._base.solve(
+        below, below_scale = self.base_target(samples, coat)
+        answered = self.base_solver.solve(
             [below],
             start + limit_s - min(RESERVE_S, 0.25 * limit_s),
             finish=answer.optimal,
@@ -234,11 +234,11 @@ class AngleFitter:
         self, samples: AngleSamples, coat: _Solved, start: float, whole: Future[AngleFit]
     ) -> Future[AngleFit] | None:
         """Begin the base of a fit whose coat met the limit and has its optimum now; on the coat's thread."""
-        below, scale = self._base_target(samples, coat)
+        below, scale = self.base_target(samples, coat)
         with self._late:
             if whole.cancelled():
                 return None
-            return self._base.begin(
+            return self.base_solver.begin(
                 [below],
                 then=lambda exact: self._result(samples, self._part(0, exact, below, scale), coat, start),
             )
@@ -250,7 +250,8 @@ class AngleFitter:
             )
         return self._part(1, answer, target, scale)
 
-    def _base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[Floats, Floats]:
+    def base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[Floats, Floats]:
+        """Return the base's target under a solved coat, and its scale."""
         return base_target(self.programs[0], self.base_samples, samples, self.basis.array(), coat.table)
 
     def _part(self, part: int, answer: LimitedSolution, target: Floats, scale: Floats) -> _Solved:

@@ -7,7 +7,7 @@ import pytest
 
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
-from brdf_suite.fitting.homomorphic.plane import factor_picture
+from tools.evaluation.picture_factors import factor_picture
 
 
 def noise(size: int = 48, cells: int = 6, seed: int = 4) -> np.ndarray:
