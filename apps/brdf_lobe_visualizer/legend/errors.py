@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
-from brdf_suite.inspection.figures.errors import Errors, errors_between
-from brdf_suite.inspection.figures.figures import angle_readings
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.errors import Errors
 
 _PAUSE_MS = 60
 """A drag changes a paint sixty times a second; its error follows a few times."""
@@ -118,6 +120,10 @@ class LegendErrors(QObject):
 
 
 def _error_of(pair: tuple[Reflectance, Reflectance], _progress: Progress) -> ShownError:
+    # Deferred: it brings the fits of undivided data, and nothing of it is needed before a reference is chosen.
+    from brdf_suite.inspection.figures.errors import errors_between
+    from brdf_suite.inspection.figures.figures import angle_readings
+
     reference, other = pair
     errors = errors_between(reference, other)
     readings = angle_readings(other, None, reference, GEOMETRY_SETS["e2194"])

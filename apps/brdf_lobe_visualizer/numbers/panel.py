@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -26,8 +27,10 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
-from brdf_suite.inspection.figures.figures import ReflectanceFigures
 from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
+
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
 _GROUPS: dict[Group, str] = {

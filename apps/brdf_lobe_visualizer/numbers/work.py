@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
@@ -15,9 +16,11 @@ from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.inspection.figures.figures import FiguresRequest, ReflectanceFigures, reflectance_figures
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
+
+if TYPE_CHECKING:
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _PAUSE_MS = 200
 """A drag changes a paint sixty times a second; its figures follow once it rests."""
@@ -168,6 +171,9 @@ class FiguresWork(QObject):
 
 
 def _figures(wanted: _Inputs, progress: Progress) -> ReflectanceFigures:
+    # Deferred: what measures brings the fits of undivided data, and the panel is not there at a first start.
+    from brdf_suite.inspection.figures.figures import FiguresRequest, reflectance_figures
+
     request = FiguresRequest(
         wanted.reflectance,
         fit=wanted.weights,
