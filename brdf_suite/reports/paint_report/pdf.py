@@ -14,9 +14,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
 from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
-from brdf_suite.files.measured.bounded_reading import read_bytes
 from brdf_suite.reports.paint_report.document import Report, ReportOptions, report_losses, write_report
 from brdf_suite.reports.paint_report.html import (
     HEADINGS,
