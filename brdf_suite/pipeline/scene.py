@@ -14,12 +14,12 @@ import numpy as np
 from brdf_suite.documents.view import View
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.lighting.cache.maps import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.partial_maps import PartialMaps
 from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
+from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
 from brdf_suite.pipeline.shading_maps import map_exponents
 from brdf_suite.progress import Progress, report, subrange

@@ -19,7 +19,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.reading import read_json
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.measured.bounded_reading import MOST_SAMPLES
+from brdf_suite.files.bounded_reading import MOST_SAMPLES
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.samples import (
     SampleRows,

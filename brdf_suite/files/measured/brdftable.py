@@ -1,4 +1,4 @@
-"""Our own tables and samples (.brdftable), read and written; see :mod:`.array_container` for the bytes.
+"""Our own tables and samples (.brdftable), read and written; see :mod:`brdf_suite.files.array_file` for the bytes.
 
 The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts", ...}``. Kinds, with their arrays:
 
@@ -25,7 +25,7 @@ import numpy as np
 
 from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.measured.array_container import MAGIC, read_container, write_container
+from brdf_suite.files.array_file import Layout, read_arrays, write_arrays
 from brdf_suite.files.measured.brdftable_product import (
     NEEDED,
     OPTIONAL,
@@ -43,6 +43,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 VERSION = 1
+LAYOUT = Layout(b"BRDFTABL", 0, ".brdftable file", ("<f4", "<f8", "|u1"), whole=True)
 
 Table = IsotropicTable | AnisotropicTable | Factored | ScatteredSamples
 
@@ -84,7 +85,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
         "facts": _plain(table.facts),
         **own,
     }
-    write_container(path, header, arrays)
+    write_arrays(LAYOUT, path, header, arrays)
     return notes
 
 
@@ -96,7 +97,7 @@ def read_brdftable(path: PathLike) -> Table:
     FileError
         The file is missing, damaged, of a newer version, or holds what is no reflectance; the message says where.
     """
-    header, arrays = read_container(path)
+    header, arrays = read_arrays(LAYOUT, path)
     if header.pop("format", None) != "brdftable":
         raise FileError(path, 'expected the format "brdftable"', "header, format")
     version = header.pop("version", None)
@@ -212,7 +213,7 @@ FORMAT = MeasuredFormat(
     "brdftable",
     "BRDF Suite table",
     (".brdftable",),
-    lambda head, _: head.startswith(MAGIC),
+    lambda head, _: head.startswith(LAYOUT.magic),
     _read,
     write_brdftable,
 )

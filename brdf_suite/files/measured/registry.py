@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.measured import (
     alta,
     astm,
@@ -21,7 +22,6 @@ from brdf_suite.files.measured import (
     rgl,
     utia,
 )
-from brdf_suite.files.measured.bounded_reading import open_plain
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
     MeasuredReflectance,

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Singles
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.tensor_file import MAGIC, Arrays, pack, unpack
 from brdf_suite.geometry.directions import spherical

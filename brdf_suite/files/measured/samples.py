@@ -14,7 +14,7 @@ from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, MOST_SAMPLES
+from brdf_suite.files.bounded_reading import MOST_BANDS, MOST_SAMPLES
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples

@@ -16,7 +16,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable

@@ -15,7 +15,7 @@ from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import LARGEST_PALETTE
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes import own
 from brdf_suite.files.palettes.archive import kpl, sbz
 from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal

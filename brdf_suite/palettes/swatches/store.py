@@ -22,10 +22,8 @@ from typing import TypeVar
 import numpy as np
 
 from brdf_suite.arrays import Bytes
-from brdf_suite.lighting.cache.maps import ENVIRONMENT_VARIABLE, default_root
+from brdf_suite.files.cache.disk_cache import ENVIRONMENT_VARIABLE, default_limit, default_root
 
-DEFAULT_LIMIT_BYTES = 512 * 1024**2
-"""Some 25,000 pictures of 96 by 96."""
 _VERSION = 1
 _PATIENCE_S = 5.0
 _AGES_S = 3600.0
@@ -64,7 +62,7 @@ class SwatchStore:
     root
         The cache's folder; None: ``$BRDF_SUITE_CACHE`` or the system's place for a user's caches.
     limit_bytes
-        How much is kept; 0 keeps nothing.
+        How much is kept; 0 keeps nothing; None: a quarter of the cache's limit, some 25,000 pictures of 96 by 96.
 
     Attributes
     ----------
@@ -75,7 +73,7 @@ class SwatchStore:
     def __init__(self, root: str | os.PathLike[str] | None = None, *, limit_bytes: int | None = None) -> None:
         self.folder = (Path(root) if root is not None else default_root()) / "swatches"
         self.path = self.folder / f"pictures.v{_VERSION}.sqlite"
-        self.limit_bytes = DEFAULT_LIMIT_BYTES if limit_bytes is None else limit_bytes
+        self.limit_bytes = default_limit() // 4 if limit_bytes is None else limit_bytes
         self.notices: list[str] = []
         self._lock = threading.Lock()
         self._connection: sqlite3.Connection | None = None

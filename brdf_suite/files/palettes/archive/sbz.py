@@ -8,6 +8,7 @@ numbers: here only numbers are read.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
@@ -123,7 +124,6 @@ class _Reader:
                 self._read_group(element, inner, before)
 
     def _mark(self, what: str, group: GroupPath, before: list[str]) -> None:
-        from dataclasses import replace
 
         entries = self._collector.entries
         if not entries or entries[-1].group != group:

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from brdf_suite.documents.flat_colour import Model
 from brdf_suite.documents.palette import Entry, Foreign, Palette
-from brdf_suite.errors import PathLike
+from brdf_suite.errors import PathLike, SuiteError
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_plain
@@ -120,7 +120,6 @@ def write(palette: Palette) -> bytes:
     SuiteError
         It has more than 65,535 entries.
     """
-    from brdf_suite.errors import SuiteError
 
     entries = palette.entries
     if len(entries) > 0xFFFF:

@@ -17,6 +17,7 @@ from brdf_suite.appearance.colour.flat_colours import flat_labs, within_paint
 from brdf_suite.documents.flat_colour import MODELS, FlatColour
 from brdf_suite.documents.palette import USAGES, Entry, GroupPath, Palette
 from brdf_suite.errors import PathLike
+from brdf_suite.files.bounded_reading import number_in
 from brdf_suite.files.exports.csv_table import (
     COLUMN,
     DELIMITERS,
@@ -28,7 +29,6 @@ from brdf_suite.files.exports.csv_table import (
     parse_angles,
     unguard_formula,
 )
-from brdf_suite.files.measured.bounded_reading import number_in
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import as_readings
 from brdf_suite.files.palettes.format import PaletteFormat

@@ -14,13 +14,14 @@ import pytest
 from filelock import FileLock
 
 from brdf_suite.errors import Cancelled
-from brdf_suite.lighting.cache import lock as cache_lock
-from brdf_suite.lighting.cache import maps as cache_module
-from brdf_suite.lighting.cache.lock import exclusive_entry, lock_path
-from brdf_suite.lighting.cache.maps import MapCache, cache_key, default_root
+from brdf_suite.files.cache import entry_lock as cache_lock
+from brdf_suite.files.cache.disk_cache import default_root
+from brdf_suite.files.cache.entry_lock import exclusive_entry, lock_path
+from brdf_suite.lighting import lobe_map_cache as cache_module
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.lobe_map_cache import MapCache, cache_key
 
 
 @pytest.fixture
@@ -130,7 +131,7 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
     cache = MapCache()
     for index, exponent in enumerate((3.0, 4.0, 5.0)):
         cache.get_or_compute(environment, [exponent])
-        entry = cache.folder / f"{cache_key(environment, [exponent])}.v3.lobemaps"
+        entry = cache.folder / f"{cache_key(environment, [exponent])}.v4.lobemaps"
         os.utime(entry, (1000.0 + index, 1000.0 + index))
     size = cache.entries()[0].size
     cache.get_or_compute(environment, [3.0])  # used: now the youngest
@@ -145,7 +146,7 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
 PROGRAM = """
 import sys, numpy as np
 from pathlib import Path
-from brdf_suite.lighting.cache import maps as cache
+from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 real = cache.prefilter

@@ -1,4 +1,4 @@
-"""Locks of the map cache, one per entry, so that several programs compute an entry only once.
+"""Locks of the cache, one per entry, so that several programs compute an entry only once.
 
 An operating-system lock guards each entry: it is released when its holder dies for any reason. A holder that
 is stopped or hangs is detected by its heartbeat, a small file that it touches while it works: after a time
@@ -68,7 +68,7 @@ def exclusive_entry(
     supports no locks, the body runs without one; ``notice`` is called. Both times are in seconds. ``progress`` may
     cancel the waiting.
     """
-    from filelock import BaseFileLock, FileLock, Timeout
+    from filelock import BaseFileLock, FileLock, Timeout  # 35 ms, which a cache that has the entry saves
 
     alive = folder / f".{shard(key)}.alive"
     lock: BaseFileLock | None = None
@@ -87,15 +87,15 @@ def exclusive_entry(
                 beat, heard = latest, now
             if now - start > timeout_s or now - heard > silence_s:
                 notice(
-                    f"Waited {now - start:.0f} s for another program filtering this environment; continuing without it."
+                    f"Waited {now - start:.0f} s for another program at the same work; continuing without it."
                 )
                 lock = None
                 break
         except (OSError, NotImplementedError) as error:
-            notice(f"The map cache {folder} cannot be locked ({error}).")
+            notice(f"The cache {folder} cannot be locked ({error}).")
             lock = None
             break
-        report(progress, 0.0, "waiting for another program filtering this environment")
+        report(progress, 0.0, "waiting for another program at the same work")
     try:
         yield EntryLock(lock is not None, alive)
     finally:

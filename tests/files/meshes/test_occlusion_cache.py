@@ -11,8 +11,8 @@ from meshes.forms.panel import panel
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import SurfaceLook
-from brdf_suite.lighting.cache import occlusion
-from brdf_suite.lighting.cache.occlusion import baked_occlusion, occlusion_folder, occlusion_key
+from brdf_suite.files.meshes import occlusion_cache as occlusion
+from brdf_suite.files.meshes.occlusion_cache import baked_occlusion, occlusion_cache, occlusion_key
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import default_paint
@@ -26,7 +26,7 @@ from brdf_suite.surface.occlusion.baked import BakedMesh
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path))
-    return occlusion_folder()
+    return occlusion_cache().folder
 
 
 @pytest.fixture
@@ -37,6 +37,11 @@ def facet() -> Mesh:
         "f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
     )
     return Mesh("facet", (part,))
+
+
+def kept(folder: Path) -> list[Path]:
+    """The files of a folder without those of its locks."""
+    return [path for path in folder.iterdir() if not path.name.startswith(".")]
 
 
 def forbid_baking(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -50,7 +55,7 @@ def test_the_second_time_it_comes_from_disk(
     facet: Mesh, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     first = baked_occlusion(facet)
-    assert [path.suffix for path in folder.iterdir()] == [".occlusion"]
+    assert [path.suffix for path in kept(folder)] == [".occlusion"]
     forbid_baking(monkeypatch)
     fractions: list[float] = []
     second = baked_occlusion(facet, lambda fraction, _: fractions.append(fraction))
@@ -75,12 +80,12 @@ def test_the_first_surface_comes_baked_and_as_baking_gives_it(
 
 def test_a_damaged_entry_is_baked_anew(facet: Mesh, folder: Path, caplog: pytest.LogCaptureFixture) -> None:
     baked_occlusion(facet)
-    (entry,) = folder.iterdir()
+    (entry,) = kept(folder)
     sound = entry.read_bytes()
     entry.write_bytes(sound[:100])
     assert baked_occlusion(facet).parts[0].light.shape[1] == 8
     assert entry.read_bytes() == sound
-    assert "baked anew" in caplog.text
+    assert "made again" in caplog.text
 
 
 def test_a_folder_that_cannot_be_written_costs_time_only(
@@ -96,11 +101,11 @@ def test_a_folder_that_cannot_be_written_costs_time_only(
 def test_old_entries_make_room(facet: Mesh, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder.mkdir(parents=True)
     old = folder / f"{'0' * 64}.occlusion"
-    old.write_bytes(bytes(1000))
-    monkeypatch.setattr(occlusion, "LIMIT_BYTES", 500)
+    old.write_bytes(bytes(4_000_000))
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "4")
     baked_occlusion(facet)
     assert not old.exists()
-    assert len(list(folder.iterdir())) == 1  # the newest stays, however large
+    assert len(kept(folder)) == 1
 
 
 def test_the_key_is_of_the_shape_alone(facet: Mesh) -> None:
