@@ -146,17 +146,17 @@ def changed_by_wheel(window: QWidget) -> tuple[list[str], int]:
                 field.setFocus()
             elif (front := QApplication.focusWidget()) is not None:
                 front.clearFocus()
-            before = _value(field)
+            before = read_value(field)
             for over in (field, *field.findChildren(QWidget)):
                 if not isinstance(field, QComboBox) or over is field:  # a list's own popup scrolls
                     turn_wheel(over, 1)
                     turn_wheel(over, -2)
-            if _value(field) != before:
+            if read_value(field) != before:
                 wrong.append(f"{name} changed{' with the focus' if focused else ''}")
     return wrong, len(all_fields)
 
 
-def _value(field: QWidget) -> object:
+def read_value(field: QWidget) -> object:
     if isinstance(field, QComboBox):
         return field.currentIndex()
     return field.text() if isinstance(field, QAbstractSpinBox) else field.value()

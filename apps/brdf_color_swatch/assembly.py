@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFormat
@@ -14,13 +15,24 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import PaletteController
+from brdf_color_swatch.export.contact_sheet import ContactSheets
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
-from brdf_color_swatch.features.view_part import ViewPart
+from brdf_color_swatch.export.palette_export import PaletteExport
+from brdf_color_swatch.feature import SwatchFeature
+from brdf_color_swatch.features.colour_search import ColourSearch
+from brdf_color_swatch.features.comparison import PaintComparison
+from brdf_color_swatch.features.drops_and_order import DropsAndOrder
+from brdf_color_swatch.features.edit_commands import EditCommands
+from brdf_color_swatch.features.group_commands import GroupCommands
+from brdf_color_swatch.features.paint_exchange import PaintExchange
+from brdf_color_swatch.features.view_commands import ViewCommands
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.file_part import FilePart, new_palette
+from brdf_color_swatch.library.changed_files import ChangedFiles
+from brdf_color_swatch.library.file_commands import FileCommands, new_palette
 from brdf_color_swatch.library.library import Library
 from brdf_color_swatch.library.unsaved import UnsavedWork
-from brdf_color_swatch.parts import build_parts
+from brdf_color_swatch.map.panel import ColourMap
+from brdf_color_swatch.pictures.visible import VisiblePictures
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -32,6 +44,23 @@ from brdf_suite.documents.palette_store import (
     save_palette,
 )
 from brdf_suite.resources import resource_names
+
+FEATURES: tuple[Callable[[PaletteSession, SwatchWindow], SwatchFeature], ...] = (
+    FileCommands,
+    PaletteExport,
+    ContactSheets,
+    EditCommands,
+    DropsAndOrder,
+    GroupCommands,
+    ViewCommands,
+    ColourSearch,
+    PaintComparison,
+    PaintExchange,
+    ColourMap,
+    ChangedFiles,
+    VisiblePictures,
+)
+"""What makes each feature, in the order of the menus: it adds itself to the window and listens to the session."""
 
 
 def palette_format() -> DocumentFormat[Palette]:
@@ -61,8 +90,7 @@ class ColorSwatch(Program):
         self.session = PaletteSession(self.library, self.window)
         self.session.recall()
         self.controller = PaletteController(self.session, self.window, self.window)
-        self.features += build_parts(self.session, self.window)
-        self.feature(ViewPart).show_second = self.controller.show_second
+        self.features += (feature(self.session, self.window) for feature in FEATURES)
         self.window.complete()
         self.controller.start()
         self.window.close_requested.connect(self._may_close)
@@ -82,14 +110,12 @@ class ColorSwatch(Program):
     def open(self, name: str) -> None:
         """Open a file, or with ``shipped`` the paints that come with the suite."""
         if name == "shipped":
-            self.feature(FilePart).open_shipped()
+            self.feature(FileCommands).open_shipped()
         else:
             self.window.open_requested.emit(Path(name))
 
     def do(self, action: str) -> bool:
         """Do what a script asks for: ``search=TEXT`` and the like, or a command by its key; False: none such."""
-        from dataclasses import replace
-
         key, _, value = action.partition("=")
         session = self.session
         if key == "search":

@@ -74,6 +74,7 @@ class PaletteController(QObject):
             lambda value: session.set_state(replace(session.state, duplicates=value))
         )
         filters.cleared.connect(lambda: session.set_state(session.state.cleared()))
+        window.second_pane_requested.connect(self.show_second)
         for pane in window.panes:
             number = pane.number
             pane.activated.connect(lambda number=number: session.set_front(number))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
@@ -20,7 +20,9 @@ from brdf_color_swatch.panels.top_bar import TopBar
 
 
 class SwatchWindow(SuiteWindow):
-    """The window of Color Swatch."""
+    """The window of Color Swatch. Signal: ``second_pane_requested(shown)``."""
+
+    second_pane_requested = Signal(bool)
 
     def __init__(self, lights: list[str]) -> None:
         super().__init__("Color Swatch")

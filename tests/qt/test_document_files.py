@@ -337,8 +337,9 @@ def test_damaged_recovery_is_reported_and_put_aside(files, own_settings):
 
 
 def test_recovered_work_stays_on_disk_where_it_cannot_be_written_anew(files, own_settings):
-    ended = Recovery(DocumentStore("first"), NOTE, fail)
-    ended._store.set("edited", "Edit")
+    store = DocumentStore("first")
+    ended = Recovery(store, NOTE, fail)
+    store.set("edited", "Edit")
     ended.close(keep=True)
     heard = []
     recovery = Recovery(files.store, NOTE, heard.append)

@@ -30,8 +30,8 @@ class Clock:
     """Stands for the timer of a recovery: single shot, of the same interval, on a time of its own."""
 
     def __init__(self, recovery: Recovery[int]) -> None:
-        self._fire, self._interval = recovery.write, recovery._timer.interval()
-        assert recovery._timer.isSingleShot()
+        self._fire, self._interval = recovery.write, recovery.timer.interval()
+        assert recovery.timer.isSingleShot()
         self.now = 0
         self._due: int | None = None
 
@@ -57,7 +57,7 @@ class Clock:
 def test_a_kill_at_any_moment_of_a_drag_loses_less_than_a_second(qapp, own_settings, pauses, in_gesture):
     store = DocumentStore(0)
     recovery = Recovery(store, NUMBERS, fail)
-    clock = recovery._timer = Clock(recovery)
+    clock = recovery.timer = Clock(recovery)
     made: list[int] = [0]
     if in_gesture:
         store.begin_gesture("Drag")
@@ -77,7 +77,7 @@ def test_a_closed_one_writes_no_more(qapp, own_settings):
     recovery = Recovery(store, NUMBERS, fail)
     recovery.close(keep=True)
     store.set(1, "After it")
-    assert not recovery._timer.isActive()
+    assert not recovery.timer.isActive()
     recovery.close(keep=True)
     assert list(own_settings.rglob("*.recovery.json")) == []
 

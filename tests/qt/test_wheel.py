@@ -69,7 +69,7 @@ def test_the_wheel_goes_on_to_the_scroll_area(kind: str, walks, qtbot) -> None:
     qtbot.waitExposed(area)
     area.activateWindow()
     bar = area.verticalScrollBar()
-    before = walks._value(field)
+    before = walks.read_value(field)
 
     def turned(notches: int) -> int:
         """How far the area has scrolled by the wheel over the field."""
@@ -80,14 +80,14 @@ def test_the_wheel_goes_on_to_the_scroll_area(kind: str, walks, qtbot) -> None:
     other.setFocus()
     qtbot.waitUntil(other.hasFocus)
     assert turned(-1) > 0
-    assert walks._value(field) == before
+    assert walks.read_value(field) == before
     assert other.hasFocus()
     assert field.focusPolicy() != Qt.FocusPolicy.WheelFocus
     # With the focus, numbers and sliders take it, and lists do not.
     field.setFocus()
     qtbot.waitUntil(field.hasFocus)
     scrolled = turned(1)
-    assert (walks._value(field) == before) == (kind == "list")
+    assert (walks.read_value(field) == before) == (kind == "list")
     assert (scrolled < 0) == (kind == "list")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_color_swatch.features.link_part import LinkPart
+from brdf_color_swatch.features.paint_exchange import PaintExchange
 from brdf_qt.link.link import LiveLink
 from brdf_qt.window.message_bar import Message
 
@@ -46,7 +46,7 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
     command(swatch, "two_panes")
     swatch.window.show_message(Message("test", walks.HOSTILE, where=walks.HOSTILE))
     swatch.window.show_recent([path])
-    link = swatch.feature(LinkPart)
+    link = swatch.feature(PaintExchange)
     designer = LiveLink("designer", name=link.link.name)
     designer.start()
     try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
-from brdf_color_swatch.features.link_part import LinkPart
+from brdf_color_swatch.features.paint_exchange import PaintExchange
 from brdf_qt.link.link import LiveLink
 from brdf_qt.link.messages import OFFER, document_checks
 
@@ -18,7 +18,7 @@ from brdf_suite.errors import SuiteError
 
 @pytest.fixture
 def part(swatch):
-    found = swatch.feature(LinkPart)
+    found = swatch.feature(PaintExchange)
     found.edited = None
     found.started = []
     found.start_program = lambda program, arguments: (found.started.append(arguments) or True, 1)

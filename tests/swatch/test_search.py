@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_color_swatch.features.compare_part import ComparePart
+from brdf_color_swatch.features.comparison import PaintComparison
 from brdf_color_swatch.grid import filtering
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.map.part import MapPart
+from brdf_color_swatch.map.panel import ColourMap
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -85,7 +85,7 @@ def test_the_nearest_come_first_with_their_difference(swatch, names, select, com
     assert shown.figure[shown.places[0]] == pytest.approx(0.0, abs=1e-9)
     values = [shown.figure[place] for place in shown.places]
     assert values == sorted(values)
-    assert "nearest to Red" in swatch.window.panes[0]._title.text()
+    assert "nearest to Red" in swatch.window.panes[0].title
     command(swatch, "clear")
     assert swatch.session.state.near is None
     assert swatch.session.state.sort == "own"
@@ -109,7 +109,7 @@ def test_long_work_is_done_beside_the_window(swatch, names, monkeypatch, qtbot) 
 
 
 def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> None:
-    part = swatch.feature(MapPart)
+    part = swatch.feature(ColourMap)
     part.run_script("map", "flop")
     qtbot.waitUntil(lambda: part.plane is not None and part.is_idle)
     plane = part.plane
@@ -143,7 +143,7 @@ def test_the_map_finds_by_click_and_selects_by_lasso(swatch, qtbot, names) -> No
 def test_two_selected_are_compared_also_one_in_each_pane(swatch, select, command) -> None:
     select(swatch, "Red", "Blue")
     command(swatch, "compare")
-    part = swatch.feature(ComparePart)
+    part = swatch.feature(PaintComparison)
     assert part.panel.table.rowCount() == 3
     assert "Red" in part.panel.names.text()
     command(swatch, "two_panes")

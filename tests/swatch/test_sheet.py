@@ -8,8 +8,8 @@ from pathlib import Path
 from time import sleep
 
 import pytest
-from brdf_color_swatch.export import sheet_part
-from brdf_color_swatch.export.sheet_part import SheetPart, SheetRequest, run_sheets
+from brdf_color_swatch.export import contact_sheet
+from brdf_color_swatch.export.contact_sheet import ContactSheets, SheetRequest, run_sheets
 from PySide6.QtGui import QImage
 from PySide6.QtPrintSupport import QPrinter
 
@@ -19,7 +19,7 @@ from brdf_suite.errors import SuiteError
 
 @pytest.fixture
 def part(swatch):
-    return swatch.feature(SheetPart)
+    return swatch.feature(ContactSheets)
 
 
 def test_what_is_shown_goes_in_in_its_order_or_the_several_selected(swatch, part, select) -> None:
@@ -42,8 +42,8 @@ def test_pages_are_printed_one_after_the_other(swatch, part, tmp_path, monkeypat
         return tuple(path for _, path in request.pages)
 
     # The drawing itself is the command's, and tested with it.
-    monkeypatch.setattr(sheet_part, "run_sheets", draw)
-    monkeypatch.setattr(sheet_part, "_PRINTED_ROWS", 1)
+    monkeypatch.setattr(contact_sheet, "run_sheets", draw)
+    monkeypatch.setattr(contact_sheet, "_PRINTED_ROWS", 1)
     printer = QPrinter(QPrinter.PrinterMode.ScreenResolution)
     printer.setOutputFormat(QPrinter.OutputFormat.PdfFormat)
     printer.setOutputFileName(str(tmp_path / "out.pdf"))
@@ -72,7 +72,7 @@ def test_nothing_of_the_pages_stays_where_they_are_not_printed(
             sleep(0.005)
         raise SuiteError("no ink")
 
-    monkeypatch.setattr(sheet_part, "run_sheets", draw)
+    monkeypatch.setattr(contact_sheet, "run_sheets", draw)
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
     part.print_on(swatch.session.palette, QPrinter(QPrinter.PrinterMode.ScreenResolution))
     qtbot.waitUntil(lambda: bool(made))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from brdf_color_swatch.grid.view_state import Look
-from brdf_color_swatch.pictures.part import PicturePart
+from brdf_color_swatch.pictures.visible import VisiblePictures
 from brdf_qt.program.settings import settings
 
 GOOD = Look("panel", 64, "overcast", True)
@@ -40,7 +40,7 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
 
 
 def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
-    part = swatch.feature(PicturePart)
+    part = swatch.feature(VisiblePictures)
     qtbot.waitUntil(lambda: part.is_started)
     part.pictures.give_up("no driver")
     assert "pictures" in swatch.window.messages.shown()

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import pytest
 from brdf_color_swatch.assembly import ColorSwatch
-from brdf_color_swatch.features.link_part import LinkPart
+from brdf_color_swatch.features.paint_exchange import PaintExchange
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.map.part import MapPart
+from brdf_color_swatch.map.panel import ColourMap
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel, QLineEdit
@@ -18,7 +18,7 @@ from brdf_suite.documents.palette import Entry, Palette
 
 
 def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot, monkeypatch) -> None:
-    link = swatch.feature(LinkPart)
+    link = swatch.feature(PaintExchange)
     monkeypatch.setattr(
         link, "start_program", lambda program, arguments: (True, 1)
     )  # no Designer is left running
@@ -59,7 +59,7 @@ def test_a_click_on_a_title_makes_the_pane_the_one_worked_in(swatch: ColorSwatch
 @pytest.fixture
 def map_part(swatch: ColorSwatch):
     """The map in a window with room for it beside the inspector; hidden before and after."""
-    part = swatch.feature(MapPart)
+    part = swatch.feature(ColourMap)
     window = swatch.window
     size = window.size()
     window.resize(1500, 900)
@@ -70,7 +70,7 @@ def map_part(swatch: ColorSwatch):
 
 
 def test_the_map_takes_its_room_from_the_swatches_and_gives_it_back(
-    swatch: ColorSwatch, map_part: MapPart, qtbot
+    swatch: ColorSwatch, map_part: ColourMap, qtbot
 ) -> None:
     window = swatch.window
     docks = window.library_dock, window.inspector_dock
@@ -95,7 +95,7 @@ def test_one_swatch_is_counted_in_the_singular(swatch: ColorSwatch) -> None:
 
 
 def test_the_map_of_flat_colours_shows_a_and_b_until_another_is_chosen(
-    swatch: ColorSwatch, map_part: MapPart, qtbot
+    swatch: ColorSwatch, map_part: ColourMap, qtbot
 ) -> None:
     map_part.chosen_kind = ""
     map_part.toggle()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from brdf_qt.program.translation import tr
@@ -164,8 +164,6 @@ def _of_paint(value: object) -> Entry:
 
 
 def _with_new_id(entry: Entry) -> Entry:
-    from dataclasses import replace
-
     return replace(entry, id=new_id())
 
 

@@ -151,6 +151,11 @@ class Pane(QFrame):
         """The view that is shown."""
         return self.list if self._as_list else self.grid
 
+    @property
+    def title(self) -> str:
+        """What is shown, in words."""
+        return self._title.text()
+
     def show_title(self, title: str, count: str, *, front: bool, two: bool) -> None:
         """Show what the pane is of; ``front``: it is the one that is worked in, of ``two`` where there are two."""
         self._title.setText(title)

@@ -43,8 +43,8 @@ class PaletteRecovery(Recovery[Palette]):
         self._key = f"autosave {id(self)}"
         self._encodes = self._encode_again = False
         store.clean_changed.connect(self._saved)
-        self._timer.timeout.disconnect(self.write)
-        self._timer.timeout.connect(self.write_in_background)
+        self.timer.timeout.disconnect(self.write)
+        self.timer.timeout.connect(self.write_in_background)
 
     @property
     def file(self) -> Path:
@@ -71,7 +71,7 @@ class PaletteRecovery(Recovery[Palette]):
 
     def write_in_background(self) -> None:
         """Write the unsaved palette now; a large one is encoded by a thread."""
-        self._timer.stop()
+        self.timer.stop()
         if self._store.is_clean or len(self._store.value) < _MANY:
             self.write()
             return

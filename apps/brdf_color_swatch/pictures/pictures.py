@@ -23,6 +23,8 @@ from PySide6.QtCore import QObject, QProcess, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QPixmap
 
 from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.palette_store import entry_to_json
+from brdf_suite.palettes.swatches.look import SwatchLook, swatch_key
 from brdf_suite.processes import child_command
 from brdf_suite.progress import Progress
 
@@ -104,8 +106,6 @@ class Pictures(QObject):
     def set_look(self, form: str, light: str, size: int, ratio: float) -> None:
         """Say how pictures are to look; ``size`` in pixels of the window, ``ratio`` device pixels to one of them."""
         # With it comes what knows environments: not before the first paint.
-        from brdf_suite.palettes.swatches.look import SwatchLook
-
         wanted = round(size * ratio)
         drawn = next((step for step in LADDER if step >= wanted), LADDER[-1])
         look = SwatchLook(form=form, environment=light, size=drawn)  # type: ignore[arg-type]  # it checks it
@@ -191,8 +191,6 @@ class Pictures(QObject):
         found = self._keys.get(id(content))
         if found is not None and found[0] is content:
             return found[1]
-        from brdf_suite.palettes.swatches.look import swatch_key
-
         if len(self._keys) > _MOST_KEYS:
             self._keys.clear()
         key = swatch_key(content, self._look)
@@ -243,8 +241,6 @@ class Pictures(QObject):
         self._pump()
 
     def _send_request(self, batch: list[tuple[str, Entry]]) -> None:
-        from brdf_suite.documents.palette_store import entry_to_json
-
         items: list[dict[str, Any]] = []
         for key, entry in batch:
             content = entry_to_json(entry)

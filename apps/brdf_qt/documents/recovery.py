@@ -66,10 +66,11 @@ class Recovery(QObject, Generic[T]):
         self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
         self._lock = _lock(self._file)
         self._lock.tryLock(0)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(INTERVAL_MS)
-        self._timer.timeout.connect(self.write)
+        self.timer = QTimer(self)
+        """Runs from a change to the autosave."""
+        self.timer.setSingleShot(True)
+        self.timer.setInterval(INTERVAL_MS)
+        self.timer.timeout.connect(self.write)
         store.changed.connect(self._schedule)
         store.replaced.connect(self._schedule)
         store.clean_changed.connect(self._schedule)
@@ -86,8 +87,8 @@ class Recovery(QObject, Generic[T]):
 
     def _schedule(self, *_: object) -> None:
         """Start the second that may be lost; a timer that runs is left alone, so that a drag is saved too."""
-        if not self._timer.isActive():
-            self._timer.start()
+        if not self.timer.isActive():
+            self.timer.start()
 
     def note(self) -> None:
         """What is kept beside the document is another: write it within the second."""
@@ -96,7 +97,7 @@ class Recovery(QObject, Generic[T]):
 
     def write(self) -> bool:
         """Write the unsaved document now; where all is saved, remove the file. False where that failed."""
-        self._timer.stop()
+        self.timer.stop()
         try:
             if self._store.is_clean:
                 self._file.unlink(missing_ok=True)
@@ -178,7 +179,7 @@ class Recovery(QObject, Generic[T]):
         self._closed = True
         for signal in (self._store.changed, self._store.replaced, self._store.clean_changed):
             signal.disconnect(self._schedule)
-        self._timer.stop()
+        self.timer.stop()
         if keep:
             self.write()
         else:

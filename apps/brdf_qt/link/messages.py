@@ -22,6 +22,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from brdf_suite.documents.store import paint_from_json, view_from_json
+
 VERSION = 1
 MAX_BYTES = 1_000_000
 HELLO = "hello"
@@ -103,8 +105,6 @@ def next_seq(seen: int | None) -> int:
 
 def document_checks() -> Mapping[str, Check]:
     """Return, for each topic that programs publish, the reader that raises where a value is not valid."""
-    from brdf_suite.documents.store import paint_from_json, view_from_json
-
     return {
         "paint": lambda value: paint_from_json(value, "live link"),
         "view": lambda value: view_from_json(value, "live link"),
@@ -114,8 +114,6 @@ def document_checks() -> Mapping[str, Check]:
 
 def _check_offer(value: dict[str, Any]) -> None:
     """Check ``{"to": role, "time": seconds since 1970, "paint": {...}}``."""
-    from brdf_suite.documents.store import paint_from_json
-
     if set(value) != {"to", "time", "paint"} or not _is_name(value["to"]):
         raise BadMessageError("an offer has to, time and paint")
     if isinstance(value["time"], bool) or not isinstance(value["time"], (int, float)):

@@ -35,7 +35,7 @@ def main() -> None:
 
 def measure(file: Path) -> dict[str, object]:
     from brdf_color_swatch.assembly import ColorSwatch
-    from brdf_color_swatch.pictures.part import PicturePart
+    from brdf_color_swatch.pictures.visible import VisiblePictures
     from brdf_qt.program.application import create_application
     from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
     from PySide6.QtGui import QWheelEvent
@@ -66,7 +66,7 @@ def measure(file: Path) -> dict[str, object]:
 
     painted = Painted()
     viewport.installEventFilter(painted)
-    pictures = program.feature(PicturePart).pictures
+    pictures = program.feature(VisiblePictures).pictures
     arrived: list[int] = []
     pictures.arrived.connect(lambda ids: arrived.append(len(ids)))
 

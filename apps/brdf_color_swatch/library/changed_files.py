@@ -12,12 +12,13 @@ from brdf_color_swatch.library.reading import Read
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
+from brdf_suite.palettes.merge import Merge, merge
 from brdf_suite.progress import Progress
 
 _MOST_LISTED = 6
 
 
-class OutsidePart(SwatchFeature):
+class ChangedFiles(SwatchFeature):
     """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -69,8 +70,6 @@ class OutsidePart(SwatchFeature):
         )
 
     def _take(self, key: str, mine: Palette, merged: object, read: Read) -> None:
-        from brdf_suite.palettes.merge import Merge
-
         item = self._session.library.item(key)
         if item is None or item.palette is None or not isinstance(merged, Merge):
             return
@@ -105,7 +104,5 @@ class OutsidePart(SwatchFeature):
 
 
 def _merge_palettes(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
-    from brdf_suite.palettes.merge import merge
-
     progress(0.0, "")
     return merge(*request)

@@ -22,7 +22,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 
-class EditPart(SwatchFeature):
+class EditCommands(SwatchFeature):
     """Edits of swatches."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -38,7 +38,7 @@ _KINDS = {
 }
 
 
-class MapPart(SwatchFeature):
+class ColourMap(SwatchFeature):
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -35,7 +35,7 @@ class _Request:
     write: bool = False
 
 
-class ExportPart(SwatchFeature):
+class PaletteExport(SwatchFeature):
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

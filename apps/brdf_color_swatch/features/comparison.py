@@ -140,7 +140,7 @@ class ComparePanel(QWidget):
         self.figures.setText("\n".join(figures))
 
 
-class ComparePart(SwatchFeature):
+class PaintComparison(SwatchFeature):
     """Keeps the panel in step with what is selected: two in one pane, or one in each."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -41,7 +41,7 @@ def shipped_palette() -> Palette:
     return Palette(tr("Sample Paints"), tuple(entries))
 
 
-class FilePart(SwatchFeature):
+class FileCommands(SwatchFeature):
     """Commands on palettes as a whole."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -13,8 +14,8 @@ from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
 from brdf_color_swatch.feature import SwatchFeature
+from brdf_color_swatch.features.colour_search import near_of
 from brdf_color_swatch.features.entry_edits import add_entries
-from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -31,7 +32,7 @@ _PROGRAMS = {
 }
 
 
-class LinkPart(SwatchFeature):
+class PaintExchange(SwatchFeature):
     """Commands of the live link."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -135,8 +136,6 @@ class LinkPart(SwatchFeature):
         if self.edited is None:
             self._report_no_paint()
             return
-        from dataclasses import replace
-
         near: Near = near_of(Entry(self.edited, id="edited"))
         self._session.set_state(replace(self._session.state, near=near, duplicates=None, sort="nearest"))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import partial
 
 from brdf_qt.program.translation import mark
@@ -22,13 +21,11 @@ _FORMS = (
 _STEP = 1.25
 
 
-class ViewPart(SwatchFeature):
+class ViewCommands(SwatchFeature):
     """Commands on what is shown."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
-        self.show_second: Callable[[bool], None] = lambda _shown: None
-        """Set by who owns the panes."""
         view, add = window.menus["view"], window.add_command
         view.addSeparator()
         for number, (key, text) in enumerate(_FORMS, 1):
@@ -93,7 +90,7 @@ class ViewPart(SwatchFeature):
     def _toggle_second(self) -> None:
         shown = not self._window.has_two_panes
         self._second.setChecked(shown)
-        self.show_second(shown)
+        self._window.second_pane_requested.emit(shown)
 
     def _other_pane(self) -> None:
         if self._window.has_two_panes:

@@ -17,6 +17,7 @@ from brdf_qt.work.command_process import run_command
 from brdf_qt.work.tasks import Work
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
+from PySide6.QtPrintSupport import QPrintDialog, QPrinter
 
 from brdf_color_swatch.export.file_names import suggested_file
 from brdf_color_swatch.feature import SwatchFeature
@@ -81,7 +82,7 @@ def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
         return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
 
 
-class SheetPart(SwatchFeature):
+class ContactSheets(SwatchFeature):
     """Commands that make contact sheets of what the pane in front shows."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -128,9 +129,6 @@ class SheetPart(SwatchFeature):
 
     def print_sheet(self) -> None:
         """Ask for a printer, draw page by page, and print."""
-        # With the print system: a tenth of a second to import.
-        from PySide6.QtPrintSupport import QPrintDialog, QPrinter
-
         shown = self.shown_palette()
         if shown is None:
             return
@@ -142,7 +140,7 @@ class SheetPart(SwatchFeature):
             self.print_on(shown, printer)
         dialog.deleteLater()
 
-    def print_on(self, palette: Palette, printer: object) -> None:
+    def print_on(self, palette: Palette, printer: QPrinter) -> None:
         """Draw a palette in pages and print them on a QPrinter."""
         each = _PRINTED_COLUMNS * _PRINTED_ROWS
         pages = []
@@ -151,10 +149,7 @@ class SheetPart(SwatchFeature):
             pages.append((replace(palette, entries=part, groups=()), Path(f"page{number}.png")))
         self._submit(draw_pages, tuple(pages), _PRINTED_COLUMNS, lambda drawn: self._printed(drawn, printer))
 
-    def _printed(self, pages: tuple[bytes, ...], printer: object) -> None:
-        from PySide6.QtPrintSupport import QPrinter
-
-        assert isinstance(printer, QPrinter)
+    def _printed(self, pages: tuple[bytes, ...], printer: QPrinter) -> None:
         painter = QPainter()
         if not painter.begin(printer):
             self._failed(SuiteError(tr("The printer did not respond. Check it and print again.")))

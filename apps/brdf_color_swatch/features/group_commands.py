@@ -14,7 +14,7 @@ from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 
-class GroupPart(SwatchFeature):
+class GroupCommands(SwatchFeature):
     """Commands on groups and palettes, and what the library's names are changed to."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
+from PySide6.QtGui import QGuiApplication
 
 from brdf_color_swatch.feature import SwatchFeature
+from brdf_color_swatch.features.transfer import read_data
 from brdf_color_swatch.grid.view_state import Near
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -22,7 +24,7 @@ def near_of(entry: Entry) -> Near:
     return Near(entry.name or entry.code or tr("(no name)"), tuple(rows))  # type: ignore[arg-type]  # three by three
 
 
-class NearPart(SwatchFeature):
+class ColourSearch(SwatchFeature):
     """Commands that search by colour. They search the whole palette that is shown, without its groups."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -61,10 +63,6 @@ class NearPart(SwatchFeature):
 
     def find_clipboard(self) -> None:
         """Order the pane by the difference to what the clipboard holds."""
-        from PySide6.QtGui import QGuiApplication
-
-        from brdf_color_swatch.features.transfer import read_data
-
         try:
             carried = read_data(QGuiApplication.clipboard().mimeData())
             if not carried.entries:

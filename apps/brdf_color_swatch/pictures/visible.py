@@ -19,7 +19,7 @@ _SOON_MS = 30
 """After the last step of a scroll; what only flies by is not drawn."""
 
 
-class PicturePart(SwatchFeature):
+class VisiblePictures(SwatchFeature):
     """Owns the pictures."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

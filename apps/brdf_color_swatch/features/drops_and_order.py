@@ -22,7 +22,7 @@ from brdf_suite.documents.palette import GroupPath, Palette
 from brdf_suite.errors import SuiteError
 
 
-class DropPart(SwatchFeature):
+class DropsAndOrder(SwatchFeature):
     """Drops and order; what moves from one palette to another is one step of both."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
