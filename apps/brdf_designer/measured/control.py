@@ -17,10 +17,11 @@ from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.paint_design.measured_start import START_SET, MeasuredStart
+from brdf_suite.paint_design.measured_start import START_SET, MeasuredStart, load_start
 from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.progress import Progress
 
@@ -177,9 +178,6 @@ class MeasuredControl(QObject):
 
 
 def _read(request: _Request, progress: Progress) -> MeasuredStart:
-    from brdf_suite.appearance.geometries import GEOMETRY_SETS
-    from brdf_suite.paint_design.measured_start import load_start
-
     return load_start(request.path, GEOMETRY_SETS[request.geometry], progress)
 
 

@@ -20,13 +20,13 @@ from brdf_designer.preview.scene import LIGHTS, PreviewScene, load_scene
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.realtime.camera import Bounds, dolly_to, orbit, pan, resolve
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
     from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.progress import Progress
-    from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.gl.context import Context
 
 _PREPARE_MS = 500
@@ -211,23 +211,17 @@ class PreviewControl(QObject):
         self._set_view(dataclasses.replace(self._view, camera=camera))
 
     def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
-        from brdf_suite.realtime.camera import orbit, resolve
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             settled = resolve(self._view.camera, bounds, size)
             self._set_camera(orbit(settled, azimuth_deg, elevation_deg))
 
     def _pan(self, right: float, up: float) -> None:
-        from brdf_suite.realtime.camera import pan
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             self._set_camera(pan(self._view.camera, bounds, size, right * size[1], -up * size[1]))
 
     def _zoom(self, factor: float, right: float, up: float) -> None:
-        from brdf_suite.realtime.camera import dolly_to
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             self._set_camera(dolly_to(self._view.camera, bounds, size, factor, (right, up)))

@@ -20,6 +20,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard import Standard
+from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress
 
@@ -198,6 +199,4 @@ class InterpolationControl(QObject):
 
 
 def _load(name_or_path: str | Path, progress: Progress) -> Standard:
-    from brdf_suite.paint_design.standard_files import load_standards
-
     return load_standards(name_or_path, progress)[0]
