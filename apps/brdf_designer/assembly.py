@@ -72,13 +72,13 @@ class Designer:
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
-        self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
-        self.window.build(self.desk, names)
-        self.controller = Controller(self.window, self.desk, self.window)
+        self.session = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.window.build(self.session, names)
+        self.controller = Controller(self.window, self.session, self.window)
         self.recovery_offer = RecoveryOffer(self.documents, self.window)
         self._closed = self._ended = False
         self._join()
-        self.sections = build_sections(self.desk, self.window)
+        self.sections = build_sections(self.session, self.window)
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
@@ -97,14 +97,16 @@ class Designer:
     def is_complete(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
         parts = [part for part in self.sections if isinstance(part, Unhurried)]
-        return self.controller.is_complete and self.desk.is_quiet and all(part.is_complete for part in parts)
+        return (
+            self.controller.is_complete and self.session.is_quiet and all(part.is_complete for part in parts)
+        )
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
         self.window.plot.build()
         self.window.order_focus()  # the plots are there now
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
-        self.desk.refresh()
+        self.session.refresh()
         self.link.start()
         self.recovery_offer.show()
 
@@ -123,7 +125,7 @@ class Designer:
             self._report_unknown(error)
             return
         if isinstance(document, Paint):
-            self.desk.open_paint(document)
+            self.session.open_paint(document)
         else:
             next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
 
@@ -162,9 +164,9 @@ class Designer:
         window.close_requested.connect(self._may_close)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
-        self.paint_offer = PaintOffer(documents, self.desk)
+        self.paint_offer = PaintOffer(documents, self.session)
         self.link.received.connect(self.paint_offer.received)
-        self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
+        self.link.peers_changed.connect(lambda _count: window.paint_status.show_peers(self.link.peers))
         app = QCoreApplication.instance()
         if app is not None:
             app.aboutToQuit.connect(self.close)

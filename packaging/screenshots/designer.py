@@ -103,7 +103,7 @@ class Walk:
     # The hand.
 
     def control(self, name: str) -> Any:
-        """Return a part of the desk by its class."""
+        """Return a part of Designer by its class."""
         return next(part for part in self.designer.sections if type(part).__name__ == name)
 
     def choose(self, path: str) -> None:

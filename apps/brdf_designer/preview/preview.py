@@ -37,9 +37,9 @@ _LIGHT, _SHOWN = "preview/light", "preview/shown"
 class PreviewControl(QObject):
     """Loads the scene on a thread, hands each fit over, and moves camera and light."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=1)
         self._contents = PreviewContents()
         self._drawer: PreviewDrawer | None = None
@@ -62,10 +62,10 @@ class PreviewControl(QObject):
             surface.frame_drawn.connect(self._time)
             surface.canvas_changed.connect(self._listen)
             self._listen(surface.canvas)
-            desk.fit_changed.connect(self._take)
+            session.fit_changed.connect(self._take)
             window.first_painted.connect(self._load)
-        desk.fit_changed.connect(lambda _fit: self.panel.show_state(stale=False))
-        desk.refused.connect(lambda _error: self.panel.show_state(stale=True))
+        session.fit_changed.connect(lambda _fit: self.panel.show_state(stale=False))
+        session.refused.connect(lambda _error: self.panel.show_state(stale=True))
 
     def close(self) -> None:
         """End the loading and free the picture."""

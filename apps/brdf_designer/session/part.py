@@ -1,4 +1,4 @@
-"""What a part of the desk may offer beside its widgets; the assembly asks for it where it is there."""
+"""What a part of Designer may offer beside its widgets; the assembly asks for it where it is there."""
 
 from __future__ import annotations
 
