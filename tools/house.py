@@ -34,11 +34,25 @@ ALLOWED: dict[str, int] = {
 
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}
 
-# Modules that may import inside functions, with the reason.
+# Modules that may import inside functions, with the reason: what the import takes of the processor's time where it is
+# not needed.
 LATE_IMPORTS: dict[str, str] = {
+    "apps/brdf_designer/acquire/control.py": "80 ms, when the assistant is opened for the first time",
+    "apps/brdf_designer/acquire/exposures/work.py": "0.2 s with numba, on a thread",
+    "apps/brdf_designer/acquire/mask/control.py": "0.2 s with numba, on a thread",
+    "apps/brdf_designer/acquire/response/work.py": "0.6 s with numba and scipy.optimize, on a thread",
+    "apps/brdf_designer/acquire/session/control.py": "0.2 s with numba, on a thread",
+    "apps/brdf_designer/acquire/table/work.py": "0.6 s with numba and scipy.optimize, on a thread",
+    "apps/brdf_designer/colour/angle_plot.py": "pyqtgraph: 140 ms, after the window is painted",
+    "apps/brdf_designer/export/control.py": "60 ms, on a thread",
+    "apps/brdf_designer/measured/control.py": "50 ms, when a file is opened",
+    "apps/brdf_designer/measured/section.py": "20 ms, when a file is asked for",
+    "apps/brdf_designer/preview/drawer.py": "80 ms, with the first picture",
+    "apps/brdf_designer/preview/preview.py": "moderngl, only on a screen with OpenGL: 6 ms",
+    "apps/brdf_designer/preview/scene.py": "30 ms, on a thread",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
-    "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
+    "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/factored/build.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/reflectance/tabulated/scattered.py": "scipy.spatial takes 0.5 s, and only scattered data need it",

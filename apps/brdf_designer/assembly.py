@@ -74,9 +74,9 @@ class Designer(Program):
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
-        self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
-        self.window.build(self.desk, names)
-        self.controller = Controller(self.window, self.desk, self.window)
+        self.session = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.window.build(self.session, names)
+        self.controller = Controller(self.window, self.session, self.window)
         self.recovery_offer = RecoveryOffer(
             self.window.show_message,
             lambda: self.documents.front.recovery.found(),
@@ -89,7 +89,7 @@ class Designer(Program):
         )
         self._has_closed_documents = False
         self._join()
-        self.features += (*build_sections(self.desk, self.window), self.link)
+        self.features += (*build_sections(self.session, self.window), self.link)
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
@@ -108,14 +108,14 @@ class Designer(Program):
     @property
     def is_idle(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
-        return self.controller.is_idle and self.desk.is_quiet and super().is_idle
+        return self.controller.is_idle and self.session.is_quiet and super().is_idle
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
         self.window.plot.build()
         self.window.order_focus()  # the plots are there now
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
-        self.desk.refresh()
+        self.session.refresh()
         super().start()
         self.recovery_offer.show()
 
@@ -134,7 +134,7 @@ class Designer(Program):
             self._report_unknown(error)
             return
         if isinstance(document, Paint):
-            self.desk.open_paint(document)
+            self.session.open_paint(document)
         else:
             self.feature(MeasuredControl).open(name_or_path)
 
@@ -168,9 +168,9 @@ class Designer(Program):
         window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_requested.connect(self._may_close)
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
-        self.paint_offer = PaintOffer(documents, self.desk)
+        self.paint_offer = PaintOffer(documents, self.session)
         self.link.received.connect(self.paint_offer.received)
-        self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
+        self.link.peers_changed.connect(lambda _count: window.paint_status.show_peers(self.link.peers))
 
     def _report_unknown(self, error: SuiteError) -> None:
         todo = tr("The open paint is unchanged.")

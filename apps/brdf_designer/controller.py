@@ -64,9 +64,9 @@ class View(Protocol):
 class Controller(QObject):
     """Keeps the window in step with the session."""
 
-    def __init__(self, view: View, desk: PaintSession, parent: QObject | None = None) -> None:
+    def __init__(self, view: View, session: PaintSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._view, self._desk, self._documents = view, desk, desk.documents
+        self._view, self._session, self._documents = view, session, session.documents
         self._refused = False
         # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
         # once for all the edits of one turn.
@@ -75,13 +75,13 @@ class Controller(QObject):
         self._later.setInterval(0)
         self._later.timeout.connect(self._show_curves)
         self._uncurved: LobeFit | None = None
-        desk.document_switched.connect(self._switch)
-        desk.paint_changed.connect(self._show_paint)
-        desk.fit_changed.connect(self._show_fit)
-        desk.refused.connect(self._show_refusal)
-        desk.edit_refused.connect(self._note_refusal)
-        desk.gesture_ended.connect(self._settle)
-        desk.history_changed.connect(self._show_history)
+        session.document_switched.connect(self._switch)
+        session.paint_changed.connect(self._show_paint)
+        session.fit_changed.connect(self._show_fit)
+        session.refused.connect(self._show_refusal)
+        session.edit_refused.connect(self._note_refusal)
+        session.gesture_ended.connect(self._settle)
+        session.history_changed.connect(self._show_history)
         self._documents.row_changed.connect(self._show_tabs)
         self._documents.front_changed.connect(self._show_tabs)
         self._documents.failed.connect(view.show_message)
@@ -95,7 +95,7 @@ class Controller(QObject):
     def start(self) -> None:
         """Show everything for the first time."""
         self._switch()
-        self._desk.refresh()
+        self._session.refresh()
         self._show_tabs()
         self._show_history()
 
@@ -106,7 +106,7 @@ class Controller(QObject):
         except SuiteError as error:
             self._view.show_message(message_of(error, "open"))
             return
-        self._desk.open_paint(paint, clean=True)
+        self._session.open_paint(paint, clean=True)
         self._view.dismiss_message("open")
 
     def _accepted(self) -> None:
@@ -120,14 +120,14 @@ class Controller(QObject):
         """Show the document again in a field that holds a refused value."""
         if self._refused:
             self._accepted()
-            self._view.show_colours(colours_of(self._desk.paint))
+            self._view.show_colours(colours_of(self._session.paint))
 
     def _switch(self) -> None:
         self._accepted()
         self._view.close_pickers()
         # What was said of the document before is no longer so.
         self._view.dismiss_message("fit")
-        self._view.show_colours(colours_of(self._desk.original))
+        self._view.show_colours(colours_of(self._session.original))
         self._view.keep_opened()
 
     def _show_paint(self, paint: Paint) -> None:

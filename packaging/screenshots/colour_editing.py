@@ -68,7 +68,7 @@ def inside() -> int:
     head.spaces.buttons["lch"].click()
     head.modes.buttons["all"].click()
     shoot("colour_six_angles")
-    designer.desk.undo()
+    designer.session.undo()
     head.spaces.buttons["lab"].click()
     head.modes.buttons["one"].click()
     window.editors.editors[2].fields[0].setValue(45.0)

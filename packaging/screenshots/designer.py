@@ -103,7 +103,7 @@ class Walk:
     # The hand.
 
     def control(self, name: str) -> Any:
-        """Return a part of the desk by its class."""
+        """Return a feature of the program by its class."""
         return next(part for part in self.designer.features if type(part).__name__ == name)
 
     def choose(self, path: str) -> None:

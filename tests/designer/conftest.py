@@ -111,7 +111,7 @@ def fresh(lasting, own_session):
 
 
 @pytest.fixture
-def desk(fresh, qtbot) -> Designer:
+def program(fresh, qtbot) -> Designer:
     """The Designer of the module at its first paint, with strip and curves there."""
     designer, _ = fresh
     qtbot.waitUntil(lambda: designer.controller.is_idle)

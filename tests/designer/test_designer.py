@@ -186,16 +186,16 @@ def test_the_60_degree_reading_is_optional(designer):
     type_in(coat.panel.fields["gloss.gu_20"], "40")
     assert not coat.panel.fields["gloss.gu_60"].isEnabled()
     # At once, before the work that is done at idle: the reading is of this paint, and not of the one before.
-    _, due = total_gloss(designer.desk.fit.reflectance.base, designer.desk.fit.reflectance.coat)
+    _, due = total_gloss(designer.session.fit.reflectance.base, designer.session.fit.reflectance.coat)
     coat.has_60.click()
     assert designer.store.value.gloss.gu_60 == pytest.approx(due, abs=0.06)
-    designer.desk.undo()
-    designer.desk.undo()
+    designer.session.undo()
+    designer.session.undo()
     coat.has_60.click()
     # What the coat reads at 60° as it is: switching the reading on changes nothing of the look.
     assert designer.store.value.gloss.gu_60 == pytest.approx(94.8, abs=0.06)
     assert coat.panel.fields["gloss.gu_60"].isEnabled()
-    designer.desk.undo()
+    designer.session.undo()
     assert designer.store.value.gloss.gu_60 is None
     assert not coat.has_60.isChecked()
 

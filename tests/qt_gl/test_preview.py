@@ -69,22 +69,22 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
 
     # Another paint is drawn by itself.
     designer.open("red")
-    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+    qtbot.waitUntil(lambda: preview.drawn is designer.session.fit)
     red, _, blue = middle(preview)
     assert red > 1.5 * blue
 
     # A slow picture is not drawn while edits come; each of them puts it off anew.
     preview.pace = PreviewPace(full_ms=10 * FAST_MS)
     for lightness in (50.0, 55.0, 60.0):
-        designer.desk.edit(SetLab(0, 0, lightness))
+        designer.session.edit(SetLab(0, 0, lightness))
         assert preview._drawing.isActive()
         assert preview._drawing.interval() == REST_MS
-    assert preview.drawn is not designer.desk.fit
-    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+    assert preview.drawn is not designer.session.fit
+    qtbot.waitUntil(lambda: preview.drawn is designer.session.fit)
     # First a draft, then, when the hand rests, the whole.
     qtbot.waitUntil(lambda: preview.is_idle and not preview._drawer.draft)
     preview.pace = PreviewPace(full_ms=FAST_MS)
-    designer.desk.edit(SetLab(0, 0, 61.0))
+    designer.session.edit(SetLab(0, 0, 61.0))
     assert preview._drawing.interval() == 0
     preview.pace = PreviewPace()
 
@@ -111,19 +111,19 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     assert preview._view.camera.distance is None
 
     # A paint that cannot be leaves the picture, and says so.
-    designer.desk.edit(SetNumber("gloss.gu_20", 199.0))
+    designer.session.edit(SetNumber("gloss.gu_20", 199.0))
     assert "last possible paint" in preview.panel.caption.accessibleName()
-    designer.desk.undo()
+    designer.session.undo()
     assert "last possible paint" not in preview.panel.caption.accessibleName()
 
     # Hidden, it draws nothing.
     preview.show(False)
     kept = preview.drawn
-    designer.desk.set_paint(load_shipped_paint("copper"), "Copper")
+    designer.session.set_paint(load_shipped_paint("copper"), "Copper")
     qtbot.wait(2 * REST_MS)
     assert preview.drawn is kept
     preview.show(True)
-    qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
+    qtbot.waitUntil(lambda: preview.drawn is designer.session.fit)
 
 
 def test_a_slow_picture_waits_and_a_fast_one_does_not():
@@ -153,7 +153,7 @@ def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, 
 
     monkeypatch.setattr(SeenWeights, "find", find_when_allowed)
     designer.open("gold_green_shift")
-    qtbot.waitUntil(lambda: preview.is_idle and preview.drawn is designer.desk.fit)
+    qtbot.waitUntil(lambda: preview.is_idle and preview.drawn is designer.session.fit)
     frames = []
     preview.panel.surface.frame_drawn.connect(lambda *_: frames.append(1))
     go_on.set()

@@ -20,16 +20,16 @@ CHAIN = ("response", "geometry", "table", "fit")
 class Assistant(QObject):
     """The window, its state and its controls."""
 
-    def __init__(self, desk: PaintSession, host: DesignerWindow) -> None:
+    def __init__(self, paint_session: PaintSession, host: DesignerWindow) -> None:
         super().__init__(host)
-        dialogs = desk.documents.dialogs
+        dialogs = paint_session.documents.dialogs
         self.window = AcquireWindow(host)
         self.bench = ReconstructionSession(self.window, host.progress, self)
         self.sessions = SessionControl(self.bench, self.window.session, dialogs)
         self.series = SeriesControl(self.bench, self.window.exposures, self.sessions)
         self.mask = MaskControl(self.bench, self.window.mask_page)
         self.reconstruction = ReconstructionController(self.bench, dialogs)
-        self.fit = FitControl(self.bench, self.window.fit, desk, dialogs)
+        self.fit = FitControl(self.bench, self.window.fit, paint_session, dialogs)
         self._chain: list[str] = []
         self.window.all_requested.connect(self.do_all)
         self.window.undo_requested.connect(lambda: self._step(back=True))

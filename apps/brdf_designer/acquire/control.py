@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 class AcquireControl(Feature, QObject):
     """Opens the assistant; ``close`` ends what runs. What is done of a reconstruction is kept in its folder."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, paint_session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._paint_session, self._window = paint_session, window
         self.assistant: Assistant | None = None
         self.action = window.add_command(
             "file",
@@ -37,7 +37,7 @@ class AcquireControl(Feature, QObject):
             # The pages and their plots take a moment that no start has to pay.
             from brdf_designer.acquire.assistant import Assistant
 
-            self.assistant = Assistant(self._desk, self._window)
+            self.assistant = Assistant(self._paint_session, self._window)
         self.assistant.window.bring()
         return self.assistant
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -20,9 +20,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.window import AcquireWindow
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.session import Session
 
 WORK_FILE = "reconstruction.work"
 """What is done of a reconstruction is kept under this name in the session's folder."""

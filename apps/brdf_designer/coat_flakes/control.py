@@ -16,26 +16,26 @@ from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
 
 
 class CoatControl(Feature, QObject):
-    """Joins the sections of coat and flakes to the desk."""
+    """Joins the sections of coat and flakes to the paint session."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._coat: CoatSection = window.coat
         self._flakes: FlakesSection = window.flakes
-        desk.fit_changed.connect(lambda _fit: desk.at_idle("coat", self._show))
-        desk.refused.connect(self._refuse)
+        session.fit_changed.connect(lambda _fit: session.at_idle("coat", self._show))
+        session.refused.connect(self._refuse)
         self._coat.gloss_requested.connect(self._show_gloss)
 
     def _show(self) -> None:
-        fit = self._desk.fit
+        fit = self._session.fit
         if fit is None:
             return
         self._show_gloss()
         self._flakes.show_sparkle(sparkle(fit.weights, fit.flakes))
 
     def _show_gloss(self) -> None:
-        fit = self._desk.fit
+        fit = self._session.fit
         if fit is not None and fit.paint.gloss.gu_60 is None:
             layers = layers_of(fit)
             self._coat.show_gloss(*total_gloss(layers.base, layers.coat))

@@ -6,6 +6,8 @@ drawn a moment after an edit, all of a frame at once: numbers and patches come f
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -13,10 +15,12 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
-from brdf_designer.colour.line_key import LineKey
-from brdf_designer.colour.quantity_plot import FIT_WIDTH, MODEL_WIDTH, QUANTITIES, QuantityPlot
+from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, QUANTITIES, LineKey
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
+
+if TYPE_CHECKING:
+    from brdf_designer.colour.quantity_plot import QuantityPlot
 
 _FRESH = (mark("L*, C* and h over the aspecular angle"), mark("L*, C*, h over angle"), mark("Curves"))
 _STALE = (
@@ -81,6 +85,8 @@ class AnglePlot(QWidget):
 
     def build(self) -> None:
         """Make the plots and show what was set so far."""
+        from brdf_designer.colour.quantity_plot import QuantityPlot
+
         for quantity in QUANTITIES:
             plot = QuantityPlot(quantity)
             component = quantity.component

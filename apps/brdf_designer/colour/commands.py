@@ -32,9 +32,8 @@ _SETS = (
 class ColourCommands(Feature, QObject):
     """Adds the commands; each does what the button or the list over the colours does."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, _session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
         head = window.editors.head
         self._window = window
         window.paint_menu.addSeparator()

@@ -36,16 +36,16 @@ def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
 class NearestOffer(Feature, QObject):
     """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._runner = TaskRunner(self, threads=1)
         self._closed = False
         self.offered: Feasible | None = None
-        desk.paint_changed.connect(lambda _paint: self._forget())
-        desk.fit_changed.connect(self._judge)
-        desk.refused.connect(self._refuse)
-        desk.gesture_ended.connect(lambda: desk.at_idle(KEY, self._search))
+        session.paint_changed.connect(lambda _paint: self._forget())
+        session.fit_changed.connect(self._judge)
+        session.refused.connect(self._refuse)
+        session.gesture_ended.connect(lambda: session.at_idle(KEY, self._search))
 
     @property
     def searching(self) -> bool:
@@ -60,32 +60,32 @@ class NearestOffer(Feature, QObject):
     def take(self) -> None:
         """Make the offered paint the document, as one step."""
         found = self.offered
-        if found is not None and found.asked == self._desk.paint:
-            self._desk.set_paint(found.paint, tr("Use Closest Paint"))
+        if found is not None and found.asked == self._session.paint:
+            self._session.set_paint(found.paint, tr("Use Closest Paint"))
 
     def _judge(self, fit: LobeFit) -> None:
         if missed(fit):
-            self._desk.at_idle(KEY, self._search)
+            self._session.at_idle(KEY, self._search)
 
     def _refuse(self, error: SuiteError) -> None:
         if isinstance(error, UnreachableError):
-            self._desk.at_idle(KEY, self._search)
+            self._session.at_idle(KEY, self._search)
 
     def _forget(self) -> None:
         self.offered = None
         self._runner.cancel(KEY)
-        self._desk.dismiss_message(KEY)
+        self._session.dismiss_message(KEY)
 
     def _search(self) -> None:
-        fit = self._desk.fit
+        fit = self._session.fit
         can_be = fit is not None and (fit.exact_follows or not missed(fit))
         # What cannot be in the midst of a drag may be at its end.
-        if can_be or self._desk.in_gesture or self.offered is not None or self._closed:
+        if can_be or self._session.in_gesture or self.offered is not None or self._closed:
             return
-        self._runner.submit(KEY, find_nearest, self._desk.paint, done=self._found, failed=self._failed)
+        self._runner.submit(KEY, find_nearest, self._session.paint, done=self._found, failed=self._failed)
 
     def _found(self, found: Feasible | None) -> None:
-        if self._desk.fit is None:
+        if self._session.fit is None:
             what = tr("This paint is impossible.")
         else:
             what = tr("No combination of lobes produces the target colour at {angles}.").format(
@@ -93,19 +93,19 @@ class NearestOffer(Feature, QObject):
             )
         if found is None:
             todo = tr("No possible paint was found close to it. Change a colour or the gloss.")
-            self._desk.show_message(Message(KEY, what, todo=todo, severity="warning"))
+            self._session.show_message(Message(KEY, what, todo=todo, severity="warning"))
             return
         self.offered = found
         todo = tr("Closest possible paint: {paint}.").format(paint=describe(found))
         actions = ((tr("Use Closest"), self.take),)
-        self._desk.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
+        self._session.show_message(Message(KEY, what, todo=todo, actions=actions, severity="warning"))
 
     def _failed(self, error: Exception) -> None:
         text = tr("The search for the closest possible paint failed: {error}").format(error=error)
-        self._desk.show_message(Message(KEY, text, severity="warning"))
+        self._session.show_message(Message(KEY, text, severity="warning"))
 
     def _large_angles(self) -> list[str]:
-        fit = self._desk.fit
+        fit = self._session.fit
         if fit is None:
             return []
         found = missed(fit)

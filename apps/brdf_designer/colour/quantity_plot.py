@@ -6,54 +6,25 @@ pyqtgraph is imported with the first plot, after the window is first painted.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import pyqtgraph as pg
 from brdf_qt.fields.burst import Burst
-from brdf_qt.program.translation import mark, tr
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPalette
 from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 
+from brdf_designer.colour.plot_items import ReadingPoint, dress_plot, hatch, line, make_plot
+from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, Quantity
 from brdf_designer.session.state import AngleColour, Curves
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import unwrap_hues
 from brdf_suite.arrays import Floats
 
-MODEL_WIDTH, FIT_WIDTH = 4.0, 1.6
 _ROOM, _BELOW = 1.12, 0.1
 _LEAST_HUES = 40.0
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """What a plot shows: ``component`` of LCh, its axis, the range of a point, and the step of a key."""
-
-    component: int
-    name: str
-    axis: str
-    lowest: float
-    highest: float
-    step: float
-    tip: str
-
-
-QUANTITIES = (
-    Quantity(
-        0, mark("Lightness"), mark("L*"), 0.0, 250.0, 0.5, mark("Lightness L* over the aspecular angle.")
-    ),
-    Quantity(1, mark("Chroma"), mark("C*"), 0.0, 250.0, 0.5, mark("Chroma C*ab over the aspecular angle.")),
-    Quantity(
-        2,
-        mark("Hue"),
-        mark("h (°)"),
-        -3600.0,
-        3600.0,
-        1.0,
-        mark("Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point."),
-    ),
-)
 
 
 class QuantityPlot(QWidget):
@@ -69,10 +40,6 @@ class QuantityPlot(QWidget):
 
     def __init__(self, quantity: Quantity, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        import pyqtgraph as pg
-
-        from brdf_designer.colour.plot_items import make_plot
-
         self._quantity = quantity
         self._angles: tuple[AngleColour, ...] = ()
         self._values: Floats = np.zeros(0)
@@ -190,8 +157,6 @@ class QuantityPlot(QWidget):
         self._note.setPos(0.2, bottom)
 
     def _new_point(self) -> Any:
-        from brdf_designer.colour.plot_items import ReadingPoint
-
         point = ReadingPoint(self._quantity.lowest, self._quantity.highest)
         point.started.connect(self._grabbed)
         point.moved.connect(self.edited)
@@ -262,8 +227,6 @@ class QuantityPlot(QWidget):
             self._take_palette()
 
     def _take_palette(self) -> None:
-        from brdf_designer.colour.plot_items import dress_plot, hatch, line
-
         role = QPalette.ColorRole
         text = self.palette().color(role.WindowText)
         faint = self.palette().color(role.PlaceholderText)

@@ -17,15 +17,15 @@ from brdf_suite.documents.store import paint_from_json
 class PaintOffer:
     """Takes the offers of the live link that are for Designer.
 
-    With a ``desk``, a paint that comes in the midst of a drag waits for its end: the hand keeps what it holds.
+    With a ``session``, a paint that comes in the midst of a drag waits for its end: the hand keeps what it holds.
     """
 
-    def __init__(self, documents: Documents, desk: PaintSession | None = None) -> None:
-        self._documents, self._desk = documents, desk
+    def __init__(self, documents: Documents, session: PaintSession | None = None) -> None:
+        self._documents, self._session = documents, session
         self._waiting: list[Paint] = []
-        if desk is not None:
+        if session is not None:
             # A gesture may end because the next begins at once: that is seen after both.
-            desk.gesture_ended.connect(lambda: QTimer.singleShot(0, self._open))
+            session.gesture_ended.connect(lambda: QTimer.singleShot(0, self._open))
 
     def received(self, topic: str, value: dict[str, Any]) -> None:
         """Open the paint of an offer that is new; ``value`` has passed the link's check."""
@@ -34,7 +34,7 @@ class PaintOffer:
             self._open()
 
     def _open(self) -> None:
-        if self._desk is not None and self._desk.in_gesture:
+        if self._session is not None and self._session.in_gesture:
             return
         while self._waiting:
             # It is in a palette and in no file: as unsaved work it would be asked about, which it is not.

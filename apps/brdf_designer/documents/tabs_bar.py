@@ -1,4 +1,4 @@
-"""The row of tabs over the desk: a paint each, its mark of unsaved work, and the order that the user gives them."""
+"""The row of tabs over the window: a paint each, its mark of unsaved work, and the order that the user gives them."""
 
 from __future__ import annotations
 

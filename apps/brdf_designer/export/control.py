@@ -45,11 +45,11 @@ class _Losses:
 
 
 class HandoverControl(Feature, QObject):
-    """Joins the section to the desk."""
+    """Joins the section to the paint session."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=2)
         self.section = HandoverSection(NAMES)
         self.host = window.add_section(KEY, tr("Export"), self.section, after="variations", is_open=False)
@@ -65,7 +65,7 @@ class HandoverControl(Feature, QObject):
         self.section.format_chosen.connect(self._chosen)
         self.section.export_requested.connect(self.ask)
         self.host.toggled.connect(lambda _on: self._later())
-        desk.paint_changed.connect(lambda _paint: self._later())
+        session.paint_changed.connect(lambda _paint: self._later())
 
     def open(self) -> None:
         """Open the section with the keyboard in its list: what is lost is read before anything is written."""
@@ -81,9 +81,9 @@ class HandoverControl(Feature, QObject):
         ending = dict(NAMES)[name]
         kept = Path(str(settings().value(_FOLDER, "", type=str)) or Path.home())
         folder = kept if kept.is_dir() else Path.home()
-        suggested = folder / (file_name(self._desk.paint.name) + ending)
+        suggested = folder / (file_name(self._session.paint.name) + ending)
         filters = f"{self.section.formats.currentText()} (*{ending})"
-        path = self._desk.documents.dialogs.save_path(suggested, filters)
+        path = self._session.documents.dialogs.save_path(suggested, filters)
         if path is not None:
             settings().setValue(_FOLDER, str(path.absolute().parent))
             self.export(path)
@@ -93,12 +93,12 @@ class HandoverControl(Feature, QObject):
         try:
             request = self._request(path)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("No file was written.")))
+            self._session.show_message(message_of(error, KEY, todo=tr("No file was written.")))
             return
         progress = self._window.progress
         text = tr("Exporting {name}").format(name=path.name)
         progress.set_job(KEY, 0.0, text, self._cancel)
-        self._desk.dismiss_message(KEY)
+        self._session.dismiss_message(KEY)
         self._tasks.submit(
             KEY,
             run_export,
@@ -113,7 +113,7 @@ class HandoverControl(Feature, QObject):
         self._tasks.stop(30_000)
 
     def _request(self, path: Path) -> Request:
-        paint, name = self._desk.paint, self.section.chosen
+        paint, name = self._session.paint, self.section.chosen
         standards = self._window.findChild(StandardControl)
         standard = standards.standard if standards is not None else None
         if (
@@ -131,13 +131,13 @@ class HandoverControl(Feature, QObject):
 
     def _written(self, path: Path, notes: tuple[str, ...]) -> None:
         self._window.progress.end_job(KEY)
-        self._desk.show_message(
+        self._session.show_message(
             Message(KEY, tr("{name} exported.").format(name=path.name), where=str(path), todo=" ".join(notes))
         )
 
     def _failed(self, error: Exception) -> None:
         self._window.progress.end_job(KEY)
-        self._desk.show_message(
+        self._session.show_message(
             message_of(error, KEY, todo=tr("An existing file with this name is unchanged."))
         )
 
@@ -150,7 +150,7 @@ class HandoverControl(Feature, QObject):
     def _later(self) -> None:
         """Update once the edits pause, and only what is visible."""
         if self.host.is_open:
-            self._desk.at_idle(_LOSSES, self._report)
+            self._session.at_idle(_LOSSES, self._report)
 
     def _report(self) -> None:
         name = self.section.chosen
@@ -158,13 +158,13 @@ class HandoverControl(Feature, QObject):
         has_standard = standards is not None and standards.standard is not None
         self.section.show_options(name, has_standard=has_standard)
         self.section.show_format(self.section.holds.text(), None)
-        self._tasks.submit(_LOSSES, _find_out, (self._desk.paint, name), self._show, self._not_found)
+        self._tasks.submit(_LOSSES, _find_out, (self._session.paint, name), self._show, self._not_found)
 
     def _show(self, losses: _Losses) -> None:
         self.section.show_format(losses.holds, losses.losses, losses.refusal)
 
     def _not_found(self, error: Exception) -> None:
-        self._desk.show_message(message_of(error, KEY))
+        self._session.show_message(message_of(error, KEY))
 
 
 def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Losses:

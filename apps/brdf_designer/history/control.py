@@ -21,11 +21,11 @@ LOW_WINDOW = 760
 
 
 class HistoryControl(Feature, QObject):
-    """Joins the strip to the desk. Drawn pictures are asked for between gestures, the present state's first."""
+    """Joins the strip to the paint session. Pictures are requested between gestures, the present state's first."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._pictures = thumbnails_of(window)
         self.strip = HistoryStrip(self._pictures.picture)
         window.add_history(self.strip)
@@ -39,11 +39,11 @@ class HistoryControl(Feature, QObject):
         )
         self.action.setCheckable(True)
         self._show(bool(settings().value(_SHOWN, True, type=bool)))
-        self.strip.chosen.connect(desk.go_to)
+        self.strip.chosen.connect(session.go_to)
         self.strip.menu_requested.connect(self._open_menu)
-        desk.paint_changed.connect(self._later)
-        desk.history_changed.connect(self._later)
-        desk.gesture_ended.connect(self._later)
+        session.paint_changed.connect(self._later)
+        session.history_changed.connect(self._later)
+        session.gesture_ended.connect(self._later)
         self._pictures.ready.connect(lambda _key, _picture: self.strip.redraw())
         window.installEventFilter(self)
         self._later()
@@ -65,17 +65,17 @@ class HistoryControl(Feature, QObject):
         """Show the history as it is now; nothing while the strip is hidden, also where it was asked for before."""
         if not self.action.isChecked():
             return
-        store = self._desk.documents.front.store
+        store = self._session.documents.front.store
         states = [HistoryState(step, paint) for step, paint in store.states()]
         present = store.stack.index()
         self.strip.show_states(states, present)
-        if not self._desk.in_gesture:
+        if not self._session.in_gesture:
             near = sorted(range(len(states)), key=lambda place: abs(place - present))
             self._pictures.request(_OWNER, [states[place].paint for place in near])
 
     def _later(self, *_: object) -> None:
         if self.action.isChecked():
-            self._desk.at_idle(_OWNER, self.refresh)
+            self._session.at_idle(_OWNER, self.refresh)
 
     def _show(self, on: bool) -> None:
         self.action.setChecked(on)
@@ -92,9 +92,9 @@ class HistoryControl(Feature, QObject):
         """Return what can be done with the state at ``place``."""
         paint = self.strip.states.states[place].paint
         menu = QMenu(self.strip)
-        menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
+        menu.addAction(tr("&Go to This State"), lambda: self._session.go_to(place))
         menu.addAction(
-            tr("&Restore as New Step"), lambda: self._desk.set_paint(paint, tr("Restore Earlier State"))
+            tr("&Restore as New Step"), lambda: self._session.set_paint(paint, tr("Restore Earlier State"))
         )
-        menu.addAction(tr("&Open in New Tab"), lambda: self._desk.open_paint(paint))
+        menu.addAction(tr("&Open in New Tab"), lambda: self._session.open_paint(paint))
         return menu

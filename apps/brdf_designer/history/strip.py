@@ -1,4 +1,4 @@
-"""The strip of states under the desk: a small picture and the step that led to each, the present one selected."""
+"""The strip of states: a small picture and the step that led to each, the present one selected."""
 
 from __future__ import annotations
 

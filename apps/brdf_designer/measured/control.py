@@ -18,10 +18,11 @@ from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, load_any_paint
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.paint_design.measured_start import START_SET, MeasuredStart
+from brdf_suite.paint_design.measured_start import START_SET, MeasuredStart, load_start
 from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.progress import Progress
 
@@ -47,9 +48,9 @@ class _Request:
 class MeasuredControl(Feature, QObject):
     """Opens what is measured, or a paint that was not designed by angles, as the start of a design."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=1)
         self._kept: dict[int, tuple[str, MeasuredStart]] = {}
         self.section = MeasuredSection()
@@ -67,16 +68,16 @@ class MeasuredControl(Feature, QObject):
                 "Start a design from the readings of a virtual spectrophotometer on a measured reflectance"
             ),
         )
-        desk.document_switched.connect(self._show)
-        desk.documents.foreign = self.open_foreign
+        session.document_switched.connect(self._show)
+        session.documents.foreign = self.open_foreign
 
     def ask(self) -> None:
         """Ask for something measured, and start a design from it."""
-        present = self._desk.documents.front.store.path
+        present = self._session.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
         named = tr("Measured files and paints ({patterns})").format(patterns=patterns(PAINT_ENDING))
         filters = ";;".join((named, tr("All files (*)")))
-        path = self._desk.documents.dialogs.open_path(folder, filters)
+        path = self._session.documents.dialogs.open_path(folder, filters)
         if path is not None:
             self.open(path)
 
@@ -89,14 +90,14 @@ class MeasuredControl(Feature, QObject):
         try:
             handed = _handed_over(path)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
+            self._session.show_message(message_of(error, "open", todo=tr("The open paints are unchanged.")))
             return True
         if handed is not None:
             self._open_all(path, handed)
             return True
         if not _is_measurement(path):
             return False
-        self._desk.documents.front.files.remember(path.absolute())
+        self._session.documents.front.files.remember(path.absolute())
         self.open(path)
         return True
 
@@ -104,8 +105,8 @@ class MeasuredControl(Feature, QObject):
         """Open the paints of a hand-over, each in a tab of its own."""
         paints = [paint for paint in handed.paints if isinstance(paint, Paint)]
         for paint in paints[:MOST_TABS]:
-            self._desk.open_paint(paint)
-        self._desk.documents.front.files.remember(path.absolute())
+            self._session.open_paint(paint)
+        self._session.documents.front.files.remember(path.absolute())
         notes = list(handed.notes)
         if len(paints) > MOST_TABS:
             notes.insert(
@@ -114,20 +115,20 @@ class MeasuredControl(Feature, QObject):
                     name=path.name, count=len(paints), opened=MOST_TABS
                 ),
             )
-        self._desk.dismiss_message("open")
+        self._session.dismiss_message("open")
         if notes:
-            self._desk.show_message(Message("open", " ".join(notes), where=str(path)))
+            self._session.show_message(Message("open", " ".join(notes), where=str(path)))
 
     def read_again(self, geometry: str) -> None:
         """Read the original of the document in front at another set of angles; one step."""
-        key = self._desk.document_key
+        key = self._session.document_key
         if key in self._kept:
             settings().setValue(_SET, geometry)
             self._submit(_Request(self._kept[key][0], geometry, key))
 
     def start_of_front(self) -> MeasuredStart | None:
         """Return the report of the document in front; ``None`` where it did not start from a measurement."""
-        kept = self._kept.get(self._desk.document_key)
+        kept = self._kept.get(self._session.document_key)
         return None if kept is None else kept[1]
 
     def close(self) -> None:
@@ -147,21 +148,21 @@ class MeasuredControl(Feature, QObject):
         def failed(error: Exception) -> None:
             progress.end_job(KEY)
             todo = tr("The open paints are unchanged.")
-            self._desk.show_message(message_of(error, "open", todo=todo))
+            self._session.show_message(message_of(error, "open", todo=todo))
 
         self._tasks.submit(KEY, _read, request, done, failed, moved)
 
     def _opened(self, request: _Request, start: MeasuredStart) -> None:
-        self._desk.dismiss_message("open")
+        self._session.dismiss_message("open")
         if request.document is None:
-            self._desk.open_paint(start.paint)
-        elif request.document != self._desk.document_key:
+            self._session.open_paint(start.paint)
+        elif request.document != self._session.document_key:
             return  # its tab is no longer in front; its result is not needed
         else:
-            present = self._desk.paint
+            present = self._session.paint
             read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)
-            self._desk.set_paint(read, tr("Measure Again"))
-        self._kept[self._desk.document_key] = (request.path, start)
+            self._session.set_paint(read, tr("Measure Again"))
+        self._kept[self._session.document_key] = (request.path, start)
         self._show()
 
     def _show(self) -> None:
@@ -172,15 +173,12 @@ class MeasuredControl(Feature, QObject):
 
     def _take_standard(self) -> None:
         standards = self._window.findChild(StandardControl)
-        kept = self._kept.get(self._desk.document_key)
+        kept = self._kept.get(self._session.document_key)
         if standards is not None and kept is not None:
             standards.load(kept[0])
 
 
 def _read(request: _Request, progress: Progress) -> MeasuredStart:
-    from brdf_suite.appearance.geometries import GEOMETRY_SETS
-    from brdf_suite.paint_design.measured_start import load_start
-
     return load_start(request.path, GEOMETRY_SETS[request.geometry], progress)
 
 

@@ -21,13 +21,13 @@ from brdf_designer.preview.scene import LIGHTS, PreviewScene, load_scene
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.view import Camera, View
+from brdf_suite.realtime.camera import Bounds, dolly_to, orbit, pan, resolve
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
     from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.progress import Progress
-    from brdf_suite.realtime.camera import Bounds
     from brdf_suite.realtime.gl.context import Context
 
 _PREPARE_MS = 500
@@ -38,9 +38,9 @@ _LIGHT, _SHOWN = "preview/light", "preview/shown"
 class PreviewControl(Feature, QObject):
     """Loads the scene on a thread, hands each fit over, and moves camera and light."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._tasks = TaskRunner(self, threads=1)
         self._contents = PreviewContents()
         self._drawer: PreviewDrawer | None = None
@@ -63,10 +63,10 @@ class PreviewControl(Feature, QObject):
             surface.frame_drawn.connect(self._time)
             surface.canvas_changed.connect(self._listen)
             self._listen(surface.canvas)
-            desk.fit_changed.connect(self._take)
+            session.fit_changed.connect(self._take)
             window.first_painted.connect(self._load)
-        desk.fit_changed.connect(lambda _fit: self.panel.show_state(stale=False))
-        desk.refused.connect(lambda _error: self.panel.show_state(stale=True))
+        session.fit_changed.connect(lambda _fit: self.panel.show_state(stale=False))
+        session.refused.connect(lambda _error: self.panel.show_state(stale=True))
 
     def close(self) -> None:
         """End the loading and free the picture."""
@@ -212,23 +212,17 @@ class PreviewControl(Feature, QObject):
         self._set_view(dataclasses.replace(self._view, camera=camera))
 
     def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
-        from brdf_suite.realtime.camera import orbit, resolve
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             settled = resolve(self._view.camera, bounds, size)
             self._set_camera(orbit(settled, azimuth_deg, elevation_deg))
 
     def _pan(self, right: float, up: float) -> None:
-        from brdf_suite.realtime.camera import pan
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             self._set_camera(pan(self._view.camera, bounds, size, right * size[1], -up * size[1]))
 
     def _zoom(self, factor: float, right: float, up: float) -> None:
-        from brdf_suite.realtime.camera import dolly_to
-
         bounds, size = self._bounds_and_size()
         if bounds is not None:
             self._set_camera(dolly_to(self._view.camera, bounds, size, factor, (right, up)))

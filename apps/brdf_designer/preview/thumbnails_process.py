@@ -84,7 +84,7 @@ def serve(lines: TextIO, out: TextIO) -> None:
 def main() -> None:
     """Run the process."""
     if hasattr(os, "nice"):
-        os.nice(_NICER)  # the desk goes first
+        os.nice(_NICER)  # the window goes first
     # Whatever prints, the answers' channel stays clean.
     out = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())

@@ -1,4 +1,4 @@
-"""The paint in front, for every part of the desk: read it, edit it by named steps, follow its changes.
+"""The paint in front, for every part of Designer: read it, edit it by named steps, follow its changes.
 
 A section is a widget (intents out, setters in) and a control that joins it to the :class:`PaintSession`. No section
 knows which tab is in front, or another section.

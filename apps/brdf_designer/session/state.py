@@ -1,4 +1,4 @@
-"""What the desk shows of a paint, worked out at once as one frozen value; widgets only draw it."""
+"""What the window shows of a paint, worked out at once as one frozen value; widgets only draw it."""
 
 from __future__ import annotations
 

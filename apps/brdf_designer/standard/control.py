@@ -1,4 +1,4 @@
-"""Joins the standard to the desk: one for each document, judged again at every edit."""
+"""Joins the standard to the paint session: one for each document, judged again at every edit."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ _TAB, _SHIPPED = "tab ", "shipped "
 class StandardControl(Feature, QObject):
     """The standards of all documents; the one in front is shown, in its section and in the patches."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk, self._window = desk, window
+        self._session, self._window = session, window
         self._kept: dict[int, Kept] = {}
         self._settings = load()
         self._tasks = TaskRunner(self)
@@ -63,13 +63,13 @@ class StandardControl(Feature, QObject):
         section.add_batches_requested.connect(self._ask_batch)
         section.clear_batches_requested.connect(self._clear_batches)
         section.batch_opened.connect(self._open_batch)
-        section.refused.connect(lambda text: desk.show_message(Message(KEY, text, severity="warning")))
+        section.refused.connect(lambda text: session.show_message(Message(KEY, text, severity="warning")))
         section.batch_section.toggled.connect(lambda _on: self._batches_later())
         self.host.toggled.connect(lambda _on: self.refresh())
-        desk.paint_changed.connect(self._paint_changed)
-        desk.document_switched.connect(self._switched)
-        desk.documents.row_changed.connect(self._batches_later)
-        self._keeping = StandardKeeping(desk, self, self)
+        session.paint_changed.connect(self._paint_changed)
+        session.document_switched.connect(self._switched)
+        session.documents.row_changed.connect(self._batches_later)
+        self._keeping = StandardKeeping(session, self, self)
         self._switched()
 
     # What the user asks for.
@@ -87,7 +87,7 @@ class StandardControl(Feature, QObject):
     def take_present(self) -> None:
         """Take the paint as it is now as the standard."""
         time = moment(datetime.now())
-        self.set_standards([standard_of(self._desk.paint, tr("State of {time}").format(time=time))])
+        self.set_standards([standard_of(self._session.paint, tr("State of {time}").format(time=time))])
 
     def ask_standard(self) -> None:
         """Ask for a file and load it."""
@@ -96,7 +96,7 @@ class StandardControl(Feature, QObject):
             self.load(path)
 
     def load(self, name_or_path: str | Path) -> None:
-        """Load the standards in a file, or a shipped paint, beside the desk."""
+        """Load the standards in a file, or a shipped paint, beside the paint."""
         path = Path(name_or_path)
         source = str(path.absolute()) if path.is_file() else ""
         self._read(KEY, name_or_path, lambda found: self.set_standards(found, source=source))
@@ -106,12 +106,12 @@ class StandardControl(Feature, QObject):
         if key.startswith(_SHIPPED):
             self.load(key.removeprefix(_SHIPPED))
             return
-        found = [one for one in self._desk.documents.row if f"{_TAB}{one.key}" == key]
+        found = [one for one in self._session.documents.row if f"{_TAB}{one.key}" == key]
         if found:
             self.set_standards([standard_of(found[0].store.value, found[0].title)])
 
     def _show_known(self) -> None:
-        documents = self._desk.documents
+        documents = self._session.documents
         tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
         shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
         self.section.show_known(tabs, shipped)
@@ -121,7 +121,7 @@ class StandardControl(Feature, QObject):
         kept = self._of_front
         kept.standards, kept.chosen, kept.source, kept.awaited = tuple(standards), chosen, source, None
         # What is opened next may not take the place of a tab that has a standard.
-        self._desk.documents.front.pristine = False
+        self._session.documents.front.pristine = False
         self._show_choices()
         self.host.set_open(True)
         self.refresh()
@@ -142,27 +142,27 @@ class StandardControl(Feature, QObject):
 
     def swap(self) -> None:
         """Edit the standard, and judge it against what was edited; one step, which undo takes back whole."""
-        kept, paint = self._of_front, self._desk.paint
+        kept, paint = self._of_front, self._session.paint
         standard = kept.standard
         if standard is None:
             return
         try:
             after = paint_like(standard, paint)
         except SuiteError as error:
-            self._desk.show_message(message_of(error, KEY, todo=tr("The paints were not swapped.")))
+            self._session.show_message(message_of(error, KEY, todo=tr("The paints were not swapped.")))
             return
         turned = standard_of(paint, tr("Swapped with {name}").format(name=standard.name))
         kept.swaps.append(Swap(paint, standard, after, turned))
         self._turn(turned)
         if after == paint:
             self.refresh()
-        self._desk.set_paint(after, tr("Swap with Standard"))
+        self._session.set_paint(after, tr("Swap with Standard"))
 
     # Showing.
 
     def refresh(self) -> None:
         """Judge and show; called at every edit, so it does no more than is seen."""
-        standard, paint = self.standard, self._desk.paint
+        standard, paint = self.standard, self._session.paint
         for action in (self.swap_action, self.remove_action):
             action.setEnabled(standard is not None)
         if standard is None:
@@ -186,13 +186,13 @@ class StandardControl(Feature, QObject):
 
     def batches(self) -> list[Paint]:
         """Return what the table judges: every open tab, the one in front first, then what was added."""
-        documents = self._desk.documents
+        documents = self._session.documents
         others = [one.store.value for one in documents.row if one is not documents.front]
-        return [self._desk.paint, *others, *self._of_front.batches]
+        return [self._session.paint, *others, *self._of_front.batches]
 
     @property
     def _of_front(self) -> Kept:
-        return self._kept.setdefault(self._desk.document_key, Kept())
+        return self._kept.setdefault(self._session.document_key, Kept())
 
     def _switched(self) -> None:
         self._angles: list[float] | None = None
@@ -230,7 +230,7 @@ class StandardControl(Feature, QObject):
 
     def _read_again(self) -> None:
         """Read the file of a standard that was kept: what else is in it, and a reflectance that was measured."""
-        key, kept = self._desk.document_key, self._of_front
+        key, kept = self._session.document_key, self._of_front
         record = kept.awaited
         if record is None:
             return
@@ -244,7 +244,7 @@ class StandardControl(Feature, QObject):
             else:
                 kept.source = ""
                 self._report_kept(tr("{file} has changed.").format(file=record.source))
-            if key == self._desk.document_key:
+            if key == self._session.document_key:
                 self._show_choices()
                 self.refresh()
 
@@ -257,10 +257,10 @@ class StandardControl(Feature, QObject):
 
     def _report_kept(self, what: str) -> None:
         todo = tr("The stored standard is used. Load the file again to use its current contents.")
-        self._desk.show_message(Message(KEY, what, todo=todo))
+        self._session.show_message(Message(KEY, what, todo=todo))
 
     def _note(self) -> None:
-        self._keeping.note(self._desk.documents.front)
+        self._keeping.note(self._session.documents.front)
 
     def _show_choices(self) -> None:
         kept = self._of_front
@@ -287,7 +287,7 @@ class StandardControl(Feature, QObject):
 
     def _batches_later(self) -> None:
         if self.host.is_open and self.section.batch_section.is_open:
-            self._desk.at_idle(_BATCHES, self._show_batches)
+            self._session.at_idle(_BATCHES, self._show_batches)
 
     # Formula and tolerances.
 
@@ -304,11 +304,11 @@ class StandardControl(Feature, QObject):
     # Files.
 
     def _ask_path(self) -> Path | None:
-        present = self._desk.documents.front.store.path
+        present = self._session.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
         named = tr("Standards ({patterns})").format(patterns=standard_patterns())
         filters = ";;".join((named, tr("All files (*)")))
-        return self._desk.documents.dialogs.open_path(folder, filters)
+        return self._session.documents.dialogs.open_path(folder, filters)
 
     def _ask_batch(self) -> None:
         path = self._ask_path()
@@ -325,13 +325,13 @@ class StandardControl(Feature, QObject):
         paints = []
         for one in found:
             try:
-                paints.append(paint_like(one, self._desk.paint))
+                paints.append(paint_like(one, self._session.paint))
             except SuiteError as error:
                 refused.append(str(error))
         kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
         if refused:
             what = tr("Some paints cannot be compared: {reasons}").format(reasons=" ".join(refused[:3]))
-            self._desk.show_message(Message(_BATCHES, what, severity="warning"))
+            self._session.show_message(Message(_BATCHES, what, severity="warning"))
         self.section.batch_section.set_open(True)
         self._show_batches()
 
@@ -340,19 +340,19 @@ class StandardControl(Feature, QObject):
         self._show_batches()
 
     def _open_batch(self, index: int) -> None:
-        documents = self._desk.documents
+        documents = self._session.documents
         others = [one for one in documents.row if one is not documents.front]
         if 1 <= index <= len(others):
             documents.show(others[index - 1])
         elif index > len(others):
-            self._desk.open_paint(self._of_front.batches[index - 1 - len(others)], clean=True)
+            self._session.open_paint(self._of_front.batches[index - 1 - len(others)], clean=True)
 
     def _read(self, key: str, name_or_path: str | Path, done: Any) -> None:
-        front = self._desk.document_key
+        front = self._session.document_key
 
         def take(found: tuple[Standard, ...]) -> None:
-            self._desk.dismiss_message(key)
-            if front == self._desk.document_key:
+            self._session.dismiss_message(key)
+            if front == self._session.document_key:
                 done(found)
 
         self._tasks.submit(
@@ -360,11 +360,11 @@ class StandardControl(Feature, QObject):
             load_request,
             self._request(str(name_or_path)),
             take,
-            lambda error: self._desk.show_message(message_of(error, key)),
+            lambda error: self._session.show_message(message_of(error, key)),
         )
 
     def _request(self, name_or_path: str) -> Request:
-        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._desk.paint.measurements)
+        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._session.paint.measurements)
         return Request(name_or_path, pairs)
 
     def _add_commands(self) -> None:

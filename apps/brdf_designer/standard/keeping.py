@@ -29,13 +29,13 @@ class Holder(Protocol):
 class StandardKeeping(QObject):
     """Gives documents that are opened the standard that they had, and keeps what becomes of it."""
 
-    def __init__(self, desk: PaintSession, holder: Holder, parent: QObject) -> None:
+    def __init__(self, session: PaintSession, holder: Holder, parent: QObject) -> None:
         super().__init__(parent)
-        self._desk, self._holder = desk, holder
+        self._session, self._holder = session, holder
         self._known: set[int] = set()
-        for document in desk.documents.row:
+        for document in session.documents.row:
             self._take(document)
-        desk.documents.opened.connect(self._take)
+        session.documents.opened.connect(self._take)
 
     def note(self, document: OpenDocument) -> None:
         """The standard of a document is another: keep it."""
@@ -47,9 +47,9 @@ class StandardKeeping(QObject):
             keep(path, self._holder.record(document.key))
         except OSError as error:
             reason = f"its standard cannot be kept for the next start ({error.strerror})"
-            self._desk.show_message(message_of(FileError(path, reason), _KEY))
+            self._session.show_message(message_of(FileError(path, reason), _KEY))
         else:
-            self._desk.dismiss_message(_KEY)
+            self._session.dismiss_message(_KEY)
 
     def _take(self, document: OpenDocument) -> None:
         document.recovery.beside = self._extra_writer(document.key)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from brdf_designer.standard.memory import Record
 from brdf_suite.documents.paint import Paint
 from brdf_suite.paint_design.standard import Standard
+from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.progress import Progress
 
 MOST_READ_AHEAD = 20
@@ -54,8 +55,6 @@ class Kept:
 
 def load_request(request: Request, progress: Progress) -> tuple[Standard, ...]:
     """Read the standards of a file, and what they will be asked for; on a thread."""
-    from brdf_suite.paint_design.standard_files import load_standards
-
     found = load_standards(request.path, progress)
     # What has to be measured of it is measured here, and not in the first edit that is judged.
     for standard in found[:MOST_READ_AHEAD]:

@@ -1,4 +1,4 @@
-"""What the desk shows of a comparison with a standard, worked out at once as frozen values; widgets only draw it."""
+"""What the window shows of a comparison with a standard, worked out at once as frozen values; widgets only draw it."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class ResultRow:
 
 @dataclass(frozen=True)
 class StandardState:
-    """A comparison as the desk shows it; ``patches`` and ``rows`` in the order of the patches."""
+    """A comparison as the window shows it; ``patches`` and ``rows`` in the order of the patches."""
 
     name: str
     origin: str

@@ -1,4 +1,4 @@
-"""Joins the neighbours to the desk: worked out when the edits pause, fitted on a thread, drawn by another process."""
+"""Joins the neighbours to the paint session: computed when the edits pause, fitted on a thread, drawn by a process."""
 
 from __future__ import annotations
 
@@ -53,9 +53,9 @@ class _Request:
 class VariationsControl(Feature, QObject):
     """The neighbours of the paint in front; nothing is done while the section is closed."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._pictures = thumbnails_of(window)
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
@@ -70,8 +70,8 @@ class VariationsControl(Feature, QObject):
         self.section.step_edited.connect(self.set_step)
         self.section.scene_chosen.connect(self.set_scene)
         self.host.toggled.connect(lambda _on: self._later())
-        desk.paint_changed.connect(self._later)
-        desk.gesture_ended.connect(self._later)
+        session.paint_changed.connect(self._later)
+        session.gesture_ended.connect(self._later)
         self._pictures.ready.connect(lambda _key, _image: self._show_pictures())
         self._pictures.unavailable.connect(self._no_pictures)
 
@@ -85,8 +85,8 @@ class VariationsControl(Feature, QObject):
         """Whether every picture that is wanted is there, or never will be."""
         if not self.host.is_open or self._pictures.problem:
             return True
-        wanted = [self._desk.paint, *(one.paint for one in self._found if one.paint is not None)]
-        present = self._of is not None and self._of.paint is self._desk.paint
+        wanted = [self._session.paint, *(one.paint for one in self._found if one.paint is not None)]
+        present = self._of is not None and self._of.paint is self._session.paint
         return present and all(
             self._pictures.is_drawn(paint, self._scene) or self._pictures.refusal(paint, self._scene)
             for paint in wanted
@@ -94,14 +94,14 @@ class VariationsControl(Feature, QObject):
 
     def take(self, direction: str) -> None:
         """Make a neighbour the paint, as one step."""
-        paint = self._desk.paint
+        paint = self._session.paint
         known = self._found
         if self._of is None or self._of.paint is not paint:
             # An edit came just before the click: the neighbour of what is there now is meant.
             known = variations(paint, self._step)
         chosen = next(one for one in known if one.direction == direction)
         if chosen.paint is not None:
-            self._desk.set_paint(chosen.paint, tr(STEP_NAMES[chosen.word]))
+            self._session.set_paint(chosen.paint, tr(STEP_NAMES[chosen.word]))
 
     def set_step(self, step: float) -> None:
         """Look at neighbours nearer or farther away."""
@@ -119,14 +119,14 @@ class VariationsControl(Feature, QObject):
 
     def refresh(self) -> None:
         """Work out the neighbours of the paint as it is now."""
-        request = _Request(self._desk.paint, self._step)
+        request = _Request(self._session.paint, self._step)
         if not self.host.is_open or (request == self._of and self._of.paint is request.paint):
             return
         self._of = request
         self._found = variations(request.paint, request.step)
         self._show_words()
         self._show_pictures()
-        if not self._desk.in_gesture:
+        if not self._session.in_gesture:
             self._request_pictures()
             self._tasks.submit(KEY, self._examine, request, self._examined, self._failed)
 
@@ -138,10 +138,10 @@ class VariationsControl(Feature, QObject):
 
     def _later(self, *_: object) -> None:
         if self.host.is_open:
-            if not self._desk.in_gesture:
+            if not self._session.in_gesture:
                 # The states of a drag are not drawn; the one that it ends with is.
                 self._of = None
-            self._desk.at_idle(KEY, self.refresh)
+            self._session.at_idle(KEY, self.refresh)
 
     # On the thread.
 

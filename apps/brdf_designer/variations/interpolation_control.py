@@ -1,4 +1,4 @@
-"""Joins the way between two paints to the desk: from the paint as it was when the other one was chosen."""
+"""Joins the way between two paints to the paint session: from the paint as it was when the other one was chosen."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.mix import mixed, second_end
 from brdf_suite.paint_design.standard import Standard
+from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names
 from brdf_suite.progress import Progress
 
@@ -45,9 +46,9 @@ class _Way:
 class InterpolationControl(Feature, QObject):
     """The way of the document in front; another document, or an edit of any other kind, begins it anew."""
 
-    def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
+    def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
-        self._desk = desk
+        self._session = session
         self._pictures = thumbnails_of(window)
         self._tasks = TaskRunner(self, threads=1)
         self._way: _Way | None = None
@@ -60,13 +61,13 @@ class InterpolationControl(Feature, QObject):
         section = self.section
         section.other_chosen.connect(self.choose)
         section.share_edited.connect(self.set_share)
-        section.gesture_started.connect(desk.begin_gesture)
-        section.gesture_finished.connect(desk.end_gesture)
+        section.gesture_started.connect(session.begin_gesture)
+        section.gesture_finished.connect(session.end_gesture)
         section.stop_taken.connect(self.take)
         self.host.toggled.connect(lambda _on: self._list_later())
-        desk.paint_changed.connect(self._paint_changed)
-        desk.document_switched.connect(self._forget)
-        desk.documents.row_changed.connect(self._list_later)
+        session.paint_changed.connect(self._paint_changed)
+        session.document_switched.connect(self._forget)
+        session.documents.row_changed.connect(self._list_later)
         self._pictures.ready.connect(lambda _key, _image: self._show_pictures())
         self._list_later()
 
@@ -89,7 +90,7 @@ class InterpolationControl(Feature, QObject):
                 other = load_shipped_paint(key.removeprefix(_SHIPPED))
             else:
                 number = int(key.removeprefix(_TAB))
-                other = next(one.store.value for one in self._desk.documents.row if one.key == number)
+                other = next(one.store.value for one in self._session.documents.row if one.key == number)
             self._begin(key, other)
         except SuiteError as error:
             self._report(error)
@@ -105,22 +106,22 @@ class InterpolationControl(Feature, QObject):
         way = self._way
         paint = way.first if share == 0.0 else mixed(way.first, way.second, share, way.first.name)
         way.made.append((paint, share))
-        self._desk.set_paint(paint, tr(STEP))
+        self._session.set_paint(paint, tr(STEP))
 
     def take(self, share: float) -> None:
         """Go to ``share`` at once, as one step."""
         self.section.show_share(share)
         self.set_share(share)
-        self._desk.end_gesture()
+        self._session.end_gesture()
 
     def close(self) -> None:
         """End the thread."""
         self._tasks.stop()
 
     def _begin(self, key: str, other: Paint | Standard) -> None:
-        first = self._desk.paint
+        first = self._session.paint
         second = second_end(first, other)
-        self._desk.dismiss_message(KEY)
+        self._session.dismiss_message(KEY)
         self._chosen = key
         self._way = _Way(first, second, deque([(first, 0.0)], MOST_MADE))
         self.section.show_ends(first.name, second.name)
@@ -136,7 +137,7 @@ class InterpolationControl(Feature, QObject):
         self._list()
 
     def _report(self, error: Exception) -> None:
-        self._desk.show_message(
+        self._session.show_message(
             message_of(error, KEY, todo=tr("Choose a different paint for the other end."))
         )
         self._list()
@@ -163,10 +164,10 @@ class InterpolationControl(Feature, QObject):
 
     def _list_later(self) -> None:
         if self.host.is_open:
-            self._desk.at_idle(KEY, self._list)
+            self._session.at_idle(KEY, self._list)
 
     def _list(self) -> None:
-        documents = self._desk.documents
+        documents = self._session.documents
         tabs = [(f"{_TAB}{one.key}", one.title) for one in documents.row if one is not documents.front]
         shipped = [(f"{_SHIPPED}{name}", name.replace("_", " ").capitalize()) for name in paint_names()]
         file_title = tr("From a file…")
@@ -191,14 +192,12 @@ class InterpolationControl(Feature, QObject):
                 self.section.show_picture(place, self._pictures.picture(paint))
 
     def _ask_path(self) -> Path | None:
-        present = self._desk.documents.front.store.path
+        present = self._session.documents.front.store.path
         folder = present.parent if present is not None else Path.home()
         named = tr("Paints and measured files ({patterns})").format(patterns=standard_patterns())
         filters = ";;".join((named, tr("All files (*)")))
-        return self._desk.documents.dialogs.open_path(folder, filters)
+        return self._session.documents.dialogs.open_path(folder, filters)
 
 
 def _load(name_or_path: str | Path, progress: Progress) -> Standard:
-    from brdf_suite.paint_design.standard_files import load_standards
-
     return load_standards(name_or_path, progress)[0]

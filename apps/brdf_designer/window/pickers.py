@@ -1,4 +1,4 @@
-"""The colour pickers beside the desk, and the menus that name readings, files and steps."""
+"""The colour pickers beside the window, and the menus that name readings, files and steps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The parts of the desk that come as a section, a dock or a command of their own, in the order of the inspector."""
+"""The parts of Designer that come as a section, a dock or a command of their own, in the order of the inspector."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     MeasuredControl,
     AcquireControl,
 )
-"""What makes each part: called with desk and window, it adds itself to the window and listens to the desk.
+"""What makes each part: called with session and window, it adds itself to the window and follows the session.
 
 Parts are made before the window is shown. What costs time at a start belongs into :meth:`PaintSession.at_idle`.
 """
 
 
-def build_sections(desk: PaintSession, window: DesignerWindow) -> list[Feature]:
+def build_sections(session: PaintSession, window: DesignerWindow) -> list[Feature]:
     """Make every part and return them; their owner keeps them."""
-    return [part(desk, window) for part in PARTS]
+    return [part(session, window) for part in PARTS]

@@ -1,4 +1,4 @@
-"""The status bar of the desk: flop asked and reached, what the fit gives, gamut and link, as they are now."""
+"""The status bar of Designer: flop asked and reached, what the fit gives, gamut and link, as they are now."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from brdf_suite.appearance.flop.index import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab
 
 
-class DeskStatus:
-    """Writes what the desk knows into the cells of a status line."""
+class PaintStatus:
+    """Writes what is known of the paint into the cells of a status line."""
 
     def __init__(self, line: StatusLine) -> None:
         self._flop = line.cell(

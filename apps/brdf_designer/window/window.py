@@ -27,7 +27,7 @@ from brdf_designer.window.focus import order_focus
 from brdf_designer.window.letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
-from brdf_designer.window.status import DeskStatus
+from brdf_designer.window.status import PaintStatus
 from brdf_suite.documents.paint import Paint
 
 
@@ -67,13 +67,13 @@ class DesignerWindow(SuiteWindow):
         self.tabs = DocumentTabs()
         self._build_centre()
         self._build_inspector(session)
-        self.desk_status = DeskStatus(self.status)
+        self.paint_status = PaintStatus(self.status)
         self._build_menus(session, shipped)
 
-    # What a part of the desk adds.
+    # What a part of Designer adds.
 
     def add_history(self, strip: QWidget) -> None:
-        """Put the strip of states under the desk."""
+        """Put the strip of states under patches and plots."""
         self._centre_box.addWidget(strip)
         self._below.append(strip)
 
@@ -104,7 +104,7 @@ class DesignerWindow(SuiteWindow):
             if before is None or before is colours.paint or section.part_of(before) != part:
                 section.show_paint(colours.paint)
         self.plot.show_colours(colours)
-        self.desk_status.show_colours(colours)
+        self.paint_status.show_colours(colours)
         if self.reading_menus.show_angles(colours.angles):
             # Fields have come or gone with the angles.
             QTimer.singleShot(0, self, self.order_focus)
@@ -121,16 +121,16 @@ class DesignerWindow(SuiteWindow):
         )
         self.coat.show_fit(state)
         self.model.show_notices(state.notices)
-        self.desk_status.show_fit(state)
+        self.paint_status.show_fit(state)
 
     def show_curves(self, curves: Curves) -> None:
         """See :class:`brdf_designer.controller.View`."""
-        for part in (self.strip, self.plot, self.desk_status):
+        for part in (self.strip, self.plot, self.paint_status):
             part.show_curves(curves)
 
     def mark_fit_stale(self) -> None:
         """See :class:`brdf_designer.controller.View`."""
-        for part in (self.strip, self.plot, self.coat, self.desk_status):
+        for part in (self.strip, self.plot, self.coat, self.paint_status):
             part.mark_stale()
         self.patches.show_differences(None)
 
@@ -261,7 +261,7 @@ class DesignerWindow(SuiteWindow):
     # The picker, drops and the end.
 
     def pick_colour(self, index: int) -> None:
-        """Open the colour picker of a measurement beside the desk; all its changes are one step."""
+        """Open the colour picker of a measurement beside the window; all its changes are one step."""
         assert self._colours is not None
         self.pickers.open(next(angle for angle in self._colours.angles if angle.index == index))
 
@@ -276,7 +276,7 @@ class DesignerWindow(SuiteWindow):
                 field.set_default(field.value())
 
     def order_focus(self) -> None:
-        """Let Tab go through the desk as it is seen: tabs, colours, plots, picture and history, then the inspector."""
+        """Let Tab go through the window as seen: tabs, colours, plots, picture and history, then the inspector."""
         parts = [self.tabs, self.strip, self.patches, self.lower_split, *self._below]
         order_focus([*parts, *self.inspector.sections])
 

@@ -58,8 +58,8 @@ def drag() -> dict[str, list[float]]:
         run_one(self)
         idle.append(1e3 * (perf_counter() - start))
 
-    designer.desk._idle._timer.timeout.disconnect()
-    designer.desk._idle._timer.timeout.connect(lambda: timed(designer.desk._idle))
+    designer.session._idle._timer.timeout.disconnect()
+    designer.session._idle._timer.timeout.connect(lambda: timed(designer.session._idle))
     slider = designer.window.editors.editors[0].sliders[0]
     start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)

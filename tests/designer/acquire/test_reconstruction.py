@@ -114,8 +114,8 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     assert designer.documents.front.title == "Test"
     assert len(designer.documents.row) <= before + 1
     assert not designer.documents.front.store.is_clean
-    lightest = designer.desk.paint.measurements[0].lab
-    assert lightest[0] > designer.desk.paint.measurements[-1].lab[0]
+    lightest = designer.session.paint.measurements[0].lab
+    assert lightest[0] > designer.session.paint.measurements[-1].lab[0]
 
     # Another mask takes the table and the fit with it, and nothing else.
     window.show_page("mask")

@@ -52,13 +52,13 @@ def test_gloss_and_coat_are_in_step_both_ways(designer, qtbot) -> None:
     type_in(coat.panel.fields["gloss.gu_20"], "50")
     assert coat.roughness.value() > 0.01
     for _ in range(3):
-        designer.desk.undo()
+        designer.session.undo()
     assert designer.store.value == before
 
 
 def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(designer) -> None:
     coat = designer.window.coat
-    designer.desk.edit(PickColour(0, (6.0, 0.0, 0.0)))
+    designer.session.edit(PickColour(0, (6.0, 0.0, 0.0)))
     before, roughness = designer.store.value, coat.roughness.value()
     type_in(coat.roughness, "0.2")
     message = designer.window.messages.shown()["edit"]
@@ -71,7 +71,7 @@ def test_a_coat_that_the_colours_do_not_allow_is_refused_with_what_can_be(design
     assert "edit" not in designer.window.messages.shown()
     taken = designer.store.value
     assert taken != before
-    designer.desk.undo()
+    designer.session.undo()
     ((text, take),) = message.actions
     assert text == f"Use Roughness {most}"
     take()
@@ -128,9 +128,9 @@ def test_a_gloss_that_cannot_be_is_explained_and_the_nearest_is_one_click_away(d
     assert not coat.note.isVisible()
     assert "nearest" not in messages.shown()
     assert steps(designer) == ["Change Gloss 20°", "Use Closest Paint"]
-    designer.desk.undo()
+    designer.session.undo()
     assert designer.store.value.gloss.gu_20 == 180.0
-    designer.desk.undo()
+    designer.session.undo()
     assert designer.store.value == asked_before
 
 
@@ -163,8 +163,8 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(designe
     assert fitter.fit(designer.store.value).worst_delta_e < 1.0
     fitter.close()
     assert not any(patch.fit.font().bold() for patch in patches)
-    designer.desk.undo()
-    designer.desk.undo()
+    designer.session.undo()
+    designer.session.undo()
     assert designer.store.value == asked
 
 
@@ -234,7 +234,7 @@ def test_a_colour_that_the_lobes_do_not_reach_stands_out(designer, qtbot):
     assert fit.text().startswith("! Fit")
     assert fit.font().bold()
     assert "no non-negative sum of the lobes" in fit.toolTip()
-    designer.desk.undo()
+    designer.session.undo()
     assert not any(patch.fit.font().bold() for patch in patches)
     qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert not fit.font().bold()
@@ -251,13 +251,13 @@ def test_the_status_bar_shows_target_and_fit(designer, qtbot):
     type_in(designer.window.editors.editors[2].fields[0], "55")
     qtbot.waitUntil(lambda: designer.controller.is_idle)
     asked, achieved = flop.text().rstrip(" ?").split(", achieved ")
-    lightness = [row.lab_fitted[0] for row in designer.desk.fit.readings]
+    lightness = [row.lab_fitted[0] for row in designer.session.fit.readings]
     assert asked == f"Flop {flop_index(62.0, 25.0, 55.0).value:.1f}"
     assert achieved == f"{flop_index(*lightness).value:.1f}" != asked.split()[1]
     assert fit.text().startswith("! Fit ΔE00 ≤ ")
-    worst = max(row.delta_e_2000 for row in designer.desk.fit.readings)
+    worst = max(row.delta_e_2000 for row in designer.session.fit.readings)
     assert abs(float(fit.text().split("≤ ")[1].split(",")[0]) - worst) <= 0.01
-    given = designer.desk.fit.readings[2].lab_fitted
+    given = designer.session.fit.readings[2].lab_fitted
     assert f"fit {given[0]:.1f} / " in fit.toolTip().splitlines()[2]
     # Of a paint that cannot be, only what is asked is said.
     type_in(designer.window.coat.panel.fields["gloss.gu_20"], "199")

@@ -62,35 +62,35 @@ def drag(band, grip: int, *ups: int, keys=Qt.KeyboardModifier.NoModifier) -> Non
         ("index", 0, "Change Flop Index", 1.0),
     ],
 )
-def test_a_grip_is_dragged_as_one_named_step(desk, key, end, name, sense):
-    band, grip = desk.window.strip.band, place(key, end)
-    before, asked = desk.store.value, band.amount(grip)
+def test_a_grip_is_dragged_as_one_named_step(program, key, end, name, sense):
+    band, grip = program.window.strip.band, place(key, end)
+    before, asked = program.store.value, band.amount(grip)
     face = before.lab_at(45.0)
     drag(band, grip, 4, 9, 20)
-    assert steps(desk) == [name]
+    assert steps(program) == [name]
     change = band.amount(grip) - asked
     assert change * sense > 0.5, "up is more of it at this end"
-    assert desk.store.value.lab_at(45.0) == face
+    assert program.store.value.lab_at(45.0) == face
     name_of_value = {"lightness": "lightness", "chroma": "chroma", "hue": "hue_deg", "index": "index"}[key]
-    assert getattr(now(desk), name_of_value) == pytest.approx(asked + change)
-    desk.desk.undo()
-    assert desk.store.value == before
+    assert getattr(now(program), name_of_value) == pytest.approx(asked + change)
+    program.session.undo()
+    assert program.store.value == before
 
 
-def test_a_drag_that_comes_back_leaves_no_step(desk):
-    drag(desk.window.strip.band, place("lightness", 1), 12, 5, 0)
-    assert steps(desk) == []
+def test_a_drag_that_comes_back_leaves_no_step(program):
+    drag(program.window.strip.band, place("lightness", 1), 12, 5, 0)
+    assert steps(program) == []
 
 
-def test_shift_drags_finely(desk):
-    band, grip = desk.window.strip.band, place("lightness", 1)
+def test_shift_drags_finely(program):
+    band, grip = program.window.strip.band, place("lightness", 1)
     asked = band.amount(grip)
     drag(band, grip, 20, keys=Qt.KeyboardModifier.ShiftModifier)
     assert 0.0 < band.amount(grip) - asked <= 0.5
 
 
-def test_the_keys_choose_a_grip_and_move_it_in_one_step(desk):
-    band = desk.window.strip.band
+def test_the_keys_choose_a_grip_and_move_it_in_one_step(program):
+    band = program.window.strip.band
     band.setFocus(Qt.FocusReason.TabFocusReason)
     QTest.mouseClick(band, Qt.MouseButton.LeftButton, pos=band.grip_centres()[0].toPoint())
     QApplication.sendEvent(band, QEvent(QEvent.Type.Leave))
@@ -102,7 +102,7 @@ def test_the_keys_choose_a_grip_and_move_it_in_one_step(desk):
     QTest.keyClick(band, Qt.Key.Key_Down)
     assert band.amount(place("chroma", 1)) == pytest.approx(asked + 1.0)
     QTest.keyClick(band, Qt.Key.Key_Left)
-    assert steps(desk) == ["Change Chroma Travel"]
+    assert steps(program) == ["Change Chroma Travel"]
     assert "travel" in band.accessibleDescription()
     QTest.keyClick(band, Qt.Key.Key_Right)
     QTest.keyClick(band, Qt.Key.Key_Right)
@@ -111,18 +111,18 @@ def test_the_keys_choose_a_grip_and_move_it_in_one_step(desk):
     assert "ΔL* travel" in band.accessibleDescription(), "round and round"
 
 
-def test_a_double_click_goes_back_to_what_was_opened(desk):
-    band, grip = desk.window.strip.band, place("lightness", 1)
+def test_a_double_click_goes_back_to_what_was_opened(program):
+    band, grip = program.window.strip.band, place("lightness", 1)
     asked = band.amount(grip)
     drag(band, grip, 25)
     assert band.amount(grip) != asked
     QTest.mouseDClick(band, Qt.MouseButton.LeftButton, pos=band.grip_centres()[grip].toPoint())
     assert band.amount(grip) == pytest.approx(asked)
-    assert len(steps(desk)) == 2
+    assert len(steps(program)) == 2
 
 
-def test_a_grip_says_what_it_is_with_its_unit(desk, qtbot):
-    band, strip = desk.window.strip.band, desk.window.strip
+def test_a_grip_says_what_it_is_with_its_unit(program, qtbot):
+    band, strip = program.window.strip.band, program.window.strip
     band.clearFocus()
     grip = place("hue", 1)
     at = band.grip_centres()[grip]
@@ -147,23 +147,23 @@ def test_a_grip_says_what_it_is_with_its_unit(desk, qtbot):
     assert strip.caption.accessibleName().startswith("Flop (target above")
 
 
-def test_what_a_paint_has_none_of_is_not_moved(desk):
-    band = desk.window.strip.band
-    desk.documents.new()  # a grey: no hue to travel
+def test_what_a_paint_has_none_of_is_not_moved(program):
+    band = program.window.strip.band
+    program.documents.new()  # a grey: no hue to travel
     assert math.isnan(band.amount(place("hue", 1)))
     drag(band, place("hue", 1), 20)
-    assert steps(desk) == []
+    assert steps(program) == []
     drag(band, place("lightness", 1), -20)
-    assert steps(desk) == ["Change Lightness Travel"]
-    assert desk.store.value.lab_at(110.0)[0] < 50.0 < desk.store.value.lab_at(15.0)[0]
+    assert steps(program) == ["Change Lightness Travel"]
+    assert program.store.value.lab_at(110.0)[0] < 50.0 < program.store.value.lab_at(15.0)[0]
 
 
-def test_without_an_end_beyond_the_face_there_are_no_grips(desk):
-    paint = desk.store.value
+def test_without_an_end_beyond_the_face_there_are_no_grips(program):
+    paint = program.store.value
     readings = tuple(
         type(m)(m.illumination_deg, angle, m.lab)
         for m, angle in zip(paint.measurements, (15.0, 25.0, 45.0), strict=True)
     )
-    desk.desk.set_paint(replace(paint, measurements=readings), "Other angles")
-    assert flop_of(desk.store.value) is None
-    assert desk.window.strip.band.grip_at(desk.window.strip.band.grip_centres()[0]) is None
+    program.session.set_paint(replace(paint, measurements=readings), "Other angles")
+    assert flop_of(program.store.value) is None
+    assert program.window.strip.band.grip_at(program.window.strip.band.grip_centres()[0]) is None

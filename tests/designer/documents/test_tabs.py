@@ -163,7 +163,7 @@ def test_quitting_asks_for_every_unsaved_tab_and_one_cancel_keeps_all(three, dia
 def test_the_other_programs_follow_the_tab_in_front(three, qtbot, monkeypatch):
     sent = []
     monkeypatch.setattr(
-        three.desk, "_publish", lambda _topic, value: sent.append(paint_from_json(value).name)
+        three.session, "_publish", lambda _topic, value: sent.append(paint_from_json(value).name)
     )
     qtbot.wait(20)
     sent.clear()
@@ -198,13 +198,13 @@ def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
 
 
 def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
-    three.desk.begin_gesture()
-    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
+    three.session.begin_gesture()
+    three.session.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(0)
-    assert not three.desk.in_gesture
-    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
+    assert not three.session.in_gesture
+    three.session.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(2)
-    three.desk.set_paint(load_shipped_paint("silver_metallic"), "Drag")
+    three.session.set_paint(load_shipped_paint("silver_metallic"), "Drag")
     assert three.store.stack.count() == 2
 
 

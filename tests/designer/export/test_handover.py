@@ -47,14 +47,14 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     control.section.export.click()
     qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
     assert designer.window.messages.shown()[KEY].where == str(dialogs.path)
-    assert read_paints(dialogs.path).paints == (designer.desk.paint,)
+    assert read_paints(dialogs.path).paints == (designer.session.paint,)
     # Where it cannot be written, the window says why, and that nothing else changed.
     designer.window.dismiss_message(KEY)
     control.export(tmp_path / "no folder" / "blue.csv")
     qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
     assert "cannot be written" in designer.window.messages.shown()[KEY].what
     # A report against the standard: what the section Standard judges by goes along.
-    paint = designer.desk.paint
+    paint = designer.session.paint
     designer.window.findChild(StandardControl).set_standards([standard_of(replace(paint, name="the aim"))])
     control.section.choose("html")
     control.section.format_chosen.emit("html")
@@ -66,7 +66,7 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     text = (tmp_path / "blue.html").read_text(encoding="utf-8")
     assert re.search(r"Against the aim: [a-z ]+; passes\.", text)
     # A paint that cannot be: formats of how it reflects are refused before there is a file.
-    designer.desk.set_paint(replace(paint, gloss=Gloss(150.0)), "Gloss")
+    designer.session.set_paint(replace(paint, gloss=Gloss(150.0)), "Gloss")
     control.section.choose("gltf")
     control.section.format_chosen.emit("gltf")
     qtbot.waitUntil(lambda: "150 GU" in control.section.losses.text())

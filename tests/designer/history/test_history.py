@@ -29,18 +29,18 @@ def shown(history) -> list[str]:
 def lighten(designer, *values: float) -> None:
     for value in values:
         paint = designer.store.value
-        designer.desk.set_paint(
+        designer.session.set_paint(
             paint.with_lab(15.0, (value, *paint.lab_at(15.0)[1:])), f"Lighten to {value:g}"
         )
 
 
 def test_every_step_is_a_state_once_the_edits_pause(designer, history, qtbot):
     qtbot.waitUntil(lambda: shown(history) == ["Opened"])
-    designer.desk.begin_gesture()
+    designer.session.begin_gesture()
     for value in (63.0, 64.0, 65.0):
         paint = designer.store.value
-        designer.desk.set_paint(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
-    designer.desk.end_gesture()
+        designer.session.set_paint(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
+    designer.session.end_gesture()
     lighten(designer, 70)
     qtbot.waitUntil(lambda: shown(history) == ["Opened", "Drag", "Lighten to 70"])
     assert history.strip.states.present == 2
@@ -52,7 +52,7 @@ def test_a_click_goes_to_a_state_at_once_and_undone_ones_stay(designer, history,
     qtbot.waitUntil(lambda: len(shown(history)) >= 5)
     assert len(shown(history)) == 5
     fits = []
-    designer.desk.fit_changed.connect(fits.append)
+    designer.session.fit_changed.connect(fits.append)
     strip = history.strip
     place = strip.visualRect(strip.states.index(1)).center()
     qtbot.mouseClick(strip.viewport(), Qt.MouseButton.LeftButton, pos=place)

@@ -1,4 +1,4 @@
-"""What the desk shows is what the paint says: checked against the readings themselves."""
+"""What the window shows is what the paint says: checked against the readings themselves."""
 
 from __future__ import annotations
 

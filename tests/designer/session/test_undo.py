@@ -81,16 +81,16 @@ OTHERS = ("part", "undo", "redo", "go", "next_tab", "move_tab", "end")
 
 
 @pytest.fixture
-def desk(qapp, dialogs):
+def session(qapp, dialogs):
     fitter = create_autospec(Fitter, instance=True)
     fitter.fit.side_effect = FITTER_IS_NOT_ASKED
     view = create_autospec(View, instance=True)
     documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
     documents.add(load_shipped_paint("red"))
     documents.add(load_shipped_paint("copper"))
-    desk = PaintSession(documents, fitter, lambda *_: None, view)
-    Controller(view, desk, desk)
-    yield desk
+    session = PaintSession(documents, fitter, lambda *_: None, view)
+    Controller(view, session, session)
+    yield session
     documents.keep_unsaved()
 
 
@@ -98,7 +98,7 @@ def test_every_kind_of_edit_is_drawn():
     assert set(edits(load_shipped_paint("blue"))) == set(Edit.__subclasses__())
 
 
-def test_each_kind_can_change_the_paint(desk):
+def test_each_kind_can_change_the_paint(session):
     """What is drawn below is no row of refusals."""
     for edit in (
         SetLch(0, 1, 20.0, 0.0),
@@ -107,52 +107,52 @@ def test_each_kind_can_change_the_paint(desk):
         AddAngle(Geometry(45.0, 25.0)),
         SetCoat("ior", 1.52, 0.01),
     ):
-        assert edit.apply(desk.paint) != desk.paint, edit
+        assert edit.apply(session.paint) != session.paint, edit
 
 
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(data=st.data())
-def test_any_edits_and_as_many_undos_give_the_identical_paints(desk, data):
-    documents = desk.documents
+def test_any_edits_and_as_many_undos_give_the_identical_paints(session, data):
+    documents = session.documents
     for document in documents.row:
         document.store.replace(document.original, None)
     before = {document.key: document.store.value for document in documents.row}
     for _ in range(data.draw(st.integers(1, 10))):
-        act(desk, data.draw)
+        act(session, data.draw)
     after = {document.key: document.store.value for document in documents.row}
     assert set(after) == set(before)
     places = {document.key: document.store.stack.index() for document in documents.row}
     for document in documents.row:
         documents.show(document)
         for _ in range(places[document.key]):
-            desk.undo()
+            session.undo()
         assert document.store.value == before[document.key]
         assert document.store.is_clean
         for _ in range(places[document.key]):
-            desk.redo()
+            session.redo()
         assert document.store.value == after[document.key]
 
 
-def act(desk, draw) -> None:
+def act(session, draw) -> None:
     """Do something that a user can do; now and then in the middle of a gesture."""
     what = draw(st.sampled_from([*Edit.__subclasses__(), *OTHERS]))
     if what not in OTHERS:
         if draw(st.booleans()):
-            desk.begin_gesture()
-        desk.edit(draw(edits(desk.paint)[what]))
+            session.begin_gesture()
+        session.edit(draw(edits(session.paint)[what]))
     elif what == "part":
-        # Another part of the desk edits by a step of its own, in a gesture or not.
+        # Another part of Designer edits by a step of its own, in a gesture or not.
         if draw(st.booleans()):
-            desk.begin_gesture()
-        desk.set_paint(load_shipped_paint(draw(st.sampled_from(["champagne", "silver_metallic"]))), "Take")
+            session.begin_gesture()
+        session.set_paint(load_shipped_paint(draw(st.sampled_from(["champagne", "silver_metallic"]))), "Take")
     elif what == "go":
-        desk.go_to(draw(st.integers(0, desk.documents.front.store.stack.count())))
+        session.go_to(draw(st.integers(0, session.documents.front.store.stack.count())))
     elif what == "move_tab":
-        desk.documents.move(draw(st.integers(0, 1)), draw(st.integers(0, 1)))
+        session.documents.move(draw(st.integers(0, 1)), draw(st.integers(0, 1)))
     else:
         {
-            "undo": desk.undo,
-            "redo": desk.redo,
-            "next_tab": lambda: desk.documents.step(1),
-            "end": desk.end_gesture,
+            "undo": session.undo,
+            "redo": session.redo,
+            "next_tab": lambda: session.documents.step(1),
+            "end": session.end_gesture,
         }[what]()

@@ -24,8 +24,8 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
-def control(desk) -> StandardControl:
-    control = desk.feature(StandardControl)
+def control(program) -> StandardControl:
+    control = program.feature(StandardControl)
     control.judge_by(load())
     return control
 
@@ -35,10 +35,10 @@ def click(button) -> None:
     button.click()
 
 
-def darker_at_flop(desk, by: float) -> None:
-    paint = desk.desk.paint
+def darker_at_flop(program, by: float) -> None:
+    paint = program.session.paint
     lightness, a, b = paint.lab_at(110.0)
-    desk.desk.set_paint(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
+    program.session.set_paint(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
 
 
 def entry(control, text: str) -> QAction:
@@ -53,14 +53,14 @@ def column(table, number: int) -> list[str]:
     return [table.item(row, number).text() for row in range(table.rowCount())]
 
 
-def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(desk, control) -> None:
-    section, patches = control.section, desk.window.patches
+def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(program, control) -> None:
+    section, patches = control.section, program.window.patches
     assert not section.empty.isHidden()
     click(section.take)
     assert section.body.isVisibleTo(section)
     assert column(section.results, 1) == ["0.00"] * 3
     assert section.sentence.text() == "no visible difference"
-    darker_at_flop(desk, 3.0)
+    darker_at_flop(program, 3.0)
     expected = float(delta_e_2000((9.0, 8.0, -28.0), (6.0, 8.0, -28.0)))
     assert column(section.results, 1) == ["0.00", "0.00", f"{expected:.2f}"]
     assert column(section.results, 2) == ["0.00", "0.00", "−3.00"]
@@ -85,10 +85,10 @@ def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(desk, cont
     assert darker.against.isHidden()
 
 
-def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> None:
+def test_formula_and_tolerances_are_chosen_and_kept(program, control, qtbot) -> None:
     section = control.section
     click(section.take)
-    darker_at_flop(desk, 3.0)
+    darker_at_flop(program, 3.0)
     section.formula.setCurrentIndex(section.formula.findData("cmc21"))
     section.formula.activated.emit(section.formula.currentIndex())
     expected = float(delta_e_cmc((9.0, 8.0, -28.0), (6.0, 8.0, -28.0)))
@@ -109,53 +109,53 @@ def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> Non
     table.item(3, 2).setText("")
     assert column(section.results, 5) == ["pass"] * 3
     table.item(2, 3).setText("a lot")
-    assert "not a tolerance" in desk.window.messages.shown()["standard"].what
+    assert "not a tolerance" in program.window.messages.shown()["standard"].what
     assert table.item(2, 3).text() == ""
     table.item(3, 2).setText("2")
     assert load().tolerances() == control.tolerances
     assert load().by_angle == {110.0: Limits(lightness=2.0)}
 
 
-def test_undo_of_a_swap_brings_both_back(desk, control) -> None:
+def test_undo_of_a_swap_brings_both_back(program, control) -> None:
     click(control.section.take)
-    first = desk.desk.paint
-    darker_at_flop(desk, 3.0)
-    batch, standard = desk.desk.paint, control.standard
+    first = program.session.paint
+    darker_at_flop(program, 3.0)
+    batch, standard = program.session.paint, control.standard
     click(control.section.swap)
-    assert desk.desk.paint == first
+    assert program.session.paint == first
     assert control.standard.paint is batch
     assert column(control.section.results, 2)[2] == "+3.00"
-    desk.window.undo_action.trigger()
-    assert desk.desk.paint is batch
+    program.window.undo_action.trigger()
+    assert program.session.paint is batch
     assert control.standard is standard
-    desk.window.redo_action.trigger()
-    assert desk.desk.paint == first
+    program.window.redo_action.trigger()
+    assert program.session.paint == first
     assert control.standard.paint is batch
 
 
-def test_each_tab_keeps_its_own_standard(desk, control) -> None:
+def test_each_tab_keeps_its_own_standard(program, control) -> None:
     # Also of the tab that the program began with, and that would give way to the first one opened.
     click(control.section.take)
     mine = control.standard
-    desk.desk.open_paint(load_shipped_paint("red"), clean=True)
+    program.session.open_paint(load_shipped_paint("red"), clean=True)
     assert control.standard is None
-    assert desk.window.patches.patches[0].field.standard() is None
-    desk.documents.show(desk.documents.row[0])
+    assert program.window.patches.patches[0].field.standard() is None
+    program.documents.show(program.documents.row[0])
     assert control.standard is mine
-    assert desk.window.patches.patches[0].field.standard() is not None
+    assert program.window.patches.patches[0].field.standard() is not None
 
 
-def test_an_open_tab_and_a_shipped_paint_are_standards(desk, control, qtbot) -> None:
-    darker_at_flop(desk, 3.0)
-    desk.desk.open_paint(load_shipped_paint("blue"), clean=True)
-    entry(control, desk.documents.row[0].title).trigger()
-    assert control.standard.paint is desk.documents.row[0].store.value
+def test_an_open_tab_and_a_shipped_paint_are_standards(program, control, qtbot) -> None:
+    darker_at_flop(program, 3.0)
+    program.session.open_paint(load_shipped_paint("blue"), clean=True)
+    entry(control, program.documents.row[0].title).trigger()
+    assert control.standard.paint is program.documents.row[0].store.value
     assert control.section.sentence.text() == "lighter at 110°; slightly less flop"
     entry(control, "Red").trigger()
     qtbot.waitUntil(lambda: control.standard.name == "Red")
 
 
-def test_a_palette_is_loaded_and_one_of_its_paints_chosen(desk, control, asked, qtbot, tmp_path) -> None:
+def test_a_palette_is_loaded_and_one_of_its_paints_chosen(program, control, asked, qtbot, tmp_path) -> None:
     path = tmp_path / "season.brdfpalette"
     save_palette(Palette("Season", tuple(Entry(load_shipped_paint(n)) for n in ("red", "blue"))), path)
     asked.path = path
@@ -170,32 +170,32 @@ def test_a_palette_is_loaded_and_one_of_its_paints_chosen(desk, control, asked, 
     assert "season.brdfpalette" in control.section.origin.text()
 
 
-def test_a_measured_file_is_a_standard_at_any_angle(desk, control, qtbot, shared_data) -> None:
+def test_a_measured_file_is_a_standard_at_any_angle(program, control, qtbot, shared_data) -> None:
     control.load(shared_data / "brdf" / "vch_golden_yellow_rgb.bsdf")
     qtbot.waitUntil(lambda: control.standard is not None)
     assert column(control.section.results, 0) == ["15°*", "45°*", "110°*"]
     click(control.section.swap)
-    assert desk.desk.paint.lab_at(15.0)[0] == pytest.approx(101.13, abs=0.01)
-    assert desk.desk.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
+    assert program.session.paint.lab_at(15.0)[0] == pytest.approx(101.13, abs=0.01)
+    assert program.session.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
 
 
-def test_what_cannot_be_read_is_reported_and_nothing_changes(desk, control, qtbot, tmp_path) -> None:
+def test_what_cannot_be_read_is_reported_and_nothing_changes(program, control, qtbot, tmp_path) -> None:
     click(control.section.take)
     mine = control.standard
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text("{")
     control.load(broken)
-    qtbot.waitUntil(lambda: "standard" in desk.window.messages.shown())
-    assert "broken.brdfpaint" in desk.window.messages.shown()["standard"].where
+    qtbot.waitUntil(lambda: "standard" in program.window.messages.shown())
+    assert "broken.brdfpaint" in program.window.messages.shown()["standard"].where
     assert control.standard is mine
 
 
-def test_several_batches_are_judged(desk, control, asked, qtbot, tmp_path) -> None:
+def test_several_batches_are_judged(program, control, asked, qtbot, tmp_path) -> None:
     section = control.section
     click(section.take)
     section.batch_section.set_open(True)
-    desk.desk.open_paint(load_shipped_paint("midnight_blue"), clean=True)
-    desk.documents.show(desk.documents.row[0])
+    program.session.open_paint(load_shipped_paint("midnight_blue"), clean=True)
+    program.documents.show(program.documents.row[0])
     path = tmp_path / "third.brdfpaint"
     save_paint(replace(load_shipped_paint("red"), name="third"), path)
     asked.path = path
@@ -205,15 +205,15 @@ def test_several_batches_are_judged(desk, control, asked, qtbot, tmp_path) -> No
     assert verdicts == ["pass", "FAIL", "FAIL"]
     assert column(section.batches, 0)[2] == "third"
     section.batches.opened.emit(1)
-    assert desk.desk.paint.name == desk.documents.row[1].store.value.name
-    desk.documents.show(desk.documents.row[0])
+    assert program.session.paint.name == program.documents.row[1].store.value.name
+    program.documents.show(program.documents.row[0])
     click(section.clear_batches)
     assert section.batches.rowCount() == 2
 
 
-def test_the_menu_does_the_same(desk, control) -> None:
+def test_the_menu_does_the_same(program, control) -> None:
     def action(key: str) -> QAction:
-        return desk.window.findChild(QAction, f"action_{key}")
+        return program.window.findChild(QAction, f"action_{key}")
 
     assert not action("swap_standard").isEnabled()
     action("take_standard").trigger()
@@ -223,15 +223,15 @@ def test_the_menu_does_the_same(desk, control) -> None:
     assert control.standard is None
 
 
-def test_readings_that_the_standard_lacks_are_said(desk, control) -> None:
-    paint = desk.desk.paint
+def test_readings_that_the_standard_lacks_are_said(program, control) -> None:
+    paint = program.session.paint
     control.set_standards([Standard("instrument", "a.cxf", paint.measurements[:2])])
-    patches = desk.window.patches
+    patches = program.window.patches
     assert patches.patches[2].field.standard() is None
     assert "no reading" in patches.patches[2].against.toolTip()
     click(control.section.swap)
-    assert "no reading at 45as110" in desk.window.messages.shown()["standard"].what
-    assert desk.desk.paint is paint
+    assert "no reading at 45as110" in program.window.messages.shown()["standard"].what
+    assert program.session.paint is paint
 
 
 def test_every_word_of_the_core_can_be_translated() -> None:

@@ -112,8 +112,8 @@ def test_a_wheel_changes_nothing_in_the_window(designer, walks, qtbot) -> None:
     part(designer, HandoverControl).open()
     part(designer, StandardControl).take_present()
     qtbot.waitUntil(lambda: designer.controller.is_idle)
-    paint = designer.desk.paint
+    paint = designer.session.paint
     changed, count = walks.changed_by_wheel(designer.window)
     assert changed == []
     assert count > 30
-    assert designer.desk.paint is paint
+    assert designer.session.paint is paint

@@ -33,7 +33,7 @@ def tab_to(name: str, most: int = 12) -> None:
 
 
 @pytest.fixture
-def desk(fresh, qtbot):
+def started(fresh, qtbot):
     designer, dialogs = fresh
     window = designer.window
     window.activateWindow()
@@ -42,8 +42,8 @@ def desk(fresh, qtbot):
     return designer, dialogs
 
 
-def test_from_an_empty_start_to_the_hand_over(desk, tmp_path, qtbot) -> None:
-    designer, dialogs = desk
+def test_from_an_empty_start_to_the_hand_over(started, tmp_path, qtbot) -> None:
+    designer, dialogs = started
     press(Qt.Key.Key_N, CONTROL)
     assert designer.documents.front.title == "Untitled"
     # The numbers wait to be typed; Tab goes from one to the next.
@@ -81,7 +81,7 @@ def test_from_an_empty_start_to_the_hand_over(desk, tmp_path, qtbot) -> None:
     assert designer.store.value.lab_at(110.0) == LABS[110.0]
 
 
-@pytest.mark.usefixtures("desk")
+@pytest.mark.usefixtures("started")
 def test_the_first_number_of_the_flop_where_that_is_edited() -> None:
     press(Qt.Key.Key_3, Qt.KeyboardModifier.AltModifier)
     press(Qt.Key.Key_0, Qt.KeyboardModifier.AltModifier)
@@ -89,8 +89,8 @@ def test_the_first_number_of_the_flop_where_that_is_edited() -> None:
     press(Qt.Key.Key_1, Qt.KeyboardModifier.AltModifier)
 
 
-def test_the_plots_come_between_the_patches_and_the_inspector(desk) -> None:
-    designer, _ = desk
+def test_the_plots_come_between_the_patches_and_the_inspector(started) -> None:
+    designer, _ = started
     first = designer.window.plot.plots[0]
     tab_to(first.accessibleName())
     assert QApplication.focusWidget() is first

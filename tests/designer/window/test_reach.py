@@ -55,7 +55,7 @@ def window(qapp, tmp_path_factory):
         section.set_open(True)
     designer.window.show()
     named = [widget for widget in controls(designer.window) if widget.objectName().startswith("variation_")]
-    while not (designer.window.plot.is_built and designer.desk.is_quiet and all(map(said, named))):
+    while not (designer.window.plot.is_built and designer.session.is_quiet and all(map(said, named))):
         qapp.processEvents()
     yield designer.window
     designer.close()

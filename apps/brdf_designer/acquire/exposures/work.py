@@ -4,18 +4,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.states import Problem, Series, Shot
+from brdf_suite.acquisition.photographs.exposure_order import check_exposures
+from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress, report
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.session import Session
 
 LONGEST_SIDE = 1200
 """Pictures beyond it are drawn from every second, third … pixel; what is counted is counted over all."""
@@ -40,7 +38,6 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
     Files that cannot be read, and photographs that contradict each other (exchanged, saturated everywhere), are
     reported as problems; a position without any gives an empty series.
     """
-    from brdf_suite.acquisition.photographs.exposure_order import check_exposures
     from brdf_suite.acquisition.photographs.reading import read_photograph
 
     session = request.session

@@ -27,10 +27,10 @@ class FitControl(QObject):
     """Fits, shows, opens and saves."""
 
     def __init__(
-        self, bench: ReconstructionSession, page: FitPage, desk: PaintSession, dialogs: Dialogs
+        self, bench: ReconstructionSession, page: FitPage, paint_session: PaintSession, dialogs: Dialogs
     ) -> None:
         super().__init__(bench)
-        self._bench, self._page, self._desk, self._dialogs = bench, page, desk, dialogs
+        self._bench, self._page, self._paint_session, self._dialogs = bench, page, paint_session, dialogs
         page.fit_requested.connect(self.find)
         page.choice_edited.connect(lambda: bench.invalidate("fit"))
         page.open_requested.connect(self.open)
@@ -71,7 +71,7 @@ class FitControl(QObject):
         self._bench.run("save_paint", save_fitted, SavePaint(fit.paint, path), done)
 
     def _opened(self, start: MeasuredStart) -> None:
-        self._desk.open_paint(start.paint)
+        self._paint_session.open_paint(start.paint)
         text = tr("“{name}” is open in a new tab in Designer. It is not saved yet.").format(
             name=start.paint.name
         )
@@ -84,7 +84,7 @@ class FitControl(QObject):
                     mean=start.mean_delta_e
                 ),
             )
-        self._desk.show_message(Message("acquired", text, where=" ".join(notes)))
+        self._paint_session.show_message(Message("acquired", text, where=" ".join(notes)))
 
     def _show(self, key: str) -> None:
         if key not in ("fit", "table"):

@@ -5,17 +5,20 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.states import FitState
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
+from brdf_suite.documents.store import save_paint
+from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.settings import Settings
+from brdf_suite.paint_design.measured_start import MeasuredStart, measured_start
+from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.cook_torrance import CookTorrancePaint
-    from brdf_suite.paint_design.measured_start import MeasuredStart
+from brdf_suite.reflectance.designed.build import build_reflectance
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,9 +42,6 @@ class FitFound:
 
 def find_fit(request: FitRequest, progress: Progress) -> FitFound:
     """Fit the lobes."""
-    from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
-    from brdf_suite.fitting.cook_torrance.settings import Settings
-
     settings = Settings(lobes=request.lobes, model=request.model)  # type: ignore[arg-type] # one of the page's
     found = fit_cook_torrance(request.name, request.table, settings, progress=progress)
     return FitFound(found, fit_state(found), found.paint)
@@ -130,10 +130,6 @@ class StartRequest:
 
 def find_start(request: StartRequest, progress: Progress) -> MeasuredStart:
     """Read the lobes by the virtual spectrophotometer, and start a design from them."""
-    from brdf_suite.paint_design.measured_start import measured_start
-    from brdf_suite.pipeline.material import Material
-    from brdf_suite.reflectance.designed.build import build_reflectance
-
     paint = request.paint
     item = Material(paint.name, build_reflectance(paint), origin=request.source)
     return measured_start(item, progress=progress)
@@ -149,6 +145,4 @@ class SavePaint:
 
 def save_fitted(request: SavePaint, _progress: Progress) -> None:
     """Write the lobes as a paint."""
-    from brdf_suite.documents.store import save_paint
-
     save_paint(request.paint, request.path)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from brdf_designer.acquire.exposures.work import LONGEST_SIDE
 from brdf_designer.acquire.pictures.tone import tones_of_linear
 from brdf_designer.acquire.reconstruction_session import StepRequest
-from brdf_designer.acquire.response.work import ResponseFound, response_found
+from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found
 from brdf_designer.acquire.states import GeometryState, Problem
 from brdf_suite.progress import Progress, subrange
 
@@ -40,9 +40,7 @@ class GeometryAnswer:
 
 def open_acquisition(request: StepRequest) -> Acquisition:
     """Take the road up where the request says."""
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-
-    road = Acquisition.open(request.folder, request.options)
+    road = open_session(request)
     if request.geometry is not None:
         road.take_calibration(request.geometry)
     elif request.response is not None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from brdf_qt.program.translation import tr
@@ -16,12 +15,10 @@ from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_suite.acquisition.session.session import Session
 from brdf_suite.arrays import Bools
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.session import Session
 
 _PAUSE_MS = 700
 _MOST_CLIPPED = 0.05
@@ -175,8 +172,6 @@ def _read(request: _Wanted, _progress: Progress) -> _Read:
     tones = tones_of_linear(codes) if best.facts.bits is None else tones_of_codes(codes, bits)
     mask = read_mask(request.folder, session)
     if mask is not None and mask.shape != codes.shape[:2]:
-        from brdf_suite.errors import FileError
-
         raise FileError(
             request.folder / str(session.mask),
             f"has {mask.shape[1]}×{mask.shape[0]} pixels, the photographs {codes.shape[1]}×{codes.shape[0]}",

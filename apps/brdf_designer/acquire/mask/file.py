@@ -5,15 +5,14 @@ from __future__ import annotations
 import io
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+from PIL import Image
 
+from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.arrays import Bools
 from brdf_suite.documents.atomic import write_atomically
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.session import Session
 
 MASK_FILE = "mask.png"
 _MOST_NAMES = 100
@@ -29,10 +28,6 @@ def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
     FileError
         The folder cannot be written.
     """
-    from PIL import Image
-
-    from brdf_suite.acquisition.session.store import read_session, write_session
-
     name = session.mask or MASK_FILE
     if not _is_ours(name):
         name = _free_name(folder)

@@ -11,11 +11,14 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
+import pyqtgraph as pg
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPalette, QPen
 from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from brdf_designer.colour.plot_items import dress_plot, make_plot
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
 Mark = Literal["line", "points", "fill"]
@@ -64,7 +67,6 @@ class LinesPlot(QWidget):
 
     def __init__(self, name: str, x: Axis, y: Axis, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        from brdf_designer.colour.plot_items import make_plot
 
         self._x, self._y = x, y
         self.curves: tuple[Curve, ...] = ()
@@ -127,8 +129,6 @@ class LinesPlot(QWidget):
     _marks: tuple[tuple[float, str], ...] = ()
 
     def _draw(self) -> None:
-        import pyqtgraph as pg
-
         for item in self._items:
             self.plot.removeItem(item)
         self._legend.clear()
@@ -218,8 +218,6 @@ class LinesPlot(QWidget):
             self._take_palette()
 
     def _take_palette(self) -> None:
-        from brdf_designer.colour.plot_items import dress_plot
-
         role = QPalette.ColorRole
         dress_plot(self.plot, self.palette().color(role.WindowText), self.palette().color(role.Base))
         self._legend.setLabelTextColor(self.palette().color(role.WindowText))

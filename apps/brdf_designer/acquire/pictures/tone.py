@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 
+from brdf_suite.appearance.colour.colorimetry import srgb_encode
+
 _LEVELS = 65536
 _DARKEST, _BRIGHTEST = -6.0, 2.0
 _DECADES = _BRIGHTEST - _DARKEST
@@ -60,8 +62,6 @@ def tones_of_linear(linear: NDArray[np.floating], white: float | None = None) ->
 
 def drawn(tones: Tones, exposure_ev: float = 0.0) -> QImage:
     """Return the picture as sRGB, ``exposure_ev`` stops brighter; what is beyond white is white."""
-    from brdf_suite.appearance.colour.colorimetry import srgb_encode
-
     shown = np.clip(tones.values * 2.0**exposure_ev, 0.0, 1.0)
     bytes_of = np.rint(255.0 * np.asarray(srgb_encode(shown))).astype(np.uint8)
     return image_of(bytes_of[tones.codes])

@@ -28,11 +28,16 @@ class ResponseFound:
     kept: bool = False
 
 
-def find_response(request: StepRequest, progress: Progress) -> ResponseFound:
-    """Find the response of the camera."""
+def open_session(request: StepRequest) -> Acquisition:
+    """Begin the reconstruction, without what earlier steps found."""
     from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 
-    road = Acquisition.open(request.folder, request.options)
+    return Acquisition.open(request.folder, request.options)
+
+
+def find_response(request: StepRequest, progress: Progress) -> ResponseFound:
+    """Find the response of the camera."""
+    road = open_session(request)
     road.calibrate_response(progress)
     return response_found(road)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -16,11 +16,10 @@ from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.states import Problem, Series, SessionState
+from brdf_suite.acquisition.session.session import SESSION_FILE, Session
+from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.session import Session
 
 _LAST = "acquire/folder"
 _PAUSE_MS = 500
@@ -70,8 +69,6 @@ class SessionControl(QObject):
 
     def ask_new(self) -> None:
         """Ask where a new session is to be, make its folder from the template, and open it."""
-        from brdf_suite.acquisition.session.session import SESSION_FILE
-
         path = self._dialogs.save_path(self._last_folder() / SESSION_FILE, tr("Session (session.json)"))
         if path is not None:
             self.make(path.parent)
@@ -176,8 +173,6 @@ class SessionControl(QObject):
                 target.append(present)
 
     def _write(self, session: Session) -> bool:
-        from brdf_suite.acquisition.session.store import read_session, write_session
-
         assert self._bench.folder is not None
         try:
             if read_session(self._bench.folder) != self._bench.session:
@@ -271,7 +266,6 @@ def _make(folder: Path, progress: Progress) -> Path:
 
 def _open(folder: Path, progress: Progress) -> _Opened:
     from brdf_suite.acquisition.session.check import check_session
-    from brdf_suite.acquisition.session.store import read_session
 
     report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
     session = read_session(folder)

@@ -7,20 +7,20 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, open_acquisition
 from brdf_designer.acquire.reconstruction_session import WORK_FILE, StepRequest
-from brdf_designer.acquire.response.work import ResponseFound, response_found, thousands
+from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found, thousands
 from brdf_designer.acquire.states import CoverageState
+from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map
+from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress, report, subrange
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 _PARTIAL_S = 2.0
 _PARTIAL_SHARE = 0.1
@@ -69,15 +69,13 @@ class SaveTable:
 
 def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
     """Look what an earlier run has left."""
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
     from brdf_suite.acquisition.reconstruction.table import kept_calibration
-    from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
 
     work = request.folder / WORK_FILE
     if not work.exists():
         return KeptWork()
     try:
-        road = Acquisition.open(request.folder, request.options)
+        road = open_session(request)
         calibration = kept_calibration(road, work)
         with open_work(work) as kept:
             done = {record.values["position"] for record in kept.records if record.tag == POSITION}
@@ -131,8 +129,6 @@ def find_table(request: TableRequest, progress: Progress) -> TableFound:
 
 def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState:
     """Return how a table is covered."""
-    from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map
-
     theta_h, theta_d, _ = table.grid.centres()
     coverage = table.coverage
     share = coverage_map(table)
