@@ -74,8 +74,7 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
     from brdf_suite.lighting.cache.packed_maps import pack_maps
     from brdf_suite.lighting.filter.prefilter import prefilter
     from brdf_suite.pipeline.environments import read_environment
-    from brdf_suite.pipeline.scene import default_view, find_environment, narrowed
-    from brdf_suite.pipeline.shading_maps import map_exponents
+    from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
 
     for old in folder.glob(f"*{PACKAGED_ENDING}"):
         old.unlink()

@@ -174,8 +174,10 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
 def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
-    with hurried._fitter._solver._background.lock:
-        hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
+    with hurried.lobe_fitter.solver.background.lock:
+        hurried.lobe_fitter.solver.solver.run = lambda *_: (
+            SolverOutcome.LOST
+        )  # no paint is known that loses it
         desk.controller.edit(("lab", 1, 0), 30.0)
         before = desk.view.show_fit.call_args.args[0]
         assert (before.time_limited, before.exact_follows) == (True, True)

@@ -152,7 +152,7 @@ class LobeFitter:
             ),
             coat_program(self.coat_samples, exponents),
         )
-        self._solver = LimitedSolver(self.programs)
+        self.solver = LimitedSolver(self.programs)
         self._warm_up()
 
     def _sample_at(self, gamma_deg: float) -> int:
@@ -175,7 +175,7 @@ class LobeFitter:
 
     def close(self) -> None:
         """End the background thread, should there be one, and drop what it works at."""
-        self._solver.close()
+        self.solver.close()
 
     def sample(self, reflectance: Layered) -> tuple[FloatArray, FloatArray]:
         """Return ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
@@ -245,7 +245,7 @@ class LobeFitter:
         def fit_of(answer: LimitedSolution) -> LayersFit:
             return self._fit_of(answer, kd, over, start, sampling_seconds)
 
-        return fit_of(self._solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
+        return fit_of(self.solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
 
     def _factors(self, base: FloatArray, coat: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the relative weights of both parts; the energy outbids every ring, as it does without them."""

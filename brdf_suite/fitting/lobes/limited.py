@@ -73,7 +73,8 @@ class LimitedSolver:
 
     Any sequence of :class:`PartProgram` will do; each is solved for every channel, all in one block-diagonal
     model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out. ``fallbacks``,
-    one per part, are those of another solver of the same parts, which saves making them again.
+    one per part, are those of another solver of the same parts, which saves making them again. ``background`` finishes
+    what the limit cut short, on its thread; ``solver`` is the one of HiGHS that both use, under the background's lock.
 
     One solver serves one thread. :meth:`close` ends its background thread, as does losing the last reference.
     """
@@ -88,15 +89,15 @@ class LimitedSolver:
     ) -> None:
         self.parts = tuple(parts)
         self.channels = channels
-        self._background = BackgroundSolver(self.parts, channels)
-        self._solver = self._background.solver
+        self.background = BackgroundSolver(self.parts, channels)
+        self.solver = self.background.solver
         self.fallbacks = _fallbacks(self.parts) if fallbacks is None else tuple(fallbacks)
-        self.inline = self._solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
+        self.inline = self.solver.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
         self._vertex: KeptVertex | None = None
-        self._pace_s = FIRST_PACE_S_PER_ENTRY * self._solver.entry_count
-        weakref.finalize(self, BackgroundSolver.close, self._background, wait=False)
+        self._pace_s = FIRST_PACE_S_PER_ENTRY * self.solver.entry_count
+        weakref.finalize(self, BackgroundSolver.close, self.background, wait=False)
         if not self.inline:
-            self._background.warm()
+            self.background.warm()
 
     def solve(
         self,
@@ -132,7 +133,7 @@ class LimitedSolver:
         FittingError
             See :func:`~brdf_suite.fitting.lobes.answers.normalize_targets`.
         """
-        self._background.supersede()
+        self.background.supersede()
         request = normalize_targets(self.parts, self.channels, targets, factors)
         if self.inline:
             return self._solve_here(request, deadline, finish, then, watch)
@@ -151,11 +152,11 @@ class LimitedSolver:
         the future. Arguments and errors as :meth:`solve`.
         """
         request = normalize_targets(self.parts, self.channels, targets, factors)
-        return self._background.start(request, then).future
+        return self.background.start(request, then).future
 
     def close(self) -> None:
         """Drop what is in work and wait for the thread to end: at most one slice of the solver."""
-        self._background.close()
+        self.background.close()
 
     def _solve_here(
         self,
@@ -168,7 +169,7 @@ class LimitedSolver:
         if self._vertex is not None and request.factors is None:
             found = self._vertex.answer(request.targets)
             if found is not None:
-                answer, self._background.last = optimum(request, *found, 0)
+                answer, self.background.last = optimum(request, *found, 0)
                 return answer
             self._vertex = None
         start = time.perf_counter()
@@ -176,22 +177,22 @@ class LimitedSolver:
         until = deadline - min(max(RESERVE_SHARE * budget, LEAST_RESERVE_S), 0.5 * budget)
         partial, iterations = None, 0
         # The thread may be in a slice of the request before; it lets go after it.
-        if until - start > SHORTEST_RUN_S and self._background.lock.acquire(timeout=until - start):
+        if until - start > SHORTEST_RUN_S and self.background.lock.acquire(timeout=until - start):
             try:
-                self._solver.load(request.targets, request.factors)
+                self.solver.load(request.targets, request.factors)
                 outcome, iterations = self._run_until(until, watch)
                 if outcome in (SolverOutcome.OPTIMAL, SolverOutcome.STOPPED):
-                    held = self._solver.solution()
+                    held = self.solver.solution()
                     if outcome is SolverOutcome.OPTIMAL:
-                        answer, self._background.last = optimal_answer(self.parts, held, request, iterations)
+                        answer, self.background.last = optimal_answer(self.parts, held, request, iterations)
                         if iterations == 0 and request.factors is None:
                             self._vertex = kept_vertex(self.parts, held)
                         return answer
                     partial = held.solutions
             finally:
-                self._background.lock.release()
+                self.background.lock.release()
         answer = self._feasible(request, deadline, partial, iterations)
-        return replace(answer, exact=self._background.start(request, then).future) if finish else answer
+        return replace(answer, exact=self.background.start(request, then).future) if finish else answer
 
     def _run_until(
         self, until: float, watch: Callable[[], None] | None = None
@@ -206,8 +207,8 @@ class LimitedSolver:
                 watch()
                 left = min(left, WATCHED_RUN_S)
             begun = time.perf_counter()
-            outcome = self._solver.run(left, max(FEWEST_ITERATIONS, int(0.5 * left / self._pace_s)))
-            done = self._solver.iterations
+            outcome = self.solver.run(left, max(FEWEST_ITERATIONS, int(0.5 * left / self._pace_s)))
+            done = self.solver.iterations
             iterations += done
             if done >= FEWEST_ITERATIONS:
                 pace = (time.perf_counter() - begun) / done
@@ -216,7 +217,7 @@ class LimitedSolver:
             if outcome is SolverOutcome.OPTIMAL:
                 break
             if outcome is SolverOutcome.LOST:
-                self._solver.forget()
+                self.solver.forget()
                 tries += 1
                 if tries >= MOST_TRIES:
                     break
@@ -232,10 +233,10 @@ class LimitedSolver:
         answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
         left = deadline - time.perf_counter()
         waited = left > SHORTEST_WAIT_S
-        work = self._background.start(request, then, waited=waited)
-        finished = self._background.wait(work, deadline - time.perf_counter()) if waited else None
+        work = self.background.start(request, then, waited=waited)
+        finished = self.background.wait(work, deadline - time.perf_counter()) if waited else None
         if finished is not None:
-            answer, self._background.last = finished
+            answer, self.background.last = finished
             return answer
         if not finish:
             work.future.cancel()
@@ -254,7 +255,7 @@ class LimitedSolver:
         for k, part in enumerate(self.parts):
             begun = time.perf_counter()
             target, factors = request.targets[k], request.factors_of(k)
-            last, last_error = self.fallbacks[k].rescaled(self._background.last[k], target, factors)
+            last, last_error = self.fallbacks[k].rescaled(self.background.last[k], target, factors)
             now = time.perf_counter()
             # What rescaling took, cold, is kept for comparing; the parts to come get their share.
             stop = now + (deadline - now) / (len(self.parts) - k) - 0.8 * (now - begun)
@@ -276,7 +277,7 @@ class LimitedSolver:
             solutions.append(stack[winner, :, channels].T)
             errors.append(table[winner, channels])
             methods.append(tuple(names[w] for w in winner))
-        self._background.last = tuple(solutions)
+        self.background.last = tuple(solutions)
         return rescale_solutions(request, solutions, errors, tuple(methods), False, iterations)
 
 

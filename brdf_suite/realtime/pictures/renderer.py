@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -32,15 +33,13 @@ from brdf_suite.realtime.environment.textures import RAMP_UNIT, EnvironmentTextu
 from brdf_suite.realtime.factors.ball import ReflectanceBalls
 from brdf_suite.realtime.factors.textures import FactorTextures
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.features import surface_features
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.gl.objects import Counters, GpuObjects
 from brdf_suite.realtime.gl.programs import MATERIAL_BINDING, PAINTS, Features, LookUps, Programs, assign
 from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
-from brdf_suite.realtime.gl.view_uniforms import columns, view_uniforms
+from brdf_suite.realtime.gl.view_uniforms import columns, surface_features, view_uniforms
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.lights.single_lights import SingleLights
-from brdf_suite.realtime.material.blending import blend_over
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
@@ -361,10 +360,10 @@ class Renderer(OffscreenPictures):
             self.context.enable_only(
                 moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
             )
-            blend_over(self.context, "SECOND_PAINT" in words)
+            _blend_over(self.context, "SECOND_PAINT" in words)
             self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         self.context.enable_only(moderngl.DEPTH_TEST)
-        blend_over(self.context, False)
+        _blend_over(self.context, False)
 
     def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
@@ -415,3 +414,14 @@ class Renderer(OffscreenPictures):
         }
         assign(program, self._environment.uniforms() | view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
+
+
+def _blend_over(context: moderngl.Context, on: bool) -> None:
+    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
+    if not on:
+        context.disable(moderngl.BLEND)
+        return
+    context.enable(moderngl.BLEND)
+    # moderngl's types know two factors; four set those of alpha apart.
+    factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
+    context.blend_func = factors

@@ -40,7 +40,7 @@ def paint(name: str) -> Layered:
 def held_back(fitter: AngleFitter, monkeypatch: pytest.MonkeyPatch) -> threading.Event:
     """Keep the thread of the grey coat from working until the event is set."""
     event = threading.Event()
-    background = fitter._grey_coat._background
+    background = fitter._grey_coat.background
     advance = background._advance
 
     def later(work: Any) -> Any:
@@ -153,7 +153,7 @@ def test_a_coat_without_an_optimum_is_reported(hurried: AngleFitter, monkeypatch
     def lost(*_: object) -> None:
         raise FittingError("no optimum")
 
-    monkeypatch.setattr(hurried._grey_coat._background, "_advance", lost)
+    monkeypatch.setattr(hurried._grey_coat.background, "_advance", lost)
     fit = hurried.fit(paint("blue"))
     assert fit.exact is not None
     with pytest.raises(FittingError, match="no optimum"):

@@ -39,7 +39,7 @@ def past() -> float:
 
 
 def test_waiting_for_a_request_that_was_dropped_ends(solver: LimitedSolver) -> None:
-    with solver._background.lock:
+    with solver.background.lock:
         dropped = solver.solve([target()], past()).exact
         given_up = solver.solve([target(1)], past()).exact
         assert dropped is not None
@@ -53,7 +53,7 @@ def test_waiting_for_a_request_that_was_dropped_ends(solver: LimitedSolver) -> N
 
 
 def test_waiting_for_a_request_of_a_closed_solver_ends(solver: LimitedSolver) -> None:
-    with solver._background.lock:
+    with solver.background.lock:
         dropped = solver.solve([target()], past()).exact
         closing = threading.Thread(target=solver.close)
         closing.start()
@@ -90,7 +90,7 @@ def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: Limi
             raise AssertionError("it tries on and on")
         return SolverOutcome.LOST
 
-    solver._solver.run = lost  # type: ignore[method-assign]  # no target is known that loses it
+    solver.solver.run = lost  # type: ignore[method-assign]  # no target is known that loses it
     answer = solver.solve([target()], time.perf_counter() + PATIENCE_S)
     assert not answer.optimal
     assert answer.exact is not None
@@ -107,7 +107,7 @@ def test_work_that_no_caller_waits_for_is_begun_and_dropped(solver: LimitedSolve
     assert answer.optimal
     assert name.startswith("brdf-fit")
     np.testing.assert_allclose(answer.objectives[0], best.objectives[0], rtol=1e-9)
-    with solver._background.lock:
+    with solver.background.lock:
         first = solver.begin([target(1)])
         second = solver.begin([target(2)])
     assert wait([first, second], timeout=PATIENCE_S).not_done == set()

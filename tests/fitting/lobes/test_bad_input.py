@@ -31,7 +31,7 @@ def any_fitter(request: pytest.FixtureRequest) -> Iterator[LobeFitter]:
     if request.param == "hurried":
         made = LobeFitter(time_limit_s=1e-6)
         # Its thread must not come to an optimum: whether it does before the next example is a matter of the load.
-        with made._solver._background.lock:
+        with made.solver.background.lock:
             yield made
     elif request.param == "measured":
         made = LobeFitter(time_limit_s=60.0, diffuse="measured")
@@ -114,7 +114,7 @@ def test_an_index_that_no_coat_has_is_refused(fitter: LobeFitter, ior: float) ->
 def test_a_fit_that_is_refused_leaves_the_one_before_it_in_work() -> None:
     fitter = LobeFitter(time_limit_s=1e-6)
     base, coat = (np.ones(shape) for shape in shapes(fitter))
-    with fitter._solver._background.lock:  # it cannot come to its end meanwhile
+    with fitter.solver.background.lock:  # it cannot come to its end meanwhile
         fit = fitter.fit_samples(base, coat, ior=1.5)
         for bad in ({"ior": np.nan}, {"ior": 1.5, "base": -base}):
             with pytest.raises(FittingError):

@@ -84,8 +84,8 @@ def make_steady(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> Iterator[MakeS
     def make(step_s: float = 1e-5) -> tuple[LimitedSolver, SteadySolver]:
         solver = LimitedSolver([program()], inline=True)
         made.append(solver)
-        steady = SteadySolver(clock, solver._solver, step_s)
-        monkeypatch.setattr(solver, "_solver", steady)
+        steady = SteadySolver(clock, solver.solver, step_s)
+        monkeypatch.setattr(solver, "solver", steady)
         return solver, steady
 
     yield make
@@ -153,7 +153,7 @@ def test_the_lock_is_waited_for_no_longer_than_the_limit(
             asked.append(timeout)
             return False
 
-    monkeypatch.setattr(solver._background, "lock", HeldLock())
+    monkeypatch.setattr(solver.background, "lock", HeldLock())
     answer = solver.solve([target()], START_S + 0.004, finish=False)
     assert len(asked) == 1
     assert 0.0 < asked[0] <= 0.004 - 0.0006 + 1e-9
@@ -170,7 +170,7 @@ def test_the_caller_waits_for_the_thread_no_longer_than_the_limit(
     def late(_work: object, seconds: float) -> None:
         waits.append(seconds)
 
-    monkeypatch.setattr(solver._background, "wait", late)
+    monkeypatch.setattr(solver.background, "wait", late)
     for limit in (0.004, 1.0):
         solver.solve([target()], START_S + limit, finish=False)
         assert 0.9 * limit < waits[-1] <= limit + 1e-9
@@ -201,7 +201,7 @@ def test_the_vertex_of_two_targets_answers_the_third_without_the_solver(
     assert first.iterations > 0
     again = solver.solve([target()], clock.now + PATIENCE_S)
     assert again.iterations == 0
-    monkeypatch.setattr(solver, "_solver", None)  # any use of it fails
+    monkeypatch.setattr(solver, "solver", None)  # any use of it fails
     third = solver.solve([target() * (1.0 + 1e-9)], clock.now - 1.0)
     assert third.optimal
     np.testing.assert_allclose(third.objectives[0], first.objectives[0], rtol=1e-6)
@@ -210,7 +210,7 @@ def test_the_vertex_of_two_targets_answers_the_third_without_the_solver(
 
 def test_the_next_target_cancels_the_one_in_work_even_where_nothing_is_begun_for_it(clock: Clock) -> None:
     solver = LimitedSolver([program()], inline=True)
-    with solver._background.lock:  # the thread cannot come to its end meanwhile
+    with solver.background.lock:  # the thread cannot come to its end meanwhile
         first = solver.solve([target()], clock.now - 1.0)
         assert first.exact is not None
         assert not first.exact.cancelled()
@@ -235,5 +235,5 @@ def test_a_watcher_is_asked_between_short_runs_and_may_end_it(make_steady: MakeS
         solver.solve([target()], START_S + 30.0, finish=False, watch=watch)
     assert len(steady.runs) == 3
     assert all(budget <= 0.1 for _, budget, _ in steady.runs)
-    assert solver._background.lock.acquire(blocking=False)  # nothing is left locked
-    solver._background.lock.release()
+    assert solver.background.lock.acquire(blocking=False)  # nothing is left locked
+    solver.background.lock.release()

@@ -109,7 +109,7 @@ def test_the_next_request_cancels_the_one_in_work() -> None:
     big = program(60, 12, 3)
     solver = LimitedSolver([big])
     rng = np.random.default_rng(0)
-    with solver._background.lock:  # the first cannot come to its end before the second is asked for
+    with solver.background.lock:  # the first cannot come to its end before the second is asked for
         first = solver.solve([rng.uniform(0, 1, (60, 3))], time.perf_counter())
         second = solver.solve([rng.uniform(0, 1, (60, 3))], time.perf_counter())
     assert first.exact is not None
