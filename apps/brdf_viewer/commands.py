@@ -34,11 +34,9 @@ class ViewerCommands(QObject):
     open_requested = Signal(str)
     recent_requested = Signal(str, str)
     paint_requested = Signal(str)
-    follow_requested = Signal(bool)
     designer_requested = Signal()
     preset_requested = Signal(str)
     frame_requested = Signal()
-    turntable_requested = Signal(bool)
     tone_curve_requested = Signal(str)
     background_requested = Signal(str)
     fresnel_requested = Signal(str)
@@ -52,7 +50,6 @@ class ViewerCommands(QObject):
     blink_requested = Signal()
     flip_requested = Signal()
     freeze_requested = Signal()
-    figures_requested = Signal(bool)
     step_requested = Signal(int)
     palette_close_requested = Signal()
     view_save_requested = Signal()
@@ -244,7 +241,6 @@ class ViewerCommands(QObject):
             "Rotate the surface in front of camera and light",
         )
         self.turntable.setCheckable(True)
-        self.turntable.triggered.connect(self.turntable_requested)
         # Space presses a button that has the focus; it is the turntable's on the picture only.
         self.turntable.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         self.on_picture = [self.turntable]
@@ -267,7 +263,6 @@ class ViewerCommands(QObject):
             menu, "Figures over the &Picture", None, "H", tip="Frame time, lobes, tone curve and readout"
         )
         self.figures.setCheckable(True)
-        self.figures.triggered.connect(self.figures_requested)
         self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_requested)
         self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_requested)
         self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_requested)
@@ -358,7 +353,6 @@ class ViewerCommands(QObject):
             "Show the paint that is being edited in Designer",
         )
         self.follow.setCheckable(True)
-        self.follow.triggered.connect(self.follow_requested)
         menu.addSeparator()
         for text, step, key in (("&Next Paint", 1, "Right"), ("&Previous Paint", -1, "Left")):
             action = self._window.add_action(

@@ -178,16 +178,16 @@ class ViewerController(Program):
         self.picture_finished.connect(lambda: self.reached.emit("finished"))
         self.failed.connect(self._end_start)
         environment, commands = window.environment, window.commands
-        environment.rotation_edited.connect(lambda value: state.change_view(rotation_deg=value))
-        environment.exposure_edited.connect(lambda value: state.change_view(exposure_ev=value))
-        for signal in (environment.background_edited, commands.background_requested):
+        environment.rotation.edited.connect(lambda value: state.change_view(rotation_deg=value))
+        environment.exposure.edited.connect(lambda value: state.change_view(exposure_ev=value))
+        for signal in (environment.background.picked, commands.background_requested):
             signal.connect(lambda key: state.change_view(background=key))
-        environment.background_colour_edited.connect(
+        environment.background_colour.edited.connect(
             lambda colour: state.change_view(background_colour=colour)
         )
-        for signal in (window.fresnel.fresnel_edited, commands.fresnel_requested):
+        for signal in (window.fresnel.mode.picked, commands.fresnel_requested):
             signal.connect(lambda key: state.change_view(fresnel=key))
-        for signal in (window.fresnel.look_up_edited, commands.look_up_requested):
+        for signal in (window.fresnel.look_up.picked, commands.look_up_requested):
             signal.connect(lambda key: state.change_view(look_up=key))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
@@ -219,8 +219,8 @@ class ViewerController(Program):
         window.environment.rotation.set_value(new.rotation_deg)
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background, new.background_colour)
-        window.fresnel.set_mode(new.fresnel)
-        window.fresnel.set_look_up(new.look_up)
+        window.fresnel.mode.show_choice(new.fresnel)
+        window.fresnel.look_up.show_choice(new.look_up)
         window.commands.show_state(
             tone_curve=new.tone_curve,
             background=new.background,

@@ -217,20 +217,21 @@ class PaintFitter:
     time_limit_s
         Hard limit of one fit, in seconds.
 
-    :meth:`close`, or losing the last reference, ends the thread that finishes what the limit cut short.
+    :meth:`close`, or losing the last reference, ends the thread that finishes what the limit cut short. ``lobe_fitter``
+    is what fits.
     """
 
     def __init__(self, basis: LobeBasis | None = None, *, time_limit_s: float = DEFAULT_TIME_LIMIT_S) -> None:
-        self._fitter = LobeFitter(basis, time_limit_s=time_limit_s)
+        self.lobe_fitter = LobeFitter(basis, time_limit_s=time_limit_s)
 
     @property
     def basis(self) -> LobeBasis:
         """The exponents that weights are fitted for."""
-        return self._fitter.basis
+        return self.lobe_fitter.basis
 
     def close(self) -> None:
         """Drop what is still worked at; a fit whose optimum is to come will not get it."""
-        self._fitter.close()
+        self.lobe_fitter.close()
 
     def fit(self, paint: Paint) -> LobeFit:
         """Return the lobe fit of a paint that is edited.
@@ -248,7 +249,7 @@ class PaintFitter:
 
     def fit_layers(self, material: Material, layers: Layered, kind: Kind) -> LobeFit:
         """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated."""
-        fit = self._fitter.fit(layers)
+        fit = self.lobe_fitter.fit(layers)
         weights = fit.weights
         notices = material.notices + _light_notice(material.reflectance, weights)
         if kind == "cook_torrance" and weights.ior == 1.0:

@@ -16,6 +16,7 @@ from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
@@ -44,7 +45,6 @@ SCATTERED = (
     "Scattered samples are interpolated: gloss, and colours far from any sample, are only as good as the "
     "samples near them."
 )
-_PALETTE_ENDING = ".brdfpalette"
 _HEAD = 1 << 12
 _DOCUMENT = re.compile(rb'"format"\s*:\s*"(brdfpaint|brdfpalette)"')
 
@@ -95,7 +95,7 @@ def document_kind(path: str | os.PathLike[str]) -> Literal["paint", "palette"] |
         return "paint" if found[1] == b"brdfpaint" else "palette"
     # Fields in another order, or a document that is cut off: the ending says what it is meant to be.
     ending = Path(path).suffix.lower()
-    if ending in (PAINT_ENDING, _PALETTE_ENDING):
+    if ending in (PAINT_ENDING, PALETTE_ENDING):
         return "paint" if ending == PAINT_ENDING else "palette"
     return None
 

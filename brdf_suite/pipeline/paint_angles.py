@@ -56,6 +56,7 @@ class PaintAngles:
         self._changed = changed
         self._fitters: dict[_Key, AngleFitter] = {}
         self._begun: set[_Key] = set()
+        self._failed: set[_Key] = set()
         self._lock = threading.Lock()
         self._over: WeakKeyDictionary[LobeFit, FitOverAngle] = WeakKeyDictionary()
         self._seen: WeakKeyDictionary[LobeFit, SeenWeights] = WeakKeyDictionary()
@@ -80,10 +81,16 @@ class PaintAngles:
             if over_angle is not None:
                 over_angle.weights()
 
-    def is_pending(self, fit: LobeFit) -> bool:
-        """Whether weights of ``fit`` at every angle of the view were asked for and are not found yet."""
-        by_view = self._seen.get(fit)
-        return by_view is not None and by_view.is_pending
+    def is_pending(self, fit: LobeFit, view: View) -> bool:
+        """Whether weights of ``fit`` that the modes of ``view`` take were asked for and are not found yet."""
+        by_view, over_angle = self._seen.get(fit), self._over.get(fit)
+        if by_view is not None and by_view.is_pending:
+            return True
+        if view.fresnel != "multi_angle" or over_angle is None:
+            return False
+        return over_angle.is_pending and (
+            view.look_up != "shifted" or by_view is None or by_view.found is None
+        )
 
     def weights(self, fit: LobeFit) -> MaterialWeights:
         """Return the weights of ``fit`` with what is fitted over the angle by now, the same object while that stays."""
@@ -136,7 +143,7 @@ class PaintAngles:
             self._fitters = {}
 
     def fitter(self, exponents: tuple[float, ...], facets: bool) -> AngleFitter | None:
-        """Return the fitter for a basis; None while it is set up on its thread."""
+        """Return the fitter for a basis; None while it is set up on its thread, and where that has failed."""
         key = (exponents, facets)
         with self._lock:
             if key in self._fitters or key in self._begun:
@@ -147,6 +154,10 @@ class PaintAngles:
                 return None
         self._set_up(key)
         return self._fitters[key]
+
+    def has_failed(self, exponents: tuple[float, ...], facets: bool) -> bool:
+        """Whether the fitter for a basis could not be set up on its thread."""
+        return (exponents, facets) in self._failed
 
     def notify(self) -> None:
         """Call ``changed``, where one was given."""
@@ -160,7 +171,11 @@ class PaintAngles:
         from brdf_suite.fitting.lobes.angles.fitter import TIME_LIMIT_S, AngleFitter
 
         limit = TIME_LIMIT_S if self._time_limit_s is None else self._time_limit_s
-        fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
+        try:
+            fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
+        except BaseException:
+            self._failed.add(key)
+            raise
         with self._lock:
             self._fitters[key] = fitter
         self.notify()
@@ -172,7 +187,8 @@ class FitOverAngle:
     def __init__(self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...]) -> None:
         self._angles = angles
         self._layers = layers
-        self._exponents = exponents
+        self._key = (exponents, not layers.base_under_coat)
+        self._asked = False
         self._fit: AngleFit | None = None
         self._weights: WeightsOverAngle | None = None
         self._late: AngleFit | None = None
@@ -187,13 +203,19 @@ class FitOverAngle:
         """The weights that :meth:`weights` gave last; None before it gave some."""
         return self._weights
 
+    @property
+    def is_pending(self) -> bool:
+        """Whether the weights were asked for, and their fitter is still being set up."""
+        return self._asked and self._weights is None and not self._angles.has_failed(*self._key)
+
     def weights(self) -> WeightsOverAngle | None:
         """Return the weights at the ramp's cosines, the same object until there are better ones; None: not yet."""
+        self._asked = True
         if self._late is not None:
             self._take(self._late)
             self._late = None
         if self._weights is None:
-            fitter = self._angles.fitter(self._exponents, not self._layers.base_under_coat)
+            fitter = self._angles.fitter(*self._key)
             if fitter is None:
                 return None
             self._take(fitter.fit(self._layers))

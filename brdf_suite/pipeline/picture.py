@@ -46,12 +46,12 @@ SECOND_MATERIAL = "paint_b"
 class SceneRenderer:
     """Draws paint fits on surfaces in prepared environments, in the OpenGL context it is given.
 
-    The same object serves a widget (its context is current in every call) and the command line. Setting a
-    paint fit writes one small buffer; setting an environment or a surface uploads.
+    ``renderer`` draws them. The same object serves a widget (its context is current in every call) and the command
+    line. Setting a paint fit writes one small buffer; setting an environment or a surface uploads.
     """
 
     def __init__(self, context: Context, angles: PaintAngles | None = None) -> None:
-        self._renderer = Renderer(context, make_peel=orange_peel_tile)
+        self.renderer = Renderer(context, make_peel=orange_peel_tile)
         self._view = View()
         self._fits: dict[str, LobeFit] = {}
         self._weights: dict[str, MaterialWeights] = {}
@@ -61,17 +61,12 @@ class SceneRenderer:
     @property
     def bounds(self) -> Bounds:
         """The box around the surface, metres."""
-        return self._renderer.bounds
+        return self.renderer.bounds
 
     @property
     def counters(self) -> Counters:
         """OpenGL objects made and written since the start."""
-        return self._renderer.counters
-
-    @property
-    def renderer(self) -> Renderer:
-        """The renderer below, for camera matrices and picking."""
-        return self._renderer
+        return self.renderer.counters
 
     def set_material(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
@@ -84,9 +79,9 @@ class SceneRenderer:
         if self._angles.waits:
             self._angles.prepare(fit, self._view)
         self._take_weights(material)
-        self._renderer.set_flakes(material, fit.flakes)
-        self._renderer.factors.set(material, self._factored(fit))
-        self._renderer.relief.set_own_peel(material, fit.orange_peel)
+        self.renderer.set_flakes(material, fit.flakes)
+        self.renderer.factors.set(material, self._factored(fit))
+        self.renderer.relief.set_own_peel(material, fit.orange_peel)
 
     def prepare(self, view: View) -> None:
         """Take what the modes of ``view`` need of weights over the angle; call it before a frame in other modes.
@@ -103,7 +98,7 @@ class SceneRenderer:
         weights = self._angles.weights(self._fits[material])
         if weights is not self._weights.get(material):
             self._weights[material] = weights
-            self._renderer.set_material(material, weights)
+            self.renderer.set_material(material, weights)
 
     def _factored(self, fit: LobeFit) -> FactoredMaps | None:
         """The maps by which a factored paint's lamps are shaded, made once: an edit of other paints costs nothing."""
@@ -122,7 +117,7 @@ class SceneRenderer:
     def set_environment(self, prepared: PreparedEnvironment) -> None:
         """Show this environment; its maps must have been made for the exponents of the paint's fit."""
         maps = prepared.maps
-        self._renderer.set_environment(
+        self.renderer.set_environment(
             EnvironmentMaps(
                 exponents=maps.exponents,
                 lobes=tuple(_faces(lobe) for lobe in maps.lobes),
@@ -134,12 +129,12 @@ class SceneRenderer:
 
     def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
         """Show this surface, with what was baked for it where that is at hand."""
-        self._renderer.set_mesh(mesh_parts(mesh, baked))
-        self._renderer.set_ground(None if baked is None else _ground(baked.ground))
+        self.renderer.set_mesh(mesh_parts(mesh, baked))
+        self.renderer.set_ground(None if baked is None else _ground(baked.ground))
 
     def set_surface_images(self, images: SurfaceImages) -> None:
         """Lay a normal map, a mask and the second paint on the paint, or take them off, from the next frame on."""
-        relief = self._renderer.relief
+        relief = self.renderer.relief
         relief.set_normal_map(images.normal_map)
         relief.set_tangent_map(images.tangent_map)
         relief.set_mask(images.mask)
@@ -149,17 +144,17 @@ class SceneRenderer:
     def draw(self, view: View, framebuffer: Any, size: Size) -> None:
         """Draw one frame into ``framebuffer`` (an object of the context, or its number), ``size`` in pixels."""
         self.prepare(view)
-        self._renderer.render(view, framebuffer, size)
+        self.renderer.render(view, framebuffer, size)
 
     def image(self, view: View, size: Size) -> NDArray[np.uint8]:
         """Return a picture ``(height, width, 3)`` uint8 sRGB, top row first."""
         self.prepare(view)
-        return self._renderer.render_image(metered(self._renderer, view, size), size)
+        return self.renderer.render_image(metered(self.renderer, view, size), size)
 
     def release(self) -> None:
         """Give every OpenGL object back."""
         self._angles.close()
-        self._renderer.release()
+        self.renderer.release()
 
 
 def _ground(light: GroundLight) -> GroundField:

@@ -11,22 +11,29 @@ from pathlib import Path
 
 import numpy as np
 
+from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.view import View
 from brdf_suite.files.meshes.reading import read_mesh
-from brdf_suite.fitting.lobes.basis import LobeBasis
+from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.partial_maps import PartialMaps
-from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready
+from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready, prefilter
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
 from brdf_suite.lighting.lobe_map_cache import MapCache
-from brdf_suite.pipeline.environments import AUTOMATIC, read_environment
-from brdf_suite.pipeline.shading_maps import map_exponents
+from brdf_suite.pipeline.environments import AUTOMATIC, draw_light, read_environment
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.resources import check_exists, exists, packaged_name, resource, resource_names
 from brdf_suite.surface.mesh import Mesh
 
-_READING_SHARE = 0.1
+STACK_RATIO = 1.5
+"""Between neighbouring slices of the stack: halfway, a mixture of the two errs by 1 % of the lobe's peak."""
+
+STACK_EXPONENTS: tuple[float, ...] = tuple(float(STACK_RATIO**i) for i in range(12))
+"""1 (the diffuse map) to 86.5: the broad lobes of the default basis, and what they are looked up as."""
+
+_READING_SHARE, _DRAWING_SHARE = 0.1, 0.3
 _WORD = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}")  # what a View takes for the name of a packaged one
 
 
@@ -187,6 +194,17 @@ Filter = Callable[[Environment, Sequence[float], Progress | None, Ready | None],
 """What makes the maps: :func:`brdf_suite.lighting.filter.prefilter.prefilter`, or a cache before it."""
 
 
+def map_exponents(basis: LobeBasis | None = None) -> tuple[float, ...]:
+    """Return the exponents, rising: the stack's, and those of ``basis`` that are too sharp for it.
+
+    >>> from brdf_suite.fitting.lobes.basis import LobeBasis
+    >>> map_exponents(LobeBasis((3.0, 500.0)))[-2:]
+    (86.49755859375, 500.0)
+    """
+    sharp = tuple(sorted(e for e in (basis or default_basis()).exponents if e > BROADEST_SHARP))
+    return STACK_EXPONENTS + sharp
+
+
 def prepare_environment(
     name: str,
     environment: Environment,
@@ -210,6 +228,30 @@ def prepare_environment(
 
     maps = make(environment, exponents, progress, ready)
     return PreparedEnvironment(name, environment, maps, so_far.made == 0, wanted=so_far.wanted)
+
+
+def prepare_light(
+    light: LightDocument,
+    progress: Progress | None = None,
+    partial: Partial | None = None,
+    *,
+    draft: bool = False,
+) -> PreparedEnvironment:
+    """Draw and filter a light that is in no file yet, past the cache: its versions would drive out what is used.
+
+    A draft never says that it is final; ``partial`` as for :func:`load_environment`.
+    """
+    made = draw_light(light, subrange(progress, 0.0, _DRAWING_SHARE), draft=draft)
+
+    def hand_out(value: PreparedEnvironment) -> None:
+        if partial is not None:
+            partial(replace(value, draft=draft))
+
+    environment = Environment(light.name, made.radiance, (made.comment.rstrip("."),))
+    prepared = prepare_environment(
+        light.name, environment, prefilter, subrange(progress, _DRAWING_SHARE, 1.0), partial=hand_out
+    )
+    return replace(prepared, draft=draft)
 
 
 def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Mesh:

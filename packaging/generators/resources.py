@@ -74,8 +74,7 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
     from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key
     from brdf_suite.lighting.lobe_map_file import pack_maps
     from brdf_suite.pipeline.environments import read_environment
-    from brdf_suite.pipeline.scene import default_view, find_environment, narrowed
-    from brdf_suite.pipeline.shading_maps import map_exponents
+    from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
 
     for old in folder.glob(f"*{PACKAGED_ENDING}"):
         old.unlink()

@@ -27,7 +27,7 @@ from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, fit_material
 from brdf_suite.pipeline.material import default_paint, load_material, material_of
 from brdf_suite.pipeline.paint_angles import PaintAngles, material_weights
 from brdf_suite.pipeline.picture import gl_renderer_name
-from brdf_suite.pipeline.shading_maps import map_exponents
+from brdf_suite.pipeline.scene import map_exponents
 from brdf_suite.progress import report, subrange
 from brdf_suite.realtime.camera import orbit
 from brdf_suite.realtime.gl.context import create_context

@@ -77,6 +77,21 @@ def test_on_a_thread_where_a_caller_waits(fitter):
     angles.close()
 
 
+def test_a_fit_whose_solver_is_being_set_up_is_pending_in_its_mode_only(fitter):
+    called = threading.Event()
+    angles = PaintAngles(time_limit_s=30.0, changed=called.set)
+    fit, view = fitter.fit(default_paint()), View(fresnel="multi_angle")
+    assert not angles.is_pending(fit, view)
+    angles.prepare(fit, view)
+    assert angles.is_pending(fit, view)
+    assert not angles.is_pending(fit, View(fresnel="raised"))
+    assert called.wait(60)
+    angles.prepare(fit, view)
+    assert not angles.is_pending(fit, view)
+    assert angles.weights(fit).over_angle is not None
+    angles.close()
+
+
 def test_facet_lobes_and_what_nothing_divides():
     angles = PaintAngles(time_limit_s=1.0)
     fit = fit_material(load_material("table1_blue"))

@@ -105,4 +105,4 @@ def test_a_fitter_for_one_paint_is_closed_with_it(reachable: bool, monkeypatch: 
     assert len(made) == int(reachable)  # what cannot be built is not fitted
     for fitter in made:
         with pytest.raises(RuntimeError, match="shutdown"):
-            fitter._fitter._solver._background._executor.submit(int)
+            fitter.lobe_fitter.solver.background.warm()

@@ -78,7 +78,7 @@ def test_a_closed_fitter_tells_nothing(hurried, exact, qtbot, watched_first):
     exact.arrived.connect(reported.append)
     exact.failed.connect(lambda *what: reported.append(what))
     with (
-        hurried._fitter._solver._background.lock
+        hurried.lobe_fitter.solver.background.lock
     ):  # its thread cannot come to the optimum before it is closed
         fit = hurried.fit(load_shipped_paint("blue"))
         assert fit.exact_follows

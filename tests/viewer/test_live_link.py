@@ -196,8 +196,10 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
     hurried = PaintFitter(time_limit_s=1e-6)
     viewer.controller.paint.fitter = hurried
     cell, section = viewer.window.status.cell("fit"), viewer.window.paint
-    with hurried._fitter._solver._background.lock:
-        hurried._fitter._solver._solver.run = lambda *_: SolverOutcome.LOST  # no paint is known that loses it
+    with hurried.lobe_fitter.solver.background.lock:
+        hurried.lobe_fitter.solver.model.run = lambda *_: (
+            SolverOutcome.LOST
+        )  # no paint is known that loses it
         viewer.controller.paint.open("copper")
         for tip in (cell.toolTip(), section.fit.toolTip()):
             assert "follows automatically" in tip
@@ -292,7 +294,7 @@ def test_a_paint_change_makes_nothing_new_and_nothing_grows(start, qtbot) -> Non
         with qtbot.waitSignal(viewer.window.picture.frame_drawn):
             pass
 
-    fitter = viewer.controller.paint.fitter._fitter
+    fitter = viewer.controller.paint.fitter.lobe_fitter
     counters = viewer.controller.drawer.counters
     programs = [id(program) for program in fitter.programs]
     for step in range(20):

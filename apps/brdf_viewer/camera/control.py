@@ -33,12 +33,12 @@ class CameraControl(ViewerFeature):
         commands, section = window.commands, window.camera
         commands.frame_requested.connect(self.frame)
         commands.preset_requested.connect(self.look_from)
-        commands.turntable_requested.connect(self._turntable.set_running)
+        commands.turntable.triggered.connect(self._turntable.set_running)
         section.preset_chosen.connect(self.look_from)
-        section.azimuth_edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
-        section.elevation_edited.connect(lambda value: self._aim(elevation_deg=value))
-        section.focal_length_edited.connect(self._set_focal_length)
-        section.turntable_edited.connect(lambda value: state.change_view(turntable_deg_s=value))
+        section.azimuth.edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
+        section.elevation.edited.connect(lambda value: self._aim(elevation_deg=value))
+        section.focal_length.edited.connect(self._set_focal_length)
+        section.turntable.edited.connect(lambda value: state.change_view(turntable_deg_s=value))
         state.view_changed.connect(self._show)
         self._show(None, state.view)
 

@@ -16,10 +16,6 @@ class CameraSection(Section):
     """From where the surface is seen, by preset or by number, through which lens, and how fast it turns."""
 
     preset_chosen = Signal(str)
-    azimuth_edited = Signal(float)
-    elevation_edited = Signal(float)
-    focal_length_edited = Signal(float)
-    turntable_edited = Signal(float)
 
     def __init__(self, presets: dict[str, str], parent: QWidget | None = None) -> None:
         super().__init__("Camera", "camera", parent)
@@ -41,15 +37,11 @@ class CameraSection(Section):
         start = Camera()
         self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, start.azimuth_deg)
         self.azimuth.setWrapping(True)
-        self.azimuth.edited.connect(self.azimuth_edited)
         self.elevation = NumberField("Elevation", "°", -89.0, 89.0, 1.0, 1, start.elevation_deg)
-        self.elevation.edited.connect(self.elevation_edited)
         focal_length = start.focal_length_mm
         self.focal_length = NumberField("Focal length", "mm", 12.0, 400.0, 1.0, 0, focal_length)
-        self.focal_length.edited.connect(self.focal_length_edited)
         speed = PARAMETERS["turntable_deg_s"]
         self.turntable = NumberField("Turntable", speed.unit, speed.low, speed.high, 1.0, 1, speed.default)
-        self.turntable.edited.connect(self.turntable_edited)
         form = Form()
         form.add_wide(buttons)
         form.add_row("Azimuth", self.azimuth, PARAMETERS["camera.azimuth_deg"].meaning)

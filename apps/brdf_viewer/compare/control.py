@@ -25,7 +25,7 @@ from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
-from brdf_viewer.traced.words import SHORT_TITLES
+from brdf_viewer.traced.words import RENDERER_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
@@ -52,14 +52,14 @@ class CompareControl(ViewerFeature):
         self._blinking = False
         self._gesture: DividerGesture | None = None
         section, commands = window.compare, window.commands
-        section.mode_edited.connect(self.set_mode)
-        section.freeze_requested.connect(self.freeze)
+        section.mode.picked.connect(self.set_mode)
+        section.freeze.clicked.connect(self.freeze)
         section.chooser.chosen.connect(self.choose)
         section.chooser.browse_requested.connect(self._browse)
-        section.basis_edited.connect(lambda key: self._change(basis=key))
-        section.divider_edited.connect(lambda share: self._change(divider=share))
-        section.rate_edited.connect(lambda rate: self._change(rate_hz=rate))
-        section.scale_edited.connect(lambda end: self._change(scale_delta_e=end))
+        section.basis.picked.connect(lambda key: self._change(basis=key))
+        section.divider.edited.connect(lambda percent: self._change(divider=percent / 100.0))
+        section.rate.edited.connect(lambda rate: self._change(rate_hz=rate))
+        section.scale.edited.connect(lambda end: self._change(scale_delta_e=end))
         commands.compare_requested.connect(self.set_mode)
         commands.blink_requested.connect(self.toggle_blink)
         commands.flip_requested.connect(self._flip_by_hand)
@@ -271,7 +271,7 @@ class CompareControl(ViewerFeature):
         first = state.fit.name
         if state.renderer != "realtime":
             made_by = state.renderer if state.traced is not None else "realtime"
-            first = f"{first}, {tr(SHORT_TITLES[made_by]).lower()}"
+            first = f"{first}, {tr(RENDERER_TITLES[made_by]).lower()}"
         names = (f"A  {first}", f"B  {name_of(second.key, second.value, state.fit.name)}")
         width = window.picture.device_size[0]
         labels = labels_of(shown, names, state.shows_second, divider_px(compare.divider, width) / width)
@@ -309,7 +309,7 @@ def labels_of(
 def name_of(key: str, value: LobeFit | ComparedPicture | RealTimePicture, first: str = "") -> str:
     """Return what B is called; ``first`` is what A is."""
     if isinstance(value, RealTimePicture):
-        return f"{first}, {tr(SHORT_TITLES['realtime']).lower()}"
+        return f"{first}, {tr(RENDERER_TITLES['realtime']).lower()}"
     return title_of(key, {}) if isinstance(value, ComparedPicture) else value.name
 
 

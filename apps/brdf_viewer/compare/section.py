@@ -5,7 +5,6 @@ from __future__ import annotations
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
@@ -37,30 +36,17 @@ BASIS_TIPS = {
 class CompareSection(Section):
     """How two paints are shown, and which is the second."""
 
-    mode_edited = Signal(str)
-    basis_edited = Signal(str)
-    divider_edited = Signal(float)
-    rate_edited = Signal(float)
-    scale_edited = Signal(float)
-    freeze_requested = Signal()
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Compare", "compare", parent)
         self.mode = ChoiceBox(MODE_TITLES, MODE_TIPS)
-        self.mode.picked.connect(self.mode_edited)
         self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
         self.freeze = QPushButton("Freeze A as B")
         self.freeze.setToolTip("Keep the current paint as B while A changes (Ctrl+B)")
-        self.freeze.clicked.connect(lambda: self.freeze_requested.emit())
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
         self.divider = NumberField("Divider", "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
-        self.divider.edited.connect(lambda percent: self.divider_edited.emit(percent / 100.0))
         self.rate = NumberField("Rate", rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
-        self.rate.edited.connect(self.rate_edited)
         self.scale = NumberField("Maximum", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
-        self.scale.edited.connect(self.scale_edited)
         self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
-        self.basis.picked.connect(self.basis_edited)
         self.facts = note()
         form = Form()
         form.add_row("Show", self.mode, "Comparison of A and B; press B to blink")

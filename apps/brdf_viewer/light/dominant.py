@@ -9,6 +9,7 @@ import numpy as np
 
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.statistics import EnvironmentStatistics
+from brdf_viewer.light.studio.places import point_at
 
 Vector = tuple[float, float, float]
 
@@ -46,7 +47,7 @@ def dominant_light(view: View, figures: EnvironmentStatistics | None) -> Dominan
         _, number, lamp = strongest
         if lamp.kind == "point":
             return DominantLight(f"point lamp {number}", None, lamp.position)
-        towards = direction(lamp.azimuth_deg, lamp.elevation_deg)
+        towards = point_at(lamp.azimuth_deg, lamp.elevation_deg, 1.0)
         return DominantLight(f"lamp {number}, elevation {lamp.elevation_deg:.0f}°", towards)
     if figures is None or figures.sun_direction is None or figures.sun_elevation_deg is None:
         return None
@@ -55,15 +56,4 @@ def dominant_light(view: View, figures: EnvironmentStatistics | None) -> Dominan
         f"the main light, elevation {figures.sun_elevation_deg:.0f}°, azimuth {turned % 360.0:.0f}° "
         f"({100.0 * figures.sun_share:.0f} % of the environment)"
     )
-    return DominantLight(words, direction(turned, figures.sun_elevation_deg))
-
-
-def direction(azimuth_deg: float, elevation_deg: float) -> Vector:
-    """Return the unit vector of an azimuth (0 on +z, counter-clockwise seen from above) and an elevation.
-
-    >>> [round(v, 6) for v in direction(90.0, 0.0)]
-    [1.0, 0.0, 0.0]
-    """
-    azimuth, elevation = math.radians(azimuth_deg), math.radians(elevation_deg)
-    level = math.cos(elevation)
-    return (level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth))
+    return DominantLight(words, point_at(turned, figures.sun_elevation_deg, 1.0))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS
@@ -38,30 +37,17 @@ BACKGROUND_TITLES = {
 class EnvironmentSection(Section):
     """Which light, turned how far, how bright, and whether it is seen behind the surface."""
 
-    rotation_edited = Signal(float)
-    exposure_edited = Signal(float)
-    background_edited = Signal(str)
-    background_colour_edited = Signal(object)
-    layout_edited = Signal(str)
-    edit_requested = Signal()
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Environment", "environment", parent)
         self.chooser = SourceChooser("Open an environment file (.exr, .hdr, .brdfstudio)")
         self.rotation = SliderField("Rotation", "°", -180.0, 180.0, 1.0, 1, 0.0)
-        self.rotation.edited.connect(self.rotation_edited)
         self.exposure = SliderField("Exposure", "EV", -8.0, 8.0, 0.1, 2, 0.0)
-        self.exposure.edited.connect(self.exposure_edited)
         self.background = ChoiceBox(BACKGROUND_TITLES)
-        self.background.picked.connect(self.background_edited)
         self.background_colour = ColourButton("Colour of the background")
-        self.background_colour.edited.connect(self.background_colour_edited)
         self.layout_list = ChoiceBox(LAYOUT_TITLES)
-        self.layout_list.picked.connect(self.layout_edited)
         self.edit = QToolButton()
         self.edit.setText("Edit Light")
         self.edit.setToolTip("Edit this studio or sky in its own panel")
-        self.edit.clicked.connect(lambda _=False: self.edit_requested.emit())
         self.facts = note()
         self.figures = EnvironmentFigures()
         form = Form()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from math import atan2, cos, degrees, hypot, radians, sin
+from math import hypot
 from typing import Any
 
 from brdf_qt.fields.form import Form
@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, 
 
 from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
 from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.light.studio import places
 
 SHADING_TITLES = {"each": "Exact, per pixel", "ball": "Together, by a ball"}
 SHADING_TIPS = {
@@ -31,13 +32,11 @@ _NEW = Lamp()
 class LampFields(QWidget):
     """Every lamp in the same fields: direction and, for a point, distance; strength; colour.
 
-    Signals: ``edited(lamps)`` with the whole new tuple, ``move_edited(bool)`` where the lamps are to go round,
-    ``shading_edited(str)`` how factored paints are lit by them.
+    ``edited(lamps)`` is emitted with the whole new tuple. ``moving`` is checked where the lamps are to go round,
+    ``shading`` is how factored paints are lit by them.
     """
 
     edited = Signal(tuple)
-    move_edited = Signal(bool)
-    shading_edited = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -54,10 +53,8 @@ class LampFields(QWidget):
         inside.addWidget(self.list, 1)
         inside.addWidget(self.add_button)
         inside.addWidget(self.remove_button)
-        self.kind = QuietComboBox()
-        for key, title in KIND_TITLES.items():
-            self.kind.addItem(title, key)
-        self.kind.activated.connect(lambda index: self._change(kind=self.kind.itemData(index)))
+        self.kind = ChoiceBox(KIND_TITLES)
+        self.kind.picked.connect(lambda key: self._change(kind=key))
         self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 30.0)
         self.azimuth.setWrapping(True)
         self.elevation = NumberField("Elevation", "°", -90.0, 90.0, 1.0, 1, 45.0)
@@ -71,9 +68,7 @@ class LampFields(QWidget):
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
         self.moving = QCheckBox("Moves round")
         self.moving.setToolTip("Rotate the lamps around the surface to see flakes and highlights move")
-        self.moving.clicked.connect(self.move_edited)
         self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
-        self.shading.picked.connect(self.shading_edited)
         form = Form()
         form.add_row(
             "Lamps", row, "Small lamps in addition to the environment; flakes sparkle in their light"
@@ -104,14 +99,6 @@ class LampFields(QWidget):
         self.lamps = lamps
         self._show()
 
-    def set_shading(self, key: str) -> None:
-        """Show how factored paints are lit by lamps."""
-        self.shading.show_choice(key)
-
-    def set_moving(self, moving: bool) -> None:
-        """Show whether the lamps go round."""
-        self.moving.setChecked(moving)
-
     def _show(self) -> None:
         lamp = self._chosen()
         self._fields.setVisible(lamp is not None)
@@ -120,7 +107,7 @@ class LampFields(QWidget):
         self.remove_button.setEnabled(lamp is not None)
         if lamp is None:
             return
-        self.kind.setCurrentIndex(self.kind.findData(lamp.kind))
+        self.kind.show_choice(lamp.kind)
         azimuth, elevation, distance = polar(lamp)
         self.azimuth.set_value(azimuth)
         self.elevation.set_value(elevation)
@@ -170,16 +157,13 @@ def polar(lamp: Lamp) -> tuple[float, float, float]:
     """
     if lamp.kind == "directional":
         return (lamp.azimuth_deg + 180.0) % 360.0 - 180.0, lamp.elevation_deg, hypot(*lamp.position)
-    x, y, z = lamp.position
-    level = hypot(x, z)
-    return degrees(atan2(x, z)), degrees(atan2(y, level)), max(0.05, hypot(level, y))
+    azimuth, elevation, distance = places.polar(lamp.position)
+    return azimuth, elevation, max(0.05, distance)
 
 
 def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float) -> Lamp:
     """Return the lamp at another place; both forms of it are kept in step, so that a change of kind keeps it."""
-    azimuth, elevation = radians(azimuth_deg), radians(elevation_deg)
-    level = distance * cos(elevation)
-    position = (level * sin(azimuth), distance * sin(elevation), level * cos(azimuth))
+    position = places.point_at(azimuth_deg, elevation_deg, distance)
     return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
 
 

@@ -35,15 +35,10 @@ Spectra = Literal["unknown", "in work", "used"]
 class LightingSection(Section):
     """Presets of a light booth; light colour; exposure locked or automatic; lamps beside the environment.
 
-    Signals: ``preset_chosen(key)``, ``illuminant_edited(key)``, ``adapted_edited(bool)``,
-    ``exposure_mode_edited(key)``, ``brightness_edited(factor)``; those of the lamps are of ``lamps``.
+    ``preset_chosen(key)`` is emitted where a preset's button is pressed.
     """
 
     preset_chosen = Signal(str)
-    illuminant_edited = Signal(str)
-    adapted_edited = Signal(bool)
-    exposure_mode_edited = Signal(str)
-    brightness_edited = Signal(float)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Lighting", "lighting", parent)
@@ -52,25 +47,17 @@ class LightingSection(Section):
         self.presets.setExclusive(False)
         self.preset_buttons: dict[str, QToolButton] = {}
         self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
-        self.illuminant.activated.connect(
-            lambda index: self.illuminant_edited.emit(self.illuminant.itemData(index))
-        )
         self.adapted = QCheckBox("Chromatic adaptation")
         self.adapted.setToolTip(
             "On: white looks white, as to an eye adapted to this light. "
             "Off: the tint that a daylight-adapted eye sees"
         )
-        self.adapted.clicked.connect(self.adapted_edited)
         self.metamerism = note()
         self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
-        self.exposure_mode.activated.connect(
-            lambda index: self.exposure_mode_edited.emit(self.exposure_mode.itemData(index))
-        )
         light = PARAMETERS["light_colour.brightness"]
         self.brightness = NumberField(
             "Environment", light.unit, light.low, light.high, 0.05, 2, light.default
         )
-        self.brightness.edited.connect(self.brightness_edited)
         self.lamps = LampFields()
         form = Form()
         form.add_wide(self._preset_buttons())
@@ -119,15 +106,11 @@ class LightingSection(Section):
 
     def show_colour(self, colour: LightColour, spectra: Spectra) -> None:
         """Show the light's colour, and what it can say about the paint."""
-        self.illuminant.setCurrentIndex(self.illuminant.findData(colour.illuminant))
+        self.illuminant.show_choice(colour.illuminant)
         self.adapted.setChecked(colour.adapted)
         self.brightness.set_value(colour.brightness)
         self.adapted.setEnabled(is_tinted(colour))
         set_note(self.metamerism, colour_note(colour, spectra))
-
-    def show_exposure_mode(self, key: str) -> None:
-        """Show whether the exposure is locked."""
-        self.exposure_mode.setCurrentIndex(self.exposure_mode.findData(key))
 
 
 def colour_note(colour: LightColour, spectra: Spectra) -> str:

@@ -24,7 +24,7 @@ class FiguresOverlay(ViewerFeature):
         super().__init__(state, window)
         self._meter, self._readout = meter, readout
         self._on = bool(settings().value(_KEY, False, type=bool))
-        window.commands.figures_requested.connect(self.set_on)
+        window.commands.figures.triggered.connect(self.set_on)
         window.commands.figures.setChecked(self._on)
         meter.shown.connect(self._show)
         readout.changed.connect(self._show)

@@ -85,9 +85,9 @@ class PaintControl(ViewerFeature):
         self._of_designer: AnyPaint | None = None
         link.received.connect(self._received)
         link.peers_changed.connect(self._show_following)
-        window.paint.follow_edited.connect(self.set_following)
+        window.paint.follow.clicked.connect(self.set_following)
         window.paint.chooser.chosen.connect(self.open)
-        window.commands.follow_requested.connect(self.set_following)
+        window.commands.follow.triggered.connect(self.set_following)
         window.commands.paint_requested.connect(self.open)
         window.commands.set_paints(self._shipped())
         window.commands.step_requested.connect(self.step)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_viewer.fields.choice_box import ChoiceBox
@@ -29,29 +28,13 @@ LOOK_UP_TIPS = {
 
 
 class FresnelSection(Section):
-    """The Fresnel mode and the form of the look-up.
-
-    Signals: ``fresnel_edited(mode)`` and ``look_up_edited(form)``, words of :class:`documents.view.View`.
-    """
-
-    fresnel_edited = Signal(str)
-    look_up_edited = Signal(str)
+    """The Fresnel mode and the form of the look-up, words of :class:`documents.view.View`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Fresnel", "fresnel", parent)
         self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
-        self.mode.activated.connect(lambda index: self.fresnel_edited.emit(self.mode.itemData(index)))
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
-        self.look_up.activated.connect(lambda index: self.look_up_edited.emit(self.look_up.itemData(index)))
         form = Form()
         form.add_row("Coat and base", self.mode, "Dependence on the viewing angle")
         form.add_row("Look-up", self.look_up, "Direction in which a lobe is looked up in the filtered light")
         self.add(form)
-
-    def set_mode(self, mode: str) -> None:
-        """Show the present Fresnel mode."""
-        self.mode.setCurrentIndex(self.mode.findData(mode))
-
-    def set_look_up(self, form: str) -> None:
-        """Show the present form of the look-up."""
-        self.look_up.setCurrentIndex(self.look_up.findData(form))

@@ -6,7 +6,6 @@ from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.window.section import Section
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_viewer.fields.note import note, set_note
@@ -17,13 +16,10 @@ from brdf_viewer.paint.patches import PaintPatches
 class PaintSection(Section):
     """Which paint: the one in Designer, a shipped one, or a file; and what the fit makes of it."""
 
-    follow_edited = Signal(bool)
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Paint", "paint", parent)
         self.follow = QCheckBox("Follow Designer")
         self.follow.setToolTip("Show the paint that is being edited in Designer, at every change")
-        self.follow.clicked.connect(self.follow_edited)
         self.chooser = SourceChooser("Open a paint (.brdfpaint) or a measured file")
         self.patches = PaintPatches()
         self.fit, self.facts = note(), note()

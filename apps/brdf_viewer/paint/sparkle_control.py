@@ -18,10 +18,10 @@ class SparkleControl(ViewerFeature):
         super().__init__(state, window)
         self._section, self._commands = window.sparkle, window.commands
         section = self._section
-        for signal in (section.mode_edited, window.commands.sparkle_requested):
+        for signal in (section.mode.picked, window.commands.sparkle_requested):
             signal.connect(lambda mode: self._change(mode=mode))
-        section.light_count_edited.connect(lambda count: self._change(light_count=count))
-        section.strength_edited.connect(lambda strength: self._change(strength=strength))
+        section.lights.edited.connect(lambda count: self._change(light_count=round(count)))
+        section.strength.edited.connect(lambda strength: self._change(strength=strength))
         state.view_changed.connect(self._show_view)
         state.contents_changed.connect(self._show_flakes)
         self._show_view(None, state.view)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
@@ -27,24 +26,14 @@ NO_FLAKES = "This paint has no flake data; no flakes are drawn."
 
 
 class SparkleSection(Section):
-    """Mode, lights and strength; below them the flakes of the paint on show, which Designer edits.
-
-    Signals: ``mode_edited(key)``, ``light_count_edited(count)``, ``strength_edited(factor)``.
-    """
-
-    mode_edited = Signal(str)
-    light_count_edited = Signal(int)
-    strength_edited = Signal(float)
+    """Mode, lights and strength; below them the flakes of the paint on show, which Designer edits."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Sparkle", "sparkle", parent)
         self.mode = ChoiceBox(SPARKLE_TITLES, SPARKLE_TIPS)
-        self.mode.picked.connect(self.mode_edited)
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
         self.lights = SliderField("Lights", "", lights.low, lights.high, 1.0, 0, lights.default)
-        self.lights.edited.connect(lambda value: self.light_count_edited.emit(round(value)))
         self.strength = SliderField("Strength", "×", strength.low, strength.high, 0.1, 1, strength.default)
-        self.strength.edited.connect(self.strength_edited)
         self._form = Form()
         self._form.add_row("Flakes", self.mode, "Drawing of individual flakes")
         self._form.add_row("Lights", self.lights, lights.meaning)

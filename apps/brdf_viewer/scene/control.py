@@ -67,7 +67,7 @@ class SceneControl(ViewerFeature):
         self.loader.moved.connect(self._moved)
         self.loader.ended.connect(self._ended)
         self.loader.counted.connect(self._counted)
-        window.environment.layout_edited.connect(self.set_layout)
+        window.environment.layout_list.picked.connect(self.set_layout)
         window.busy_cancelled.connect(self.cancel)
         state.view_changed.connect(self._view_changed)
 

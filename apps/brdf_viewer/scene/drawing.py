@@ -156,8 +156,8 @@ class SceneDrawer:
 
     @property
     def awaits_weights(self) -> bool:
-        """Whether weights at every angle of the view are being fitted for a paint that is drawn."""
-        return any(self.angle_fits.angles.is_pending(fit) for fit in self._fits())
+        """Whether weights over the angle that the view takes are being fitted for a paint that is drawn."""
+        return any(self.angle_fits.angles.is_pending(fit, self._state.view) for fit in self._fits())
 
     def _fits(self) -> list[LobeFit]:
         state = self._state

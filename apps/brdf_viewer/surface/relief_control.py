@@ -37,7 +37,7 @@ class ReliefControl(ViewerFeature):
         section.relief_edited.connect(lambda field, value: self._change("relief", field, value))
         section.two_tone_edited.connect(lambda field, value: self._change("two_tone", field, value))
         section.browse_requested.connect(self._browse)
-        section.paint_browse_requested.connect(self._browse_paint)
+        section.paint.browse_requested.connect(self._browse_paint)
         window.busy_cancelled.connect(self._cancelled)
         state.view_changed.connect(lambda _old, new: self._show(new))
         state.contents_changed.connect(self._show_own_peel)

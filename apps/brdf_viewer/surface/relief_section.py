@@ -5,7 +5,6 @@ from __future__ import annotations
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
@@ -16,6 +15,7 @@ from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
+from brdf_viewer.fields.choice_box import ChoiceBox
 from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.fields.source_chooser import SourceChooser, title_of
 
@@ -67,13 +67,12 @@ class ReliefSection(Section):
     """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
 
     ``browse_requested(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``;
-    ``paint_browse_requested()`` for a second paint.
+    the button of ``paint`` for a second paint.
     """
 
     relief_edited = Signal(str, object)
     two_tone_edited = Signal(str, object)
     browse_requested = Signal(str)
-    paint_browse_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Relief and two-tone", "relief", parent)
@@ -88,14 +87,9 @@ class ReliefSection(Section):
         self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
         self.paint = SourceChooser("Open a second paint")
         self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
-        self.paint.browse_requested.connect(self.paint_browse_requested)
         self.mask_file = self._file("mask", "a mask", self.two_tone_edited)
-        self.projection = QuietComboBox()
-        for key, title in PROJECTION_TITLES.items():
-            self.projection.addItem(title, key)
-        self.projection.activated.connect(
-            lambda index: self.two_tone_edited.emit("projection", self.projection.itemData(index))
-        )
+        self.projection = ChoiceBox(PROJECTION_TITLES)
+        self.projection.picked.connect(lambda key: self.two_tone_edited.emit("projection", key))
         self.mask_width_mm = NumberField("Mask width", *_of(PARAMETERS["two_tone.mask_width_mm"], 50.0, 1))
         self.mask_width_mm.edited.connect(lambda value: self.two_tone_edited.emit("mask_width_mm", value))
         self.two_tone_facts = note()
@@ -149,7 +143,7 @@ class ReliefSection(Section):
         """Show the second paint, by its ``title``, and where it is."""
         self.paint.show_source(two_tone.paint or "", title)
         self.mask_file.set_path(two_tone.mask)
-        self.projection.setCurrentIndex(self.projection.findData(two_tone.projection))
+        self.projection.show_choice(two_tone.projection)
         self.mask_width_mm.set_value(two_tone.mask_width_mm)
         self.mask_width_mm.setEnabled(two_tone.projection == "uv")
         missing = ""

@@ -6,7 +6,7 @@ from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, SurfaceLook
 from brdf_viewer.fields.choice_box import ChoiceBox
@@ -73,8 +73,7 @@ class SurfaceSection(Section):
         for name in ("occlusion", "ground", "recentre", "flip_normals"):
             getattr(self, name).setChecked(getattr(look, name))
         for name in ("unit", "normals"):
-            box: QComboBox = getattr(self, name)
-            box.setCurrentIndex(box.findData(getattr(look, name)))
+            getattr(self, name).show_choice(getattr(look, name))
         self.scale.set_value(look.scale)
         self.parts.set_chosen({item.part: item.material for item in look.materials})
 

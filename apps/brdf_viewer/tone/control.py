@@ -50,12 +50,12 @@ class ToneControl(ViewerFeature):
         self.counted: Unshowable | None = None
         self._count = make_timer(self, self._measure, COUNT_AFTER_MS)
         section = window.tone
-        for signal in (section.tone_curve_edited, window.commands.tone_curve_requested):
+        for signal in (section.curve.picked, window.commands.tone_curve_requested):
             signal.connect(self.set_curve)
-        section.clipping_marks_edited.connect(lambda on: state.change_view(clipping_marks=on))
-        section.gamut_marks_edited.connect(lambda on: state.change_view(gamut_marks=on))
-        section.mark_style_edited.connect(lambda key: state.change_view(mark_style=key))
-        section.profile_edited.connect(self.use_profile)
+        section.clipping.clicked.connect(lambda on: state.change_view(clipping_marks=on))
+        section.gamut.clicked.connect(lambda on: state.change_view(gamut_marks=on))
+        section.style_box.picked.connect(lambda key: state.change_view(mark_style=key))
+        section.profile.clicked.connect(self.use_profile)
         state.view_changed.connect(self._changed)
         state.contents_changed.connect(self._count.start)
         state.traced_changed.connect(self._count.start)
@@ -131,7 +131,7 @@ class ToneControl(ViewerFeature):
 
     def _show(self, view: View) -> None:
         section = self._window.tone
-        section.set_curve(view.tone_curve)
+        section.curve.show_choice(view.tone_curve)
         section.set_marks(view.clipping_marks, view.gamut_marks, view.mark_style)
 
     def _measure(self) -> None:

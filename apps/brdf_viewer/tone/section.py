@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.realtime.pictures.display import Unshowable
+from brdf_viewer.fields.choice_box import ChoiceBox
 from brdf_viewer.fields.note import note, set_note
 
 TONE_TITLES = {
@@ -32,45 +30,21 @@ STYLE_TITLES = {"zebra": "Stripes", "colour": "Colours"}
 
 
 class ToneSection(Section):
-    """How radiance becomes the light of the screen, and what the screen cannot show.
-
-    Signals: ``tone_curve_edited(key)``; ``clipping_marks_edited(on)``, ``gamut_marks_edited(on)``,
-    ``mark_style_edited(key)``; ``profile_edited(on)`` where the monitor's profile is to be used or not.
-    """
-
-    tone_curve_edited = Signal(str)
-    clipping_marks_edited = Signal(bool)
-    gamut_marks_edited = Signal(bool)
-    mark_style_edited = Signal(str)
-    profile_edited = Signal(bool)
+    """How radiance becomes the light of the screen, and what the screen cannot show."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("Tone", "tone", parent)
-        self.curve = QuietComboBox()
-        for key, title in TONE_TITLES.items():
-            self.curve.addItem(title, key)
-            self.curve.setItemData(
-                self.curve.count() - 1, plain_tip(TONE_TIPS[key]), Qt.ItemDataRole.ToolTipRole
-            )
-        self.curve.activated.connect(lambda index: self.tone_curve_edited.emit(self.curve.itemData(index)))
+        self.curve = ChoiceBox(TONE_TITLES, TONE_TIPS)
         self.clipping = QCheckBox("Highlights")
         self.clipping.setToolTip("Mark clipped highlights: black stripes, or orange")
-        self.clipping.clicked.connect(self.clipping_marks_edited)
         self.gamut = QCheckBox("Out of gamut")
         self.gamut.setToolTip(
             "Mark colours outside the screen's gamut: grey stripes in the other direction, or blue"
         )
-        self.gamut.clicked.connect(self.gamut_marks_edited)
-        self.style_box = QuietComboBox()
-        for key, title in STYLE_TITLES.items():
-            self.style_box.addItem(title, key)
-        self.style_box.activated.connect(
-            lambda index: self.mark_style_edited.emit(self.style_box.itemData(index))
-        )
+        self.style_box = ChoiceBox(STYLE_TITLES)
         self.counted = note()
         self.profile = QCheckBox("Monitor profile")
         self.profile.setToolTip("Convert colours with the system's profile of this monitor")
-        self.profile.clicked.connect(self.profile_edited)
         self.profile_note = note()
         form = Form()
         form.add_row("Tone curve", self.curve, "Mapping of radiance to the screen, before its transfer curve")
@@ -84,15 +58,11 @@ class ToneSection(Section):
         form.add_wide(self.profile_note)
         self.add(form)
 
-    def set_curve(self, key: str) -> None:
-        """Show the present curve."""
-        self.curve.setCurrentIndex(self.curve.findData(key))
-
     def set_marks(self, clipping: bool, gamut: bool, style: str) -> None:
         """Show what is marked, and how."""
         self.clipping.setChecked(clipping)
         self.gamut.setChecked(gamut)
-        self.style_box.setCurrentIndex(self.style_box.findData(style))
+        self.style_box.show_choice(style)
         self.style_box.setEnabled(clipping or gamut)
 
     def set_counted(self, counted: Unshowable | None) -> None:

@@ -6,8 +6,10 @@ slower than it is without a tracer, and no picture is ever of something else tha
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable
 from pathlib import Path
+from statistics import median
 from typing import TypeVar
 
 from brdf_qt.program.settings import settings
@@ -21,13 +23,12 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.documents.store import view_to_json
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
-from brdf_viewer.traced.frame_rate import FrameRate
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
 from brdf_viewer.traced.process import TracedPicture, TraceProcess
 from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
 from brdf_viewer.traced.section import DEFAULT_SAMPLES
 from brdf_viewer.traced.trace_input import TraceInput, make_trace_input
-from brdf_viewer.traced.words import SHORT_TITLES, picture_words, rate_words
+from brdf_viewer.traced.words import RENDERER_TITLES, picture_words, rate_words
 from brdf_viewer.window import ViewerWindow
 
 KIND = "traced"
@@ -41,6 +42,7 @@ _KEEP_MS = 120_000
 """The process outlives a look at the real-time picture: to start it again takes seconds."""
 
 _MESSAGE_MS = 6000
+_FRAMES = 7
 Ask = Callable[[QWidget, str, str, str], str]
 T = TypeVar("T", bound=str)
 
@@ -84,24 +86,24 @@ class TracedControl(ViewerFeature):
         self._step = ""
         self._notices: tuple[str, ...] = ()
         self._hand_over = HandOver()
-        self.rate = FrameRate()
+        self._frames: deque[float] = deque(maxlen=_FRAMES)
         self.quality: Quality = _known(str(settings().value("traced/quality")), QUALITIES, "fast")
         self.samples = int(str(settings().value("traced/samples", DEFAULT_SAMPLES)))
         self.denoised = bool(settings().value("traced/denoised", False, type=bool))
         self._rest = make_timer(self, self._begin)
         self._leave = make_timer(self, self._end_process, _KEEP_MS)
         section, commands = window.renderer, window.commands
-        for signal in (section.renderer_edited, commands.renderer_requested):
+        for signal in (section.renderer.picked, commands.renderer_requested):
             signal.connect(self.set_renderer)
-        for signal in (section.quality_edited, commands.quality_requested):
+        for signal in (section.quality.picked, commands.quality_requested):
             signal.connect(self.set_quality)
-        section.samples_edited.connect(self.set_samples)
-        section.denoised_edited.connect(self.set_denoised)
-        for signal in (section.stop_requested, commands.trace_stop_requested):
+        section.samples.edited.connect(lambda value: self.set_samples(round(value)))
+        section.denoised.clicked.connect(self.set_denoised)
+        for signal in (section.stop.clicked, commands.trace_stop_requested):
             signal.connect(self.stop)
-        for signal in (section.resume_requested, commands.trace_resume_requested):
+        for signal in (section.resume.clicked, commands.trace_resume_requested):
             signal.connect(self.resume)
-        for signal in (section.save_requested, commands.trace_save_requested):
+        for signal in (section.save.clicked, commands.trace_save_requested):
             signal.connect(self.save)
         state.view_changed.connect(lambda *_: self._follow())
         state.contents_changed.connect(self._follow)
@@ -132,7 +134,7 @@ class TracedControl(ViewerFeature):
         self._state.set_renderer(renderer)
         self._drop()
         self._notices, self._stopped = (), False
-        self.rate.clear()
+        self._frames.clear()
         if renderer == "realtime":
             self._leave.start()
         else:
@@ -144,7 +146,7 @@ class TracedControl(ViewerFeature):
         """Trace rays with another preset; remembered. With another renderer on show, the ray tracer is taken."""
         self.quality = _known(key, QUALITIES, "fast")
         settings().setValue("traced/quality", self.quality)
-        self.rate.clear()
+        self._frames.clear()
         self.set_renderer("raytraced")
         self._follow()
         self._show()
@@ -237,7 +239,12 @@ class TracedControl(ViewerFeature):
     @property
     def _is_live(self) -> bool:
         """Whether the tracer keeps up with a hand."""
-        return 0.0 < self.rate.frame_s <= LIVE_S
+        return 0.0 < self._frame_s <= LIVE_S
+
+    @property
+    def _frame_s(self) -> float:
+        """Seconds of a frame, the median of the last few; 0 before the first."""
+        return median(self._frames) if self._frames else 0.0
 
     def _begin(self) -> None:
         wanted = self._trace_input()
@@ -301,7 +308,7 @@ class TracedControl(ViewerFeature):
             return
         self._answered = True
         if picture.done:
-            self.rate.add(picture.seconds)
+            self._frames.append(picture.seconds)
         wanted = self._trace_input()
         current = wanted is not None and self._asked is not None and self._asked.same(wanted)
         fits = wanted is not None and picture.size == wanted.size
@@ -383,7 +390,7 @@ class TracedControl(ViewerFeature):
         self.changed.emit()
 
     def _words(self, picture: TracedPicture | None) -> str:
-        title = tr(SHORT_TITLES[self.renderer])
+        title = tr(RENDERER_TITLES[self.renderer])
         if picture is None:
             if self._stopped:
                 return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
@@ -393,7 +400,7 @@ class TracedControl(ViewerFeature):
             return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
         words = picture_words(self.renderer, self.quality, picture)
         if self.renderer == "raytraced":
-            words = "   ".join(word for word in (words, rate_words(self.rate.frame_s)) if word)
+            words = "   ".join(word for word in (words, rate_words(self._frame_s)) if word)
         return words + ("   " + tr("stopped") if self._stopped and not picture.done else "")
 
 

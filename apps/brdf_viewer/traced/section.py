@@ -7,7 +7,6 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QWidget
 
 from brdf_viewer.fields.choice_box import ChoiceBox
@@ -18,38 +17,21 @@ DEFAULT_SAMPLES = 1024
 
 
 class RendererSection(Section):
-    """Signals: ``renderer_edited(key)``, ``quality_edited(key)``, ``samples_edited(count)``,
-    ``denoised_edited(on)``, ``stop_requested()``, ``resume_requested()``, ``save_requested()``.
-    """
-
-    renderer_edited = Signal(str)
-    quality_edited = Signal(str)
-    samples_edited = Signal(int)
-    denoised_edited = Signal(bool)
-    stop_requested = Signal()
-    resume_requested = Signal()
-    save_requested = Signal()
+    """Renderer of the picture, how good it is to become, and how far it is."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Renderer"), "renderer", parent)
         tips = {key: tr(tip) for key, tip in RENDERER_TIPS.items()}
         self.renderer = ChoiceBox({key: tr(title) for key, title in RENDERER_TITLES.items()}, tips)
-        self.renderer.picked.connect(self.renderer_edited)
         self.quality = ChoiceBox({key: tr(title) for key, title in QUALITY_TITLES.items()})
-        self.quality.picked.connect(self.quality_edited)
         self.samples = NumberField(tr("Samples"), "", 0.0, 1_000_000.0, 64.0, 0, float(DEFAULT_SAMPLES))
-        self.samples.edited.connect(lambda value: self.samples_edited.emit(round(value)))
         self.denoised = QCheckBox(tr("Denoise"))
-        self.denoised.clicked.connect(self.denoised_edited)
         self.stop = QPushButton(tr("Stop"))
         self.stop.setToolTip(tr("Stop refining and free the processors"))
-        self.stop.clicked.connect(lambda: self.stop_requested.emit())
         self.resume = QPushButton(tr("Resume"))
         self.resume.setToolTip(tr("Refine the picture further"))
-        self.resume.clicked.connect(lambda: self.resume_requested.emit())
         self.save = QPushButton(tr("Save EXR…"))
         self.save.setToolTip(tr("Radiance of the current picture, with the variance of each pixel"))
-        self.save.clicked.connect(lambda: self.save_requested.emit())
         buttons = QWidget()
         row = QGridLayout(buttons)
         row.setContentsMargins(0, 0, 0, 0)

@@ -17,16 +17,11 @@ RENDERER_TIPS = {
     "reference": mark("The paint itself, path-traced, as ground truth; refines while nothing changes"),
 }
 QUALITY_TITLES = {"fast": mark("Fast"), "medium": mark("Medium"), "high": mark("High")}
-SHORT_TITLES = {
-    "realtime": mark("Real-time"),
-    "raytraced": mark("Ray-traced"),
-    "reference": mark("Path-traced"),
-}
 
 
 def picture_words(renderer: str, quality: str, picture: TracedPicture) -> str:
     """Return what a picture is: the preset, or its samples and the noise that is left."""
-    words = [tr(SHORT_TITLES[renderer])]
+    words = [tr(RENDERER_TITLES[renderer])]
     if renderer == "raytraced":
         words = [tr("Ray-traced, {quality}").format(quality=tr(QUALITY_TITLES[quality]).lower())]
     if picture.of and not picture.done:

@@ -74,8 +74,9 @@ class LimitedSolver:
     model. ``inline`` forces the caller's way (True) or the thread's (False); by size where left out. ``fallbacks``,
     one per part, are those of another solver of the same parts, which saves making them again.
 
-    ``background`` completes fits, ``model`` is the solver that both share, ``vertex`` that of the last optimum,
-    and ``pace_s`` what an iteration was last seen to take, seconds.
+    ``background`` finishes what the limit cut short, on its thread; ``model`` is the solver of HiGHS that both use,
+    under the background's lock; ``vertex`` is that of the last optimum, and ``pace_s`` what an iteration was last seen
+    to take, seconds.
 
     One solver serves one thread. :meth:`close` ends its background thread, as does losing the last reference.
     """

@@ -18,9 +18,8 @@ from brdf_suite.realtime.camera import CameraMatrices
 from brdf_suite.realtime.environment.textures import RAMP_UNIT
 from brdf_suite.realtime.factors.textures import FactorTextures
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.features import surface_features
 from brdf_suite.realtime.gl.programs import BALL, BALL_UNIT, MATERIAL_BINDING, Features, assign
-from brdf_suite.realtime.gl.view_uniforms import columns
+from brdf_suite.realtime.gl.view_uniforms import columns, surface_features
 from brdf_suite.realtime.material.material_set import Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 

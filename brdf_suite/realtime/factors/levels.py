@@ -1,4 +1,4 @@
-"""Mip levels of a factor's map, so that a highlight smaller than a pixel does not flicker.
+"""Levels of a factor's map, so that a highlight smaller than a pixel does not flicker, and its cube faces.
 
 A level is half as fine as the one before it, each texel the mean of the area that it covers: of the values, not of
 their logarithms, since light adds up. Of a hemisphere, texels beyond the horizon, which no direction meets, are left
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
+from brdf_suite.geometry.parabolic import parabolic_place
 
 
 def levels(values: NDArray[Any], *, logarithmic: bool, hemisphere: bool) -> Iterator[Floats]:
@@ -81,3 +82,33 @@ def _inside(size: int) -> Floats:
     """Return 1 where a texel of a parabolic map touches the disc, 0 elsewhere."""
     along = np.maximum(np.abs((2.0 * np.arange(size) + 1.0) / size - 1.0) - 1.0 / size, 0.0)
     return (np.hypot(along[:, None], along) < 1.0).astype(np.float64)
+
+
+def cube_faces(values: NDArray[Any]) -> Floats:
+    """Return the faces (6, n, n, 3) of a parabolic map (n, n, 3), in OpenGL's order, rows and columns.
+
+    Texels are the map's, bilinear between its own, at their directions; those below the horizon take what is nearest on
+    it. A face of n texels is twice as fine as the map in its middle.
+    """
+    size = len(values)
+    directions = face_directions(size)
+    directions[..., 2] = np.maximum(directions[..., 2], 0.0)
+    level = np.linalg.norm(directions, axis=-1, keepdims=True)
+    s, t = parabolic_place(directions / np.where(level > 0.0, level, 1.0))
+    x, y = (np.clip(0.5 * (place + 1.0) * size - 0.5, 0.0, size - 1.0) for place in (s, t))
+    i, j = (np.minimum(place.astype(np.int64), max(size - 2, 0)) for place in (x, y))
+    u, v = (x - i)[..., None], (y - j)[..., None]
+    right, above = np.minimum(i + 1, size - 1), np.minimum(j + 1, size - 1)
+    low = values[j, i] * (1.0 - u) + values[j, right] * u
+    high = values[above, i] * (1.0 - u) + values[above, right] * u
+    return np.asarray(low * (1.0 - v) + high * v, np.float64)
+
+
+def face_directions(size: int) -> Floats:
+    """Return the unit directions (6, n, n, 3) of the texels of a cube map (OpenGL 3.3, table 3.10)."""
+    along = (2.0 * np.arange(size) + 1.0) / size - 1.0
+    s, t = np.meshgrid(along, along)
+    one = np.ones_like(s)
+    major = [(one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one)]
+    directions = np.stack([np.stack(face, axis=-1) for face in major])
+    return np.asarray(directions / np.linalg.norm(directions, axis=-1, keepdims=True))

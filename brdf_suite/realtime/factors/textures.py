@@ -15,8 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
-from brdf_suite.realtime.factors.cube import cube_faces
-from brdf_suite.realtime.factors.levels import levels, radial_levels
+from brdf_suite.realtime.factors.levels import cube_faces, levels, radial_levels
 from brdf_suite.realtime.factors.source import Layout, Slots, shader_words, texels_per_radian
 from brdf_suite.realtime.factors.values import FactoredMaps
 from brdf_suite.realtime.gl.context import graphics_errors

@@ -121,6 +121,11 @@ class GpuObjects:
             )
             return self._keep("vertex array", made)
 
+    @property
+    def live(self) -> list[Any]:
+        """What was made and not given back, in the order in which it was made."""
+        return list(self._live.values())
+
     def release(self, made: Any) -> None:
         """Give one object back; nothing happens where it is gone already."""
         if self._live.pop(id(made), None) is not None:
@@ -132,7 +137,7 @@ class GpuObjects:
 
     def release_all(self) -> None:
         """Give everything back."""
-        for made in list(self._live.values()):
+        for made in self.live:
             self.release(made)
 
     def _keep(self, kind: str, made: _Object) -> _Object:

@@ -5,18 +5,25 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import moderngl
+import numpy as np
 
 from brdf_suite.documents.view import FresnelMode, LookUp
 from brdf_suite.errors import GraphicsError
+from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
 from brdf_suite.realtime.gl.programs import LookUps
-from brdf_suite.realtime.material.buffer import BLOCK_SIZE, pack
-from brdf_suite.realtime.material.ramp import MAX_ROWS, Ramp, make_ramp
+from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, Ramp, make_ramp
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
+
+_KINDS = {"none": 0, "dielectric": 1, "metal": 2, "facets": 3}
+
+
+BLOCK_SIZE = (3 + MAX_BROAD) * 16
+"""Bytes of the block ``Material`` in material.glsl."""
 
 
 @dataclass(frozen=True)
@@ -122,3 +129,25 @@ def _table(weights: MaterialWeights, modes: Modes) -> WeightsOverAngle | None:
 
 def _list(exponents: tuple[float, ...]) -> str:
     return f"{len(exponents)} lobes ({', '.join(f'{e:g}' for e in exponents)})"
+
+
+def pack(weights: MaterialWeights, ramp: Ramp) -> bytes:
+    """Return the block ``Material``: counts of look-ups, coat, the gloss lobes' albedo, the look-ups' directions.
+
+    It holds what does not depend on N·V; the rest is the ramp (:mod:`brdf_suite.realtime.material.ramp`). Its members
+    have four components (std140), so that no rule of padding applies.
+    """
+    block = np.zeros((3 + MAX_BROAD, 4), np.float32)
+    counts = (ramp.base, ramp.base + ramp.coat, len(ramp.sharp), 0)
+    block[0] = np.array(counts, np.int32).view(np.float32)
+    reflected = float(fresnel_dielectric(np.cos(weights.theta_fit_rad), weights.ior))
+    kind = _KINDS[weights.coat]
+    if weights.coat in ("dielectric", "facets") and reflected < 1e-6:
+        kind = _KINDS["none"]  # no interface: its ratios would be 0/0
+    block[1] = (kind, weights.ior, 1.0 / max(reflected, 1e-6), 1.0 / (1.0 - reflected) ** 2)
+    solid_angle = 2.0 * np.pi / (np.asarray(weights.exponents) + 1.0)
+    albedo = solid_angle @ weights.kg
+    block[2, :3] = albedo
+    block[2, 3] = 1.0 / max(float(albedo.max()), 1e-6)
+    block[3 : 3 + len(ramp.toward_normal)] = ramp.toward_normal
+    return block.tobytes()

@@ -27,7 +27,7 @@ from brdf_suite.realtime.gl.programs import (
     Programs,
     assign,
 )
-from brdf_suite.realtime.material.buffer import BLOCK_SIZE
+from brdf_suite.realtime.material.material_set import BLOCK_SIZE
 from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP, Ramp
 
 MOST_LAYERS = 32

@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.features import surface_features
 from brdf_suite.realtime.gl.programs import Features
 from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
+from brdf_suite.realtime.gl.view_uniforms import surface_features
 from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
 from brdf_suite.realtime.pictures.finish import FinishPass

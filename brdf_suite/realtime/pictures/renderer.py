@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import moderngl
 import numpy as np
@@ -32,15 +33,13 @@ from brdf_suite.realtime.environment.textures import RAMP_UNIT, EnvironmentTextu
 from brdf_suite.realtime.factors.ball import ReflectanceBalls
 from brdf_suite.realtime.factors.textures import FactorTextures
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.features import surface_features
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
 from brdf_suite.realtime.gl.objects import Counters, GpuObjects
 from brdf_suite.realtime.gl.programs import MATERIAL_BINDING, PAINTS, Features, LookUps, Programs, assign
 from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
-from brdf_suite.realtime.gl.view_uniforms import columns, view_uniforms
+from brdf_suite.realtime.gl.view_uniforms import columns, surface_features, view_uniforms
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.lights.single_lights import SingleLights
-from brdf_suite.realtime.material.blending import blend_over
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
@@ -67,6 +66,10 @@ class Renderer(OffscreenPictures):
     ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
     what frames are drawn for: sRGB until it is set to the monitor that they are seen on. ``balls`` has the reflectance
     balls of factored materials. ``make_peel`` makes the tile of the orange peel when one is first drawn.
+
+    ``objects`` makes this context's objects, and :meth:`release` releases all that it made; ``mesh`` has the parts of
+    the surface, ``relief`` the paint's normal map, orange peel and mask, ``factors`` the maps of factored materials,
+    by which lamps are shaded instead of by lobes.
     """
 
     def __init__(
@@ -77,36 +80,36 @@ class Renderer(OffscreenPictures):
         make_peel: Callable[[], PeelTile] | None = None,
     ) -> None:
         self.context = context
-        self._objects = GpuObjects(context)
-        self._programs = Programs(self._objects, surface_shader)
-        self._environment = EnvironmentTextures(self._objects)
-        self._mesh = MeshBuffers(self._objects)
-        self._materials = MaterialSet(self._objects)
-        self._single_lights = SingleLights(self._objects)
-        self._light = LightTarget(self._objects)
-        self._tile = LightTarget(self._objects)
-        self._picture = PictureTarget(self._objects)
-        self._finish = FinishPass(self._objects, self._programs)
+        self.objects = GpuObjects(context)
+        self._programs = Programs(self.objects, surface_shader)
+        self._environment = EnvironmentTextures(self.objects)
+        self.mesh = MeshBuffers(self.objects)
+        self._materials = MaterialSet(self.objects)
+        self._single_lights = SingleLights(self.objects)
+        self._light = LightTarget(self.objects)
+        self._tile = LightTarget(self.objects)
+        self._picture = PictureTarget(self.objects)
+        self._finish = FinishPass(self.objects, self._programs)
         self.screen: Display = SRGB
-        self._ground = GroundShadow(self._objects)
-        self._relief = ReliefTextures(self._objects, make_peel)
-        self._factors = FactorTextures(self._objects)
+        self._ground = GroundShadow(self.objects)
+        self.relief = ReliefTextures(self.objects, make_peel)
+        self.factors = FactorTextures(self.objects)
         self._drawing = DrawContext(
-            self._objects,
+            self.objects,
             self._programs,
             self._environment,
-            self._mesh,
+            self.mesh,
             self._materials,
             self._single_lights,
             self._finish,
         )
-        self.balls = ReflectanceBalls(self._drawing, self._factors)
+        self.balls = ReflectanceBalls(self._drawing, self.factors)
         self._warm: tuple[int, int, Features] | None = None
 
     @property
     def counters(self) -> Counters:
         """Objects made, textures and buffers written, since the start."""
-        return self._objects.counters
+        return self.objects.counters
 
     @property
     def only_needed(self) -> bool:
@@ -120,33 +123,13 @@ class Renderer(OffscreenPictures):
             self._environment.write_rest()
 
     @property
-    def objects(self) -> GpuObjects:
-        """Factory of this context's objects; :meth:`release` also releases those created by others."""
-        return self._objects
-
-    @property
-    def mesh(self) -> MeshBuffers:
-        """The parts of the surface."""
-        return self._mesh
-
-    @property
     def bounds(self) -> Bounds:
         """The box around the mesh, metres."""
-        return self._mesh.bounds
+        return self.mesh.bounds
 
     def set_mesh(self, parts: Sequence[MeshPart]) -> None:
         """Replace the surface."""
-        self._mesh.load(parts)
-
-    @property
-    def relief(self) -> ReliefTextures:
-        """Normal map, orange peel and mask of the paint."""
-        return self._relief
-
-    @property
-    def factors(self) -> FactorTextures:
-        """Maps of factored materials; lamps are shaded by them instead of by lobes."""
-        return self._factors
+        self.mesh.load(parts)
 
     def set_ground(self, field: GroundField | None) -> None:
         """Replace the ground that a view may ask for; None: there is none."""
@@ -269,7 +252,7 @@ class Renderer(OffscreenPictures):
 
     def release(self) -> None:
         """Give every OpenGL object back; the renderer cannot be used after."""
-        self._objects.release_all()
+        self.objects.release_all()
 
     def _draw_light(
         self,
@@ -300,7 +283,7 @@ class Renderer(OffscreenPictures):
         self.context.enable_only(moderngl.DEPTH_TEST)
         self.context.depth_func = "<="
         self._environment.bind()
-        features = surface_features(view, knows_light=self._mesh.knows_light, smooth=samples > 1)
+        features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
         features |= self._single_lights.features(view)
         if self._environment.is_dark or view.light_colour.brightness == 0.0:
             features |= {"DARK"}
@@ -336,12 +319,12 @@ class Renderer(OffscreenPictures):
         modes = Modes(view.fresnel, view.look_up)
         drawn = self._drawn_parts(view, features)
         self.context.front_face, self.context.cull_face = "ccw", "back"
-        common |= self._relief.bind(view, self.bounds)
+        common |= self.relief.bind(view, self.bounds)
         for part, name, words in drawn:
             name = materials.get(name, name)
             if view.lamps:
-                words |= self.balls.words(view, name) or self._factors.features(
-                    name, has_uv=self._mesh.has_uv[part]
+                words |= self.balls.words(view, name) or self.factors.features(
+                    name, has_uv=self.mesh.has_uv[part]
                 )
             material = self._materials.find(name, modes, self._environment.ladder)
             program = self._programs.surface(material.look_ups, words)
@@ -350,21 +333,21 @@ class Renderer(OffscreenPictures):
                 ready.add((material.look_ups, words))
             assign(program, self._environment.use_sharp(material.sharp))
             if "COAT_RELIEF" in words:
-                assign(program, self._relief.peel_uniforms(view, name))
+                assign(program, self.relief.peel_uniforms(view, name))
             assign(program, self.balls.uniforms(name, words, camera))
             if lit:
-                assign(program, self._single_lights.uniforms(name, view, has_uv=self._mesh.has_uv[part]))
+                assign(program, self._single_lights.uniforms(name, view, has_uv=self.mesh.has_uv[part]))
             material.ramp.use(RAMP_UNIT)
             material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
             # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
-            solid = camera.outside and self._mesh.closed[part]
+            solid = camera.outside and self.mesh.closed[part]
             self.context.enable_only(
                 moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
             )
-            blend_over(self.context, "SECOND_PAINT" in words)
-            self._mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+            _blend_over(self.context, "SECOND_PAINT" in words)
+            self.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
         self.context.enable_only(moderngl.DEPTH_TEST)
-        blend_over(self.context, False)
+        _blend_over(self.context, False)
 
     def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
         """Return what is drawn in order: a part's number, its material, and the features of its program.
@@ -372,11 +355,11 @@ class Renderer(OffscreenPictures):
         Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
         """
         chosen = {item.part: item.material for item in view.surface_look.materials}
-        owned = zip(self._mesh.names, self._mesh.materials, strict=True)
+        owned = zip(self.mesh.names, self.mesh.materials, strict=True)
         names = [chosen.get(part, own) for part, own in owned]
-        painted = features | self._relief.features(view)
+        painted = features | self.relief.features(view)
         drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
-        if self._relief.has_second_paint(view):
+        if self.relief.has_second_paint(view):
             over = painted | {"SECOND_PAINT"}
             drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
         return drawn
@@ -393,8 +376,8 @@ class Renderer(OffscreenPictures):
 
     def _warm_up(self, samples: int, features: Features) -> None:
         """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
-        key = (samples, self._mesh.generation, features)
-        if self._warm == key or self.only_needed or not self._mesh.materials:
+        key = (samples, self.mesh.generation, features)
+        if self._warm == key or self.only_needed or not self.mesh.materials:
             return
         material = self._materials.find("neutral", Modes(), self._environment.ladder)
         material.ramp.use(RAMP_UNIT)
@@ -402,7 +385,7 @@ class Renderer(OffscreenPictures):
         for look_ups in PAINTS:
             program = self._programs.surface(look_ups, features)
             assign(program, self._environment.uniforms() | self._environment.use_sharp(()))
-            self._mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
+            self.mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
         self._warm = key
 
     def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
@@ -415,3 +398,14 @@ class Renderer(OffscreenPictures):
         }
         assign(program, self._environment.uniforms() | view_uniforms(view) | own)
         screen.render(moderngl.TRIANGLES, vertices=3)
+
+
+def _blend_over(context: moderngl.Context, on: bool) -> None:
+    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
+    if not on:
+        context.disable(moderngl.BLEND)
+        return
+    context.enable(moderngl.BLEND)
+    # moderngl's types know two factors; four set those of alpha apart.
+    factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
+    context.blend_func = factors

@@ -8,7 +8,7 @@ const int COAT_DIELECTRIC = 1;
 const int COAT_METAL = 2;
 const int COAT_FACETS = 3;
 
-// Written whole by material/buffer.py (std140). The weights are in the ramp, see lobes.glsl; a fit leaves most at zero,
+// Written whole by material/material_set.py (std140). The weights are in the ramp, see lobes.glsl; a fit leaves most at zero,
 // and only lobes with a weight are looked up.
 layout(std140) uniform Material
 {

@@ -1,7 +1,7 @@
 // Provides: vec2 to_square(vec3 direction), vec3 from_square(vec2 place)
 // Needs:    nothing
 //
-// The octahedral map, y up, as octahedral.py has it: a direction of any length but 0 -> a place in [-1, 1]^2.
+// The octahedral map, y up: a direction of any length but 0 -> a place in [-1, 1]^2.
 vec2 to_square(vec3 d)
 {
     vec2 p = d.xz / (abs(d.x) + abs(d.y) + abs(d.z));

@@ -12,8 +12,7 @@ from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.partial_maps import PartialMaps
 from brdf_suite.lighting.filter.prefilter import filtered_exponents, prefilter
-from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
-from brdf_suite.pipeline.shading_maps import STACK_EXPONENTS, map_exponents
+from brdf_suite.pipeline.scene import STACK_EXPONENTS, PreparedEnvironment, load_environment, map_exponents
 
 EXPONENTS = (5.0, 70.0, 3000.0, 60000.0)
 

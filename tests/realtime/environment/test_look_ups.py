@@ -7,11 +7,11 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.documents.view import FRESNEL_MODES, LOOK_UPS, Camera, View
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, constant_light, look_up_table
-from brdf_suite.realtime.environment.octahedral import from_square, to_square
 from brdf_suite.realtime.material.ramp import make_ramp
 from brdf_suite.realtime.values import EnvironmentMaps, MaterialWeights, WeightsOverAngle
 
@@ -31,6 +31,24 @@ EXPONENTS = (
 )
 VIEW = View(Camera(azimuth_deg=20, elevation_deg=10), tone_curve="linear")
 SIZE = (96, 96)
+
+
+def to_square(direction: ArrayLike) -> NDArray[np.float64]:
+    """Return the place (..., 2) in [-1, 1]² of directions (..., 3) of any length but 0."""
+    d = np.asarray(direction, np.float64)
+    p = d[..., ::2] / np.abs(d).sum(axis=-1, keepdims=True)
+    folded = (1.0 - np.abs(p[..., ::-1])) * np.where(p < 0.0, -1.0, 1.0)
+    return np.asarray(np.where(d[..., 1:2] < 0.0, folded, p))
+
+
+def from_square(place: ArrayLike) -> NDArray[np.float64]:
+    """Return the unit direction (..., 3) of a place (..., 2) in [-1, 1]²; the inverse of :func:`to_square`."""
+    p = np.asarray(place, np.float64)
+    y = 1.0 - np.abs(p).sum(axis=-1, keepdims=True)
+    folded = (1.0 - np.abs(p[..., ::-1])) * np.where(p < 0.0, -1.0, 1.0)
+    inside = np.where(y < 0.0, folded, p)
+    d = np.concatenate([inside[..., :1], y, inside[..., 1:]], axis=-1)
+    return np.asarray(d / np.linalg.norm(d, axis=-1, keepdims=True))
 
 
 def white(albedo: float, exponents: tuple[float, ...], **others: object) -> MaterialWeights:

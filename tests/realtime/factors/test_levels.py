@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.realtime.factors.cube import cube_faces, face_directions
-from brdf_suite.realtime.factors.levels import levels, radial_levels
+from brdf_suite.realtime.factors.levels import cube_faces, face_directions, levels, radial_levels
 
 
 def test_levels_halve_down_to_one_texel_and_keep_the_mean_of_light() -> None:

@@ -10,7 +10,7 @@ from brdf_suite.errors import GraphicsError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.gl.programs import LookUps
-from brdf_suite.realtime.material.buffer import BLOCK_SIZE, pack
+from brdf_suite.realtime.material.material_set import BLOCK_SIZE, pack
 from brdf_suite.realtime.material.ramp import MAX_SHARP, make_ramp
 from brdf_suite.realtime.material.stock_materials import lobe_mix, stock_materials
 from brdf_suite.realtime.values import MaterialWeights

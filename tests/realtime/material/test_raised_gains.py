@@ -15,7 +15,7 @@ from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
-from brdf_suite.realtime.material.buffer import pack
+from brdf_suite.realtime.material.material_set import pack
 from brdf_suite.realtime.material.ramp import MAX_BROAD, make_ramp
 from brdf_suite.realtime.values import Coat, MaterialWeights
 

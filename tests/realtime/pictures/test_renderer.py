@@ -247,7 +247,7 @@ def test_too_large_a_map_is_a_message(context):
     renderer = Renderer(context)
     limit = context.info["GL_MAX_CUBE_MAP_TEXTURE_SIZE"]
     with pytest.raises(GraphicsError, match="cube map"):
-        renderer._objects.cube(limit * 2)
+        renderer.objects.cube(limit * 2)
     renderer.release()
     context.clear_errors()
 

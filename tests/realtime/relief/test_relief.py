@@ -270,7 +270,7 @@ def test_in_software_no_texture_is_filtered_along_a_pixels_length(
     objects = GpuObjects(context)
     textures = ReliefTextures(objects)
     textures.set_normal_map(constant_slope(0.1, 0.0))
-    (made,) = objects._live.values()
+    (made,) = objects.live
     assert made.anisotropy == min(anisotropy, context.max_anisotropy)
     textures.release()
 

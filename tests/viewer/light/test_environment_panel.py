@@ -141,12 +141,12 @@ def test_another_layout_is_read_and_kept_in_the_view(viewer, tmp_path, qtbot) ->
     viewer.controller.open_file(str(path))
     viewer.wait_idle()
     probe = viewer.state.environment.value.environment
-    viewer.window.environment.layout_edited.emit("mirror_ball")
+    viewer.window.environment.layout_list.picked.emit("mirror_ball")
     viewer.wait_idle()
     assert viewer.view.environment_layout == "mirror_ball"
     assert viewer.window.environment.layout_list.currentData() == "mirror_ball"
     assert viewer.state.environment.value.environment.content_hash != probe.content_hash
-    viewer.window.environment.layout_edited.emit("vertical_cross")  # cannot be, by its shape
+    viewer.window.environment.layout_list.picked.emit("vertical_cross")  # cannot be, by its shape
     qtbot.waitUntil(lambda: "environment" in viewer.window.messages.shown())
     assert viewer.view.environment_layout == "mirror_ball"
     assert viewer.window.environment.layout_list.currentData() == "mirror_ball"

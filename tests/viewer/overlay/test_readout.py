@@ -7,7 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from brdf_viewer.light.dominant import direction, dominant_light
+from brdf_viewer.light.dominant import dominant_light
+from brdf_viewer.light.studio.places import point_at
 from brdf_viewer.overlay.figures import how
 from brdf_viewer.overlay.pixel_reading import (
     CursorReading,
@@ -145,7 +146,7 @@ def test_whose_pixel_it_is(compare, pixel, parts) -> None:
 def sunny(azimuth_deg: float, elevation_deg: float):
     rows, columns = 64, 128
     pixels = np.full((rows, columns, 3), 0.1, np.float32)
-    towards = np.asarray(direction(azimuth_deg, elevation_deg))
+    towards = np.asarray(point_at(azimuth_deg, elevation_deg, 1.0))
     from brdf_suite.lighting.latlong import column_angles, ring_angles
     from brdf_suite.lighting.latlong import direction as texel
 
@@ -157,7 +158,7 @@ def sunny(azimuth_deg: float, elevation_deg: float):
 def test_the_strongest_light_is_the_sun_and_turns_with_the_environment() -> None:
     figures = sunny(40.0, 30.0)
     light = dominant_light(View(rotation_deg=25.0), figures)
-    np.testing.assert_allclose(light.seen_from((1.0, 2.0, 3.0)), direction(65.0, 30.0), atol=0.05)
+    np.testing.assert_allclose(light.seen_from((1.0, 2.0, 3.0)), point_at(65.0, 30.0, 1.0), atol=0.05)
     assert f"elevation {figures.sun_elevation_deg:.0f}°" in light.words
     weak, strong = Lamp("directional", azimuth_deg=-90.0, strength=1e-3), Lamp("point", strength=1e4)
     assert dominant_light(View(lamps=(weak,)), figures).words == dominant_light(View(), figures).words

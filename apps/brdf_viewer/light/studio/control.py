@@ -172,17 +172,17 @@ class StudioControl(ViewerFeature):
         panel, store = self._panel, self.store
         panel.new_requested.connect(self.new)
         panel.edit_requested.connect(self.edit)
-        self._window.environment.edit_requested.connect(self.edit)
+        self._window.environment.edit.clicked.connect(self.edit)
         panel.save_requested.connect(self.files.save)
         panel.save_as_requested.connect(self.files.save_as)
         panel.undo_requested.connect(store.undo)
         panel.redo_requested.connect(store.redo)
-        panel.show_requested.connect(lambda: self._live.show(store.value))
-        panel.renamed.connect(lambda text: self._do("Rename", lambda light: _renamed(light, text)))
+        panel.relight.clicked.connect(lambda: self._live.show(store.value))
+        panel.name.edited.connect(lambda text: self._do("Rename", lambda light: _renamed(light, text)))
         panel.chosen.connect(self._choose)
         panel.add_requested.connect(self._add)
-        panel.double_requested.connect(self._double)
-        panel.remove_requested.connect(self._remove)
+        panel.double.clicked.connect(self._double)
+        panel.remove.clicked.connect(self._remove)
         panel.lamp.edits.changed.connect(self._edit_lamp)
         panel.around.edits.changed.connect(
             lambda name, value: self._do(

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS
+from brdf_viewer.fields.choice_box import ChoiceBox
 
 NEUTRAL_K = 6504.0
 
@@ -47,13 +47,11 @@ class Edits(QObject):
         unit = known.unit if unit is None else unit
         return self.number(name, known.label, unit, known.low, known.high, step, decimals, known.default)
 
-    def choice(self, name: str, titles: dict[str, str]) -> QComboBox:
+    def choice(self, name: str, titles: dict[str, str]) -> ChoiceBox:
         """Return a list whose choices are changes of ``name``."""
-        box = QuietComboBox()
-        for key, title in titles.items():
-            box.addItem(title, key)
+        box = ChoiceBox(titles)
         box.setObjectName(f"studio_{name}")
-        box.activated.connect(lambda index: self.changed.emit(name, box.itemData(index)))
+        box.picked.connect(lambda key: self.changed.emit(name, key))
         return box
 
     def tick(self, name: str, text: str, tip: str) -> QCheckBox:
@@ -92,8 +90,3 @@ class TemperatureField(QWidget):
     def _clicked(self, neutral: bool) -> None:
         value = self.kelvin.value() if self.kelvin.value() else NEUTRAL_K
         self._edits.changed.emit(self._name, None if neutral else value)
-
-
-def show_choice(box: QComboBox, key: str) -> None:
-    """Show a choice without a signal."""
-    box.setCurrentIndex(box.findData(key))

@@ -10,7 +10,7 @@ from brdf_qt.fields.labels import plain_tip
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Point, Shape, StudioLamp
-from brdf_viewer.light.studio.fields import Edits, TemperatureField, show_choice
+from brdf_viewer.light.studio.fields import Edits, TemperatureField
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 
 SHAPE_TITLES = {"box": "Box", "strip": "Strip", "ring": "Ring"}
@@ -67,7 +67,7 @@ class LampForm(QWidget):
 
     def set_lamp(self, lamp: StudioLamp, unit: str) -> None:
         """Show a lamp of a studio in ``unit``, without a signal."""
-        show_choice(self.shape, lamp.shape)
+        self.shape.show_choice(lamp.shape)
         azimuth, elevation, distance = polar(lamp.position_m)
         self.azimuth.set_value(azimuth)
         self.elevation.set_value(elevation)

@@ -41,11 +41,7 @@ class StudioPanel(QScrollArea):
     -------
     new_requested(template), edit_requested(), save_requested(), save_as_requested(), undo_requested(), redo_requested()
         Of the document.
-    show_requested()
-        The picture is to be lit with it again.
-    renamed(text)
-        The studio's name.
-    chosen(index), add_requested(shape), double_requested(), remove_requested()
+    chosen(index), add_requested(shape)
         Of the lamps. The fields report their edits by the forms' ``edits``.
     """
 
@@ -55,12 +51,8 @@ class StudioPanel(QScrollArea):
     save_as_requested = Signal()
     undo_requested = Signal()
     redo_requested = Signal()
-    show_requested = Signal()
-    renamed = Signal(str)
     chosen = Signal(int)
     add_requested = Signal(str)
-    double_requested = Signal()
-    remove_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -69,7 +61,6 @@ class StudioPanel(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self.name = TextLine("Name of the studio", 200)
-        self.name.edited.connect(self.renamed)
         self.state, self.mistake = note(), note()
         self.preview = StudioPreview()
         self.list = QListWidget()
@@ -83,16 +74,15 @@ class StudioPanel(QScrollArea):
         self.save_as = _tool("copy", "Save the studio under another name", self.save_as_requested)
         self.undo = _tool("arrow-counter-clockwise", "Undo (Ctrl+Z in this panel)", self.undo_requested)
         self.redo = _tool("arrow-clockwise", "Redo", self.redo_requested)
-        self.add = _tool("plus", "Add a lamp", None)
+        self.add = _tool("plus", "Add a lamp")
         menu = QMenu(self.add)
         for shape, title in SHAPE_TITLES.items():
             menu.addAction(title, partial(self.add_requested.emit, shape))
         self.add.setMenu(menu)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.double = _tool("copy-simple", "Duplicate this lamp", self.double_requested)
-        self.remove = _tool("trash", "Remove this lamp", self.remove_requested)
+        self.double = _tool("copy-simple", "Duplicate this lamp")
+        self.remove = _tool("trash", "Remove this lamp")
         self.relight = QPushButton("Light the picture with this studio")
-        self.relight.clicked.connect(self.show_requested)
         self._lamps = self._lamp_part()
         self._begin, self._open = self._begin_part(), self._open_part()
         self._inside = inside = QWidget()
@@ -266,7 +256,7 @@ def lamp_line(index: int, lamp: StudioLamp) -> str:
     return f"{index + 1}  {SHAPE_TITLES[lamp.shape]}, {place}, {lamp.luminance:g}, {colour}"
 
 
-def _tool(name: str, tip: str, signal: SignalInstance | None) -> QToolButton:
+def _tool(name: str, tip: str, signal: SignalInstance | None = None) -> QToolButton:
     button = QToolButton()
     button.setIcon(icon(name))
     button.setToolTip(plain_tip(tip))

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Sky, Studio
 from brdf_viewer.light.studio.edits import with_room
-from brdf_viewer.light.studio.fields import Edits, TemperatureField, show_choice
+from brdf_viewer.light.studio.fields import Edits, TemperatureField
 
 AROUND_TITLES = {"backdrop": "Plain backdrop", "room": "Room"}
 UNIT_TITLES = {"kcd/m2": "kcd/m²", "relative": "Relative"}
@@ -61,8 +61,8 @@ class SurroundingsForm(QWidget):
 
     def set_studio(self, studio: Studio) -> None:
         """Show a studio's surroundings, without a signal."""
-        show_choice(self.unit, studio.unit)
-        show_choice(self.around, "backdrop" if studio.room is None else "room")
+        self.unit.show_choice(studio.unit)
+        self.around.show_choice("backdrop" if studio.room is None else "room")
         self._backdrop.setVisible(studio.backdrop is not None)
         self._room.setVisible(studio.room is not None)
         if studio.backdrop is not None:
@@ -117,7 +117,7 @@ class SkyForm(QWidget):
 
     def set_sky(self, sky: Sky) -> None:
         """Show a sky, without a signal; an overcast one knows no sun."""
-        show_choice(self.model, sky.model)
+        self.model.show_choice(sky.model)
         self.turbidity.set_value(sky.turbidity)
         self.elevation.set_value(sky.sun_elevation_deg)
         self.azimuth.set_value(sky.sun_azimuth_deg)

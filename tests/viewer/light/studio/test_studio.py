@@ -146,7 +146,7 @@ def test_what_cannot_be_is_reported_and_the_field_goes_back(edited) -> None:
     assert panel.lamp.second.value() < 20.0
     panel.lamp.second.setValue(5.0)
     assert panel.mistake.text() == ""
-    panel.renamed.emit("")
+    panel.name.edited.emit("")
     assert "name" in panel.mistake.text()
     assert value(edited).name == "Plain"
 

@@ -9,8 +9,7 @@ import numpy as np
 
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.pipeline.environments import DRAFT_ROWS
-from brdf_suite.pipeline.light_in_work import prepare_light
-from brdf_suite.pipeline.scene import PreparedEnvironment
+from brdf_suite.pipeline.scene import PreparedEnvironment, prepare_light
 
 STUDIO = Studio(
     "two",
