@@ -9,7 +9,8 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, QProcess, Signal
 
 from brdf_suite.processes import child_command
 
@@ -36,10 +37,7 @@ class BasisRun(QObject):
         self._process.readyReadStandardOutput.connect(self._read)
         self._process.finished.connect(self._finished)
         self._process.errorOccurred.connect(self._not_started)
-        self._force = QTimer(self)
-        self._force.setSingleShot(True)
-        self._force.setInterval(PATIENCE_MS)
-        self._force.timeout.connect(self._process.kill)
+        self._force = make_timer(self, self._process.kill, PATIENCE_MS)
 
     @property
     def state(self) -> Path:
