@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 from brdf_qt.program.settings import settings
 from PySide6.QtCore import QObject, Signal
 
+from brdf_suite.inspection.lobe_surface.parts import FitPart
 from brdf_suite.inspection.lobe_surface.scale import RadiusKind
 from brdf_suite.inspection.slices.values import Channel, Cosine
 
@@ -19,14 +20,12 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", bound="DataclassInstance")
 Shown = Literal["target", "fit", "both", "side by side", "difference"]
-Part = Literal["diffuse", "directional", "gloss"]
 
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")
 RADII: tuple[RadiusKind, ...] = ("linear", "cbrt", "log")
 COSINES: tuple[Cosine, ...] = ("none", "light", "both")
 """What f_r is multiplied with: nothing (1/sr), N·L (reflected radiance), N·L and N·V (intensity)."""
 SHOWN: tuple[Shown, ...] = ("target", "fit", "both", "side by side", "difference")
-PARTS_OF_FIT: tuple[Part, ...] = ("diffuse", "directional", "gloss")
 
 INCIDENCE_DEG = (45.0, 0.0)
 """Polar angle and azimuth of the light at a first start, and after a reset."""
@@ -46,7 +45,7 @@ class Options:
     radius: RadiusKind = "cbrt"
     cosine: Cosine = "light"
     shown: Shown = "target"
-    lobes_off: frozenset[tuple[Part, int]] = frozenset()
+    lobes_off: frozenset[tuple[FitPart, int]] = frozenset()
 
 
 class OptionState(QObject, Generic[T]):

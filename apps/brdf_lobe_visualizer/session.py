@@ -15,10 +15,11 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
-from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options, Part
+from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.inspection.lobe_surface.parts import FitPart
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -89,16 +90,16 @@ class LobeSession(QObject):
     @property
     def front(self) -> PlottedMaterial | None:
         """The one that is selected; None only where there is none."""
-        return self._of(self._front)
+        return self.subject(self._front)
 
     @property
     def reference(self) -> PlottedMaterial | None:
         """The one that differences are taken against: the reference; None where none was chosen."""
-        return self._of(self._reference_key)
+        return self.subject(self._reference_key)
 
     def subject(self, key: str) -> PlottedMaterial | None:
         """Return the subject of that key, None where there is none."""
-        return self._of(key)
+        return next((s for s in self._subjects if s.key == key), None)
 
     def set_subjects(self, subjects: Sequence[PlottedMaterial]) -> None:
         """Put these in the place of all; what was said of keys that stay (front, hidden, solo) stays."""
@@ -119,14 +120,14 @@ class LobeSession(QObject):
 
     def add(self, subject: PlottedMaterial) -> None:
         """Put a subject at the end, or in the place of the one with its key."""
-        if self._of(subject.key) is None:
+        if self.subject(subject.key) is None:
             self.set_subjects((*self._subjects, subject))
         else:
             self.set_subjects([subject if s.key == subject.key else s for s in self._subjects])
 
     def change(self, key: str, **fields: Any) -> None:
         """Give the subject of that key other fields; nothing where it has gone."""
-        subject = self._of(key)
+        subject = self.subject(key)
         if subject is not None:
             self.add(replace(subject, **fields))
 
@@ -146,7 +147,7 @@ class LobeSession(QObject):
 
     def move(self, key: str, place: int) -> None:
         """Put a subject at ``place``, 0 the first, of the legend's order."""
-        subject = self._of(key)
+        subject = self.subject(key)
         if subject is not None:
             rest = [s for s in self._subjects if s.key != key]
             rest.insert(min(max(place, 0), len(rest)), subject)
@@ -155,13 +156,13 @@ class LobeSession(QObject):
 
     def set_front(self, key: str) -> None:
         """Select the subject of that key."""
-        if key != self._front and self._of(key) is not None:
+        if key != self._front and self.subject(key) is not None:
             self._front = key
             self.front_changed.emit()
 
     def set_reference(self, key: str | None) -> None:
         """Take differences against the subject of that key, or against none."""
-        wanted = key if key and self._of(key) is not None else ""
+        wanted = key if key and self.subject(key) is not None else ""
         if wanted != self._reference_key:
             self._reference_key = wanted
             self.visibility_changed.emit()
@@ -242,7 +243,7 @@ class LobeSession(QObject):
         self.reset_incidence()
         self.view_reset.emit()
 
-    def switch_lobe(self, part: Part, index: int, on: bool) -> None:
+    def switch_lobe(self, part: FitPart, index: int, on: bool) -> None:
         """Switch a lobe of the fits on or off."""
         off = self._options.lobes_off
         self.set_options(lobes_off=off - {(part, index)} if on else off | {(part, index)})
@@ -268,9 +269,6 @@ class LobeSession(QObject):
     def dismiss_message(self, key: str) -> None:
         """Take a message away."""
         self._messages.dismiss_message(key)
-
-    def _of(self, key: str) -> PlottedMaterial | None:
-        return next((s for s in self._subjects if s.key == key), None)
 
     def _set_seen(self, hidden: frozenset[str], solo: frozenset[str]) -> None:
         keys = frozenset(s.key for s in self._subjects)

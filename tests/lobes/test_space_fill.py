@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.view3d.fill import BODY_RADIUS, full_of, tops_of
+from brdf_lobe_visualizer.view3d.layers import BODY_RADIUS, full_of, tops_of
 from brdf_lobe_visualizer.view3d.options import SpaceOptions
 
 from brdf_suite.geometry.directions import illumination, mirror

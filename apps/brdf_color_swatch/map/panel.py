@@ -9,7 +9,8 @@ from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
@@ -88,10 +89,7 @@ class ColourMap(SwatchFeature):
         self.action.setCheckable(True)
         window.toolbar.addAction(self.action)
         self.dock.visibilityChanged.connect(self._visible)
-        self._soon = QTimer(window)
-        self._soon.setSingleShot(True)
-        self._soon.setInterval(0)
-        self._soon.timeout.connect(self._show)
+        self._soon = make_timer(window, self._show)
         session.shown_changed.connect(lambda _pane: self._later())
         session.front_changed.connect(self._later)
         session.selection_changed.connect(lambda _pane: self._show_chosen())

@@ -17,7 +17,8 @@ from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
@@ -106,10 +107,7 @@ class Basis(Feature, QObject):
         self.view.open.triggered.connect(self._choose_file)
         self.view.reset.triggered.connect(self.show_shipped)
         window.add_command("view", mark("Show the Basis"), None, self._show)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(0)
-        self._timer.timeout.connect(self._refresh)
+        self._timer = make_timer(self, self._refresh)
         for signal in (session.subjects_changed, session.front_changed):
             signal.connect(self._timer.start)
         window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())

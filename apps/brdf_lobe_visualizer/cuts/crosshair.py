@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import QLabel, QWidget
 from brdf_lobe_visualizer.cuts.lines import Kind, Lines
 from brdf_lobe_visualizer.cuts.pens import colour_of
 from brdf_lobe_visualizer.subjects.subjects import Srgb
+from brdf_lobe_visualizer.words import number
 
 _MOST_ROWS = 12
 _MARGIN = 6
@@ -47,37 +47,6 @@ def rows_at(lines: Lines, angle_deg: float) -> tuple[float, tuple[Row, ...]]:
         for line in sorted(lines.lines, key=lambda line: not line.is_front)
     )
     return float(angles[place]), rows
-
-
-def number(value: float) -> str:
-    """Return ``value`` with four digits, which keep their width; a dash where there is none.
-
-    >>> number(0.123456), number(1234567.0), number(float("nan"))
-    ('0.1235', '1.235e6', '–')
-    """
-    if not math.isfinite(value):
-        return "–"
-    if value == 0.0:
-        return "0"
-    size = abs(value)
-    if 1e-3 <= size < 1e5:
-        text = f"{value:.{max(0, 3 - math.floor(math.log10(size)))}f}"
-    else:
-        digits, power = f"{value:.3e}".split("e")
-        text = f"{digits}e{int(power)}"
-    return text.replace("-", "−")
-
-
-def plain(value: float) -> str:
-    """Return a round ``value`` as an axis has it: no exponent between a thousandth and a hundred thousand.
-
-    >>> plain(2000.0), plain(0.015), plain(1.5e-7)
-    ('2000', '0.015', '1.5e−7')
-    """
-    if value == 0.0 or 1e-3 <= abs(value) < 1e5:
-        return f"{float(f'{value:.3g}'):g}".replace("-", "−")
-    digits, power = f"{value:.2e}".split("e")
-    return f"{float(digits):g}e{int(power)}".replace("-", "−")
 
 
 class Readout(QLabel):

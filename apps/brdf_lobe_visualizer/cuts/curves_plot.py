@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from types import ModuleType
 from typing import Any, get_args
 
 import numpy as np
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QKeyEvent, QPalette
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from brdf_lobe_visualizer.cuts.crosshair import Readout, number, rows_at
+from brdf_lobe_visualizer.cuts.crosshair import rows_at
+from brdf_lobe_visualizer.cuts.line_plot import LinePlot
 from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
-from brdf_lobe_visualizer.cuts.pens import grey_pen
-from brdf_lobe_visualizer.cuts.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, quantity
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, number, quantity
 from brdf_suite.arrays import Bools, Floats
 from brdf_suite.inspection.slices.cuts import FINEST_DEG, Axis
 from brdf_suite.inspection.slices.values import SliceError, nice_above
@@ -26,26 +27,18 @@ _DECADES = 7.0
 """A logarithmic axis reaches no further down than this below its top."""
 
 
-class CurvesPlot(QWidget):
-    """The curves; :meth:`build` makes the plot, which takes pyqtgraph a quarter of a second the first time."""
+class CurvesPlot(LinePlot):
+    """The curves."""
+
+    with_axes = True
 
     def __init__(self, state: SliceState, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("curves_plot")
-        self.setMinimumSize(220, 140)
+        super().__init__("curves_plot", tr("Curves: values over an angle"), parent)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName(tr("Curves: values over an angle"))
         self._state = state
-        self._lines: Lines | None = None
-        self._theta_deg = 0.0
-        self._options = Options()
         self._free = False
         self._named: tuple[Any, ...] | None = None
         self._view: tuple[Any, ...] | None = None
-        self.plot: Any = None
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(4)
         head = QHBoxLayout()
         head.setSpacing(4)
         self.axis_buttons: dict[Axis, ChoiceButton] = {}
@@ -69,41 +62,17 @@ class CurvesPlot(QWidget):
         head.addWidget(self.log_value)
         head.addWidget(self.log_angle)
         head.addStretch(1)
-        self._box.addLayout(head)
-        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
-        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.empty.setWordWrap(True)
-        self._box.addWidget(self.empty, 1)
-        self.note = ElidedLabel()
-        self._box.addWidget(self.note)
+        self._box.insertLayout(0, head)
         self.show_options(state.options)
 
-    def build(self) -> None:
-        """Make the plot and show what was set so far."""
-        if self.plot is not None:
-            return
-        from brdf_lobe_visualizer.cuts.plot_items import HoleBands, SlicePlot, upright
-
-        self.plot = SlicePlot(with_axes=True)
+    def make_items(self, items: ModuleType) -> None:
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.plot.setAccessibleName(self.accessibleName())
-        self.bands = HoleBands()
-        self.plot.addItem(self.bands, ignoreBounds=True)
-        self._mirror, self._normal, self._cross = (
-            upright(grey_pen(self.palette(), alpha)) for alpha in (0.5, 0.3, 0.8)
-        )
-        for item in (self._mirror, self._normal, self._cross):
+        self.bands = items.HoleBands()
+        self._mirror, self._normal, self._cross = (items.upright() for _ in range(3))
+        for item in (self.bands, self._mirror, self._normal, self._cross):
             self.plot.addItem(item, ignoreBounds=True)
-        self._cross.setVisible(False)
-        self._cross.setZValue(10)
-        self.readout = Readout(self.plot)
-        self.plot.moved_over.connect(self._read)
-        self.plot.left.connect(self._leave)
         self.plot.framed.connect(self.frame)
         self.plot.zoomed.connect(self._set_free)
-        self._box.insertWidget(1, self.plot, 1)
-        self._dress()
-        self._draw()
 
     def show_options(self, options: SliceOptions) -> None:
         """Show which axes are chosen."""
@@ -115,25 +84,20 @@ class CurvesPlot(QWidget):
 
     def show_lines(self, lines: Lines, theta_deg: float, options: Options) -> None:
         """Draw the lines of the chosen axis; the light is at ``theta_deg``."""
-        self._lines, self._theta_deg, self._options = lines, theta_deg, options
+        self.lines, self._theta_deg, self._options = lines, theta_deg, options
         if self.plot is not None:
-            self._draw()
+            self.draw()
 
     def frame(self) -> None:
         """Show all of the lines again."""
         self._free = False
         if self.plot is not None:
-            self._draw()
-
-    @property
-    def lines(self) -> Lines | None:
-        """What is drawn."""
-        return self._lines
+            self.draw()
 
     @property
     def logs(self) -> tuple[bool, bool]:
         """Whether the axes of angle and of value are logarithmic."""
-        signed = self._lines is not None and self._lines.signed
+        signed = self.lines is not None and self.lines.signed
         options = self._state.options
         return options.log_angle and options.axis != "theta_o", options.log_value and not signed
 
@@ -143,24 +107,14 @@ class CurvesPlot(QWidget):
         else:
             super().keyPressEvent(event)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self.plot is not None:
-            self._dress()
-            self._draw()
-
     def _choose(self, axis: Axis) -> None:
         self._free = False
         self._state.set(axis=axis)
         self.show_options(self._state.options)
 
-    def _draw(self) -> None:
-        lines = self._lines
-        there = lines is not None and bool(lines.lines)
-        self.plot.setVisible(there)
-        self.empty.setVisible(not there)
-        if lines is None or not there:
-            self.note.setText("")
+    def draw(self) -> None:
+        lines = self.lines
+        if self.show_empty() or lines is None:
             return
         log_x, log_y = self.logs
         self.plot.show_lines([(line, *self._placed(line, lines, log_x, log_y)) for line in lines.lines])
@@ -254,38 +208,30 @@ class CurvesPlot(QWidget):
         self.note.setText(" · ".join([*shown, *rest]))
         self.note.setToolTip(plain_tip("\n".join([*errors.values(), *rest])))
 
-    def _read(self, x: float, _y: float) -> None:
-        if self._lines is None or not self._lines.lines:
+    def read(self, x: float, _y: float) -> None:
+        if self.lines is None or not self.lines.lines:
             return
-        angle, rows = rows_at(self._lines, 10.0**x if self.logs[0] else x)
+        angle, rows = rows_at(self.lines, 10.0**x if self.logs[0] else x)
         self._cross.setPos(np.log10(max(angle, FINEST_DEG)) if self.logs[0] else angle)
         self._cross.setVisible(True)
         low, high = self.plot.viewRange()[0]
         self.readout.show_rows(
-            degrees(self._lines.cut.axis, angle),
+            degrees(self.lines.cut.axis, angle),
             rows,
             quantity(self._options),
             at_right=x < 0.5 * (low + high),
         )
 
-    def _leave(self) -> None:
-        self._cross.setVisible(False)
-        self.readout.hide()
-
     def _set_free(self) -> None:
         self._free = True
 
-    def _dress(self) -> None:
-        self.plot.dress()
+    def dress(self) -> None:
         dashes = (Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.SolidLine)
         for item, alpha, style in zip(
             (self._mirror, self._normal, self._cross), (0.5, 0.4, 0.8), dashes, strict=True
         ):
-            pen = grey_pen(self.palette(), alpha)
-            pen.setStyle(style)
-            item.setPen(pen)
+            item.setPen(self.pen(alpha, style))
         self._named = None
-        self.readout.setPalette(QPalette(self.palette()))
 
 
 def _is_zero(value: Floats) -> bool:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, Qt, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.cuts.crosshair import Readout, Row
 from brdf_lobe_visualizer.cuts.images import Grid, ImageGrid
-from brdf_lobe_visualizer.cuts.words import UNIT
 from brdf_lobe_visualizer.subjects.subjects import Srgb
+from brdf_lobe_visualizer.words import UNIT
 
 _LATE_MS = 200
 """Pictures that are there sooner are not announced."""
@@ -33,10 +34,7 @@ class SliceImageView(QWidget):
         self.working.setAutoFillBackground(True)
         self.working.setMargin(2)
         self.working.hide()
-        self._late = QTimer(self)
-        self._late.setSingleShot(True)
-        self._late.setInterval(_LATE_MS)
-        self._late.timeout.connect(self._show_late)
+        self._late = make_timer(self, self._show_late, _LATE_MS)
         self.empty = PlainLabel(tr("No reflectance shown. Add one."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.empty.setWordWrap(True)

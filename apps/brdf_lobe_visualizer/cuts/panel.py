@@ -15,7 +15,8 @@ from typing import Any
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
@@ -30,10 +31,10 @@ from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
 from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
 from brdf_lobe_visualizer.cuts.section import SlicesSection
 from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
-from brdf_lobe_visualizer.cuts.words import AXIS_TITLES, quantity
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_lobe_visualizer.words import AXIS_TITLES, quantity
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
@@ -72,10 +73,7 @@ class Slices(Feature, QObject):
         window.add_section("slices", tr("Slices"), self.section, is_open=False)
         window.add_command("edit", mark("Copy Curves"), "Ctrl+Shift+C", self.copy_curves)
         window.add_command("file", mark("Save Curves as CSV…"), None, self._save_curves)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(0)
-        self._timer.timeout.connect(self.draw_now)
+        self._timer = make_timer(self, self.draw_now)
         for signal in (
             session.subjects_changed,
             session.front_changed,

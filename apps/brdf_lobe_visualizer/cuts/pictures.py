@@ -13,10 +13,9 @@ from typing import Any
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_lobe_visualizer.cuts.crosshair import plain
 from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
-from brdf_lobe_visualizer.cuts.words import UNIT
 from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
+from brdf_lobe_visualizer.words import UNIT, plain
 from brdf_suite.arrays import Bytes, Floats
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
 from brdf_suite.inspection.slices.images import Pairs, image_error, image_of

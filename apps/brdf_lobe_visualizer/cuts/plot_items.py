@@ -253,9 +253,9 @@ class PolarRings(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no t
         painter.drawPath(edge)
 
 
-def upright(pen: QPen) -> pg.InfiniteLine:
+def upright() -> pg.InfiniteLine:
     """Return a line from top to bottom that stands for an angle."""
-    line = pg.InfiniteLine(angle=90, movable=False, pen=pen)
+    line = pg.InfiniteLine(angle=90, movable=False)
     line.setZValue(-5)
     return line
 

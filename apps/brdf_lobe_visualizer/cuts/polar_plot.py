@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
+from types import ModuleType
 from typing import Any
 
 import numpy as np
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QEvent, QRect, Qt
+from PySide6.QtCore import QRect, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
-from brdf_lobe_visualizer.cuts.crosshair import Readout, plain, rows_at
+from brdf_lobe_visualizer.cuts.crosshair import rows_at
+from brdf_lobe_visualizer.cuts.line_plot import LinePlot
 from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import Polar
-from brdf_lobe_visualizer.cuts.pens import grey_pen
-from brdf_lobe_visualizer.cuts.words import degrees, quantity
 from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.words import degrees, plain, quantity
 from brdf_suite.arrays import Floats
 from brdf_suite.inspection.slices.values import LOG_DECADES, Scale, nice_above, radius_of
 
@@ -33,65 +33,33 @@ _SPREAD = {"linear": 30.0, "cbrt": 300.0}
 _LABELLED_DEG = (-90, -60, -30, 0, 30, 60, 90)
 
 
-class PolarPlot(QWidget):
-    """The polar plot; :meth:`build` makes it."""
+class PolarPlot(LinePlot):
+    """The polar plot."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("polar_plot")
-        self.setMinimumSize(220, 140)
-        self.setAccessibleName(tr("Polar plot of the plane of incidence"))
-        self._lines: Lines | None = None
-        self._theta_deg = 0.0
+        super().__init__("polar_plot", tr("Polar plot of the plane of incidence"), parent)
         self._phi_deg = 0.0
-        self._options = Options()
         self._radius: Polar = "range"
         self._rung: tuple[Scale, float] | None = None
         self.outer = 1.0
         self.scale: Scale = "cbrt"
         self._unit = 100.0
-        self.plot: Any = None
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(4)
-        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
-        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.empty.setWordWrap(True)
-        self._box.addWidget(self.empty, 1)
-        self.note = ElidedLabel()
-        self._box.addWidget(self.note)
 
-    def build(self) -> None:
-        """Make the plot and show what was set so far."""
-        if self.plot is not None:
-            return
-        from brdf_lobe_visualizer.cuts.plot_items import LineItem, PolarRings, SlicePlot, text
-
-        self._make_text = text
-        self.plot = SlicePlot(with_axes=False)
-        self.plot.setAccessibleName(self.accessibleName())
+    def make_items(self, items: ModuleType) -> None:
         self.plot.setMouseEnabled(x=False, y=False)
-        self._rings = PolarRings()
-        self.plot.addItem(self._rings, ignoreBounds=True)
-        self._light, self._mirror, self._cross = (LineItem() for _ in range(3))
-        for item in (self._light, self._mirror, self._cross):
+        self._make_text = items.text
+        self._rings = items.PolarRings()
+        self._light, self._mirror, self._cross = (items.LineItem() for _ in range(3))
+        for item in (self._rings, self._light, self._mirror, self._cross):
             self.plot.addItem(item, ignoreBounds=True)
-        self._cross.setZValue(10)
-        self._cross.setVisible(False)
         self._angles = [self._label(f"{abs(angle)}°", _anchor(angle)) for angle in _LABELLED_DEG]
         for angle, item in zip(_LABELLED_DEG, self._angles, strict=True):
             item.setPos(1.02 * np.sin(np.radians(angle)), 1.02 * np.cos(np.radians(angle)))
         self._radii: list[Any] = []
         self._light_name = self._label("", (1.0, 1.0))
         self._mirror_name = self._label("", (0.0, 1.0))
-        self.readout = Readout(self.plot)
-        self.plot.moved_over.connect(self._read)
-        self.plot.left.connect(self._leave)
         self.plot.resized.connect(self._resized)
-        self._box.insertWidget(0, self.plot, 1)
-        self._dress()
         self._fit_range()
-        self._draw()
 
     def show_lines(
         self,
@@ -101,21 +69,10 @@ class PolarPlot(QWidget):
         radius: Polar = "range",
     ) -> None:
         """Draw the lines of a cut of the plane of incidence over θo; the light is at ``incidence_deg``."""
-        self._lines, self._options, self._radius = lines, options, radius
+        self.lines, self._options, self._radius = lines, options, radius
         self._theta_deg, self._phi_deg = incidence_deg
         if self.plot is not None:
-            self._draw()
-
-    @property
-    def lines(self) -> Lines | None:
-        """What is drawn."""
-        return self._lines
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self.plot is not None:
-            self._dress()
-            self._draw()
+            self.draw()
 
     def _label(self, words: str, anchor: tuple[float, float]) -> Any:
         item = self._make_text(words, anchor)
@@ -139,15 +96,11 @@ class PolarPlot(QWidget):
 
     def _resized(self) -> None:
         self._fit_range()
-        self._draw()
+        self.draw()
 
-    def _draw(self) -> None:
-        lines = self._lines
-        there = lines is not None and bool(lines.lines)
-        self.plot.setVisible(there)
-        self.empty.setVisible(not there)
-        if lines is None or not there:
-            self.note.setText("")
+    def draw(self) -> None:
+        lines = self.lines
+        if self.show_empty() or lines is None:
             return
         scale = self.scale = self._chosen_scale(lines)
         self.outer = nice_above(1.02 * largest(lines.lines))
@@ -236,22 +189,17 @@ class PolarPlot(QWidget):
             name.setText(text)
             name.setPos(1.01 * sine, 1.01 * cosine)
 
-    def _read(self, x: float, y: float) -> None:
-        if self._lines is None or not self._lines.lines or y < -0.2:
+    def read(self, x: float, y: float) -> None:
+        if self.lines is None or not self.lines.lines or y < -0.2:
             return
-        angle, rows = rows_at(self._lines, float(np.degrees(np.arctan2(x, max(y, 0.0)))))
+        angle, rows = rows_at(self.lines, float(np.degrees(np.arctan2(x, max(y, 0.0)))))
         turn = np.radians(angle)
         self._cross.set_data(np.array([0.0, np.sin(turn)]), np.array([0.0, np.cos(turn)]))
         self._cross.setVisible(True)
         head = f"{degrees('theta_o', angle)}  {degrees('gamma', self._theta_deg - angle)}"
         self.readout.show_rows(head, rows, quantity(self._options), at_right=x < 0.0)
 
-    def _leave(self) -> None:
-        self._cross.setVisible(False)
-        self.readout.hide()
-
-    def _dress(self) -> None:
-        self.plot.dress()
+    def dress(self) -> None:
         text = self.palette().color(QPalette.ColorRole.Text)
         for item in (*self._angles, *self._radii, self._light_name, self._mirror_name):
             item.setColor(text)
@@ -259,11 +207,8 @@ class PolarPlot(QWidget):
         for item, alpha, style in zip(
             (self._light, self._mirror, self._cross), (0.6, 0.5, 0.8), styles, strict=True
         ):
-            pen = grey_pen(self.palette(), alpha)
-            pen.setStyle(style)
-            item.set_pen(pen)
+            item.set_pen(self.pen(alpha, style))
         self._rung = None
-        self.readout.setPalette(QPalette(self.palette()))
 
 
 def spread_of(lines: Lines) -> float:

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Axes
-from brdf_lobe_visualizer.cuts.words import degrees
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints
+from brdf_lobe_visualizer.words import degrees
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.concentric import hemisphere_to_square
 from brdf_suite.geometry.directions import angle_between, mirror

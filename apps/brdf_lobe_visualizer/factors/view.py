@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from brdf_qt.program.translation import mark, tr
 
-from brdf_lobe_visualizer.cuts.crosshair import plain
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid, Picture, ScaleBar
+from brdf_lobe_visualizer.words import plain
 from brdf_suite.inspection.factor_pictures import FactorPicture, angles_at
 from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
 from brdf_suite.inspection.slices.values import Channel, channel_of

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QElapsedTimer, QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QElapsedTimer, QObject, Signal
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SpaceState
@@ -23,9 +24,7 @@ class SweepControl(QObject):
         self._session, self._state = session, state
         self._rising = True
         self._clock = QElapsedTimer()
-        self._timer = QTimer(self)
-        self._timer.setInterval(_STEP_MS)
-        self._timer.timeout.connect(self._tick)
+        self._timer = make_timer(self, self._tick, _STEP_MS, single_shot=False)
 
     @property
     def running(self) -> bool:

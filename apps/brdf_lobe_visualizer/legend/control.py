@@ -50,23 +50,16 @@ class LegendControl(Feature, QObject):
         super().__init__(window)
         self._session, self._window = session, window
         self.errors = LegendErrors(session, self)
-        self.legend = Legend()
+        self.legend = Legend(session)
         window.add_beside(self.legend)
         self._build_commands()
         legend = self.legend
-        legend.front_requested.connect(session.set_front)
-        legend.shown_requested.connect(lambda key, shown: session.set_hidden(key, not shown))
-        legend.solo_requested.connect(session.set_solo)
-        legend.reference_requested.connect(lambda key, on: session.set_reference(key if on else None))
         legend.renamed.connect(self.rename)
-        legend.removed.connect(session.remove)
-        legend.moved.connect(session.move)
         legend.colour_requested.connect(self.next_colour)
         legend.dash_requested.connect(self.next_dash)
         legend.menu_requested.connect(lambda at: window.paint_menu.popup(at))
         legend.open_requested.connect(self.open_requested)
         legend.list_requested.connect(self.list_requested)
-        legend.all_requested.connect(session.show_all)
         for signal in (
             session.subjects_changed,
             session.front_changed,

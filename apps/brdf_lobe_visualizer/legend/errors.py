@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
@@ -43,10 +44,7 @@ class LegendErrors(QObject):
         self._found: dict[str, ShownError] = {}
         self._working: set[str] = set()
         self._of: dict[str, tuple[Reflectance, Reflectance]] = {}
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_PAUSE_MS)
-        self._pause.timeout.connect(self._look)
+        self._pause = make_timer(self, self._look, _PAUSE_MS)
         session.subjects_changed.connect(self._touch)
         session.visibility_changed.connect(self._touch)
 

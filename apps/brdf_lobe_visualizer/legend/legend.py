@@ -1,8 +1,8 @@
-"""The legend: a row per subject, with what can be done to it by mouse and by key. Intents out, rows in."""
+"""The legend: a row per subject, with what can be done to it by mouse and by key. Rows in, edits to the session."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -25,11 +25,11 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_lobe_visualizer.legend.line import LINE_SIZE, line_icon
+from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
-_OF_COLUMN = {SOLO: "solo_requested", REFERENCE: "reference_requested"}
 
 
 @dataclass(frozen=True)
@@ -128,30 +128,20 @@ class _Rows(QTreeWidget):
 
 
 class Legend(QWidget):
-    """All subjects. Signals carry the key of the subject that they are about.
-
-    ``front_requested``, ``shown_requested(key, bool)``, ``solo_requested(key, bool)``,
-    ``reference_requested(key, bool)``, ``renamed(key, title)``, ``removed(key)``, ``moved(key, place)``,
-    ``dash_requested(key)``, ``colour_requested(key)``; without a key ``menu_requested(QPoint)``, ``open_requested``,
-    ``list_requested``, ``all_requested``.
+    """All subjects, edited in the session. Signals with a key: ``renamed(key, title)``, ``dash_requested(key)``,
+    ``colour_requested(key)``; without one ``menu_requested(QPoint)``, ``open_requested``, ``list_requested``.
     """
 
-    front_requested = Signal(str)
-    shown_requested = Signal(str, bool)
-    solo_requested = Signal(str, bool)
-    reference_requested = Signal(str, bool)
     renamed = Signal(str, str)
-    removed = Signal(str)
-    moved = Signal(str, int)
     colour_requested = Signal(str)
     dash_requested = Signal(str)
     menu_requested = Signal(QPoint)
     open_requested = Signal()
     list_requested = Signal()
-    all_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, session: LobeSession, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._session = session
         self.setObjectName("legend")
         self._keys: list[str] = []
         self._shown: tuple[LegendRow, ...] = ()
@@ -242,7 +232,7 @@ class Legend(QWidget):
         rows.itemChanged.connect(self._changed)
         rows.itemDoubleClicked.connect(self._double_clicked)
         rows.key_pressed.connect(self._key)
-        rows.dropped.connect(self.moved)
+        rows.dropped.connect(self._session.move)
 
     def _head(self) -> QHBoxLayout:
         head = QHBoxLayout()
@@ -253,17 +243,17 @@ class Legend(QWidget):
         title.setFont(font)
         head.addWidget(title)
         head.addStretch(1)
-        for name, text, signal in (
-            ("folder-open", tr("Open a file"), self.open_requested),
-            ("list-plus", tr("Add from the library of reflectances"), self.list_requested),
-            ("eye", tr("Show all"), self.all_requested),
+        for name, text, act in (
+            ("folder-open", tr("Open a file"), self.open_requested.emit),
+            ("list-plus", tr("Add from the library of reflectances"), self.list_requested.emit),
+            ("eye", tr("Show all"), self._session.show_all),
         ):
             button = QToolButton()
             button.setIcon(icon(name))
             button.setAutoRaise(True)
             button.setToolTip(plain_tip(text))
             button.setAccessibleName(text)
-            button.clicked.connect(signal)
+            button.clicked.connect(lambda _=False, act=act: act())
             head.addWidget(button)
         return head
 
@@ -289,7 +279,7 @@ class Legend(QWidget):
 
     def _selected(self, item: QTreeWidgetItem | None) -> None:
         if item is not None and not self._filling:
-            self.front_requested.emit(item.data(0, _KEY))
+            self._session.set_front(item.data(0, _KEY))
 
     def _changed(self, item: QTreeWidgetItem, column: int) -> None:
         if self._filling:
@@ -299,10 +289,12 @@ class Legend(QWidget):
         if row is None:
             return
         checked = item.checkState(column) == Qt.CheckState.Checked
-        if column in _OF_COLUMN:
-            getattr(self, _OF_COLUMN[column]).emit(key, checked)
+        if column == SOLO:
+            self._session.set_solo(key, checked)
+        elif column == REFERENCE:
+            self._session.set_reference(key if checked else None)
         elif checked != row.shown:
-            self.shown_requested.emit(key, checked)
+            self._session.set_hidden(key, not checked)
         elif item.text(TITLE) != row.title:
             self._shown = ()  # the row shows what was typed, also where it is refused
             self.renamed.emit(key, item.text(TITLE))
@@ -319,16 +311,17 @@ class Legend(QWidget):
         if row is None:
             return
         place = self.rows.indexOfTopLevelItem(item)
-        acts = {
-            "shown": lambda: self.shown_requested.emit(row.key, not row.shown),
-            "solo": lambda: self.solo_requested.emit(row.key, not row.solo),
-            "reference": lambda: self.reference_requested.emit(row.key, not row.reference),
+        session = self._session
+        acts: dict[str, Callable[[], object]] = {
+            "shown": lambda: session.set_hidden(row.key, row.shown),
+            "solo": lambda: session.set_solo(row.key, not row.solo),
+            "reference": lambda: session.set_reference(None if row.reference else row.key),
             "colour": lambda: self.colour_requested.emit(row.key),
             "dash": lambda: self.dash_requested.emit(row.key),
             "rename": lambda: self.rows.editItem(item, TITLE),
-            "remove": lambda: self.removed.emit(row.key),
-            "up": lambda: self.moved.emit(row.key, place - 1),
-            "down": lambda: self.moved.emit(row.key, place + 1),
+            "remove": lambda: session.remove(row.key),
+            "up": lambda: session.move(row.key, place - 1),
+            "down": lambda: session.move(row.key, place + 1),
         }
         acts[what]()
 

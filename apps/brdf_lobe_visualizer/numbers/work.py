@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
@@ -64,10 +65,7 @@ class FiguresWork(QObject):
         self._needed = False
         self._of: dict[str, _Inputs] = {}
         self._found: dict[str, tuple[_Inputs, ReflectanceFigures]] = {}
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_PAUSE_MS)
-        self._pause.timeout.connect(self._look)
+        self._pause = make_timer(self, self._look, _PAUSE_MS)
         for signal in (session.subjects_changed, session.visibility_changed, session.options_changed):
             signal.connect(self._touch)
         session.incidence_changed.connect(lambda _theta, _phi: self._touch())

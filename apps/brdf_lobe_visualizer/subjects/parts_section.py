@@ -10,11 +10,10 @@ from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.cuts.crosshair import number
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import SpaceOptions, SpaceState
-from brdf_lobe_visualizer.view3d.words import PART_TITLES, lobe_weight
+from brdf_lobe_visualizer.words import PART_TITLES, lobe_weight, number
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
 
 _SHOWN = {

@@ -8,22 +8,20 @@ from dataclasses import dataclass
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_lobe_visualizer.cuts.crosshair import number
-from brdf_lobe_visualizer.cuts.words import UNIT, quantity
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
-from brdf_lobe_visualizer.view3d.fill import full_of, tops_of
 from brdf_lobe_visualizer.view3d.frame import rings_of
-from brdf_lobe_visualizer.view3d.options import SpaceOptions
+from brdf_lobe_visualizer.view3d.options import BODY_DEG, SpaceOptions
 from brdf_lobe_visualizer.view3d.samples import sample_points
 from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, with_cosine
-from brdf_lobe_visualizer.view3d.words import lobe_title, lobe_weight
+from brdf_lobe_visualizer.words import UNIT, lobe_title, lobe_weight, number, quantity
 from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.colour import scalar_of
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
+from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+from brdf_suite.inspection.lobe_surface.scale import RadiusKind, RadiusScale
 from brdf_suite.inspection.lobe_surface.surface import (
     Colouring,
     LobeSurface,
@@ -33,6 +31,12 @@ from brdf_suite.inspection.lobe_surface.surface import (
 )
 
 MOST_PANELS = 16
+BODY_RADIUS = 0.5
+"""How long a body is at least where the radius is automatic, whatever its mirror peak."""
+_NO_BODY = 1e-8
+"""Share of the peak below which there is a spike and no body."""
+_LEAST = 1e-30
+"""Values below are nothing: a single's inverse of them is none."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -341,6 +345,26 @@ class SceneMaker:
         return lobe_surface(
             sheet.found.grid, values, scale, channel=channel, colouring=colouring, line=line, most_radius=CUT
         )
+
+
+def tops_of(grid: LobeGrid, shown: Singles) -> tuple[float, float]:
+    """Return the greatest of values (rows, columns) on a grid, and the greatest off the mirror direction."""
+    body = np.where(grid.gamma > np.radians(BODY_DEG), shown, np.float32(0.0))
+    return greatest(shown), greatest(body)
+
+
+def full_of(peak: float, body: float, kind: RadiusKind, options: SpaceOptions) -> float:
+    """Return the value of radius 1, above 0, for the greatest values that are shown.
+
+    The automatic one is the peak as long as the body is :data:`BODY_RADIUS` long then; of a higher peak, as a coat
+    has it, the rest is cut off. It moves evenly with both, so that nothing jumps while the light is dragged.
+    """
+    if options.fill == "value":
+        return options.full
+    top = body if options.fill == "body" else peak
+    if options.fill == "auto" and body > _NO_BODY * peak:
+        top = min(peak, body / RadiusScale(kind, 1.0, options.decades).value(BODY_RADIUS))
+    return top if top > _LEAST else 1.0
 
 
 _PART_STYLES: tuple[Style, ...] = ("solid", "glass", "lines")

@@ -13,7 +13,8 @@ from brdf_qt.gl.gestures import CameraGestures
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Qt, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
@@ -62,16 +63,10 @@ class Space(Feature, QObject):
         self.incidence = IncidenceSection(session, self.state, self.sweep)
         self.surface = SurfaceSection(session, self.state)
         self.parts = PartsSection(session, self.state)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(0)
-        self._timer.timeout.connect(self.draw_now)
+        self._timer = make_timer(self, self.draw_now)
         # Numbers that follow the picture wait until it rests: setting one costs as much as a surface's colours.
         self._full = 0.0
-        self._settle = QTimer(self)
-        self._settle.setSingleShot(True)
-        self._settle.setInterval(150)
-        self._settle.timeout.connect(lambda: self.surface.hold(self._full))
+        self._settle = make_timer(self, lambda: self.surface.hold(self._full), 150)
         window.set_centre(self._holder, tab_hides_panels=True)
         for signal in (
             session.subjects_changed,

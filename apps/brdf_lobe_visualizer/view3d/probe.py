@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 
-from brdf_lobe_visualizer.cuts.crosshair import number
-from brdf_lobe_visualizer.cuts.words import UNIT
 from brdf_lobe_visualizer.view3d.scene import Probe
+from brdf_lobe_visualizer.words import UNIT, number
 from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.occlusion import value_along
 
@@ -29,10 +29,7 @@ class SpaceProbe(QObject):
         super().__init__(view)
         self._view = view
         self._at: QPointF | None = None
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(_REST_MS)
-        self._rest.timeout.connect(self.look)
+        self._rest = make_timer(self, self.look, _REST_MS)
         view.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

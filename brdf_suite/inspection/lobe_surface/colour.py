@@ -7,15 +7,14 @@ says already, and a dark flank of a lobe would else be black.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Literal
 
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
 from brdf_suite.arrays import Bytes, Singles
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
+from brdf_suite.inspection.slices.values import Channel
 
-Channel = Literal["colour", "r", "g", "b", "luminance"]
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")
 
 CHANNEL_CODES: dict[str, tuple[int, int, int]] = {

@@ -16,7 +16,6 @@ import numpy as np
 from brdf_suite.arrays import Bytes, Singles, Words
 from brdf_suite.inspection.lobe_surface.colour import (
     CHANNEL_CODES,
-    Channel,
     difference_codes,
     light_codes,
     mapped_codes,
@@ -26,6 +25,7 @@ from brdf_suite.inspection.lobe_surface.colour import (
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 from brdf_suite.inspection.lobe_surface.shape import surface_normals, surface_points
+from brdf_suite.inspection.slices.values import Channel
 
 Colouring = Literal["light", "line", "values"]
 COLOURINGS: tuple[Colouring, ...] = ("light", "line", "values")
