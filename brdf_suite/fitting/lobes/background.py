@@ -15,7 +15,6 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -29,7 +28,7 @@ from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 if TYPE_CHECKING:
-    from concurrent.futures import Future  # see answers.py
+    from concurrent.futures import Future
 
 FloatArray = NDArray[np.float64]
 Solutions = tuple[FloatArray, ...]
@@ -60,6 +59,9 @@ class BackgroundSolver:
     """Background solver of one request at a time; ``last`` are the newest normalized solutions, for the next start."""
 
     def __init__(self, parts: Sequence[PartProgram], channels: int) -> None:
+        # Deferred: 3 ms, with logging, on the start-up path of programs that may not fit.
+        from concurrent.futures import Future, ThreadPoolExecutor
+
         self.solver = BlockSolver(parts, channels)
         self.last: Solutions = tuple(np.zeros((p.shape[1], channels)) for p in parts)
         self.lock = threading.Lock()

@@ -70,11 +70,12 @@ class RayScene:
 
     def __init__(self, triangles: NDArray[Any]) -> None:
         # Embree's library takes 40 ms to load, and only baking needs it.
-        from embreex import mesh_construction, rtcore_scene
+        from embreex.mesh_construction import TriangleMesh
+        from embreex.rtcore_scene import EmbreeScene
 
         # Robust: a ray through the edge between two triangles hits one of them.
-        self._scene = rtcore_scene.EmbreeScene(robust=True)
-        self._mesh = mesh_construction.TriangleMesh(self._scene, np.ascontiguousarray(triangles, np.float32))
+        self._scene = EmbreeScene(robust=True)
+        self._mesh = TriangleMesh(self._scene, np.ascontiguousarray(triangles, np.float32))
         # The first rays sort the triangles, which threads must not do at once.
         self.free(np.zeros((1, 3), np.float32), np.array([[0.0, 1.0, 0.0]], np.float32))
 
