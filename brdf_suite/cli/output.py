@@ -5,11 +5,16 @@ from __future__ import annotations
 import argparse
 import contextlib
 import json
+import os
 import re
 import sys
+import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import asdict
+from typing import Any
 
+from brdf_suite.errors import Cancelled
 from brdf_suite.progress import Progress
 
 _SIZE = re.compile(r"([1-9]\d{0,4})[x×X]([1-9]\d{0,4})")
@@ -64,6 +69,18 @@ def print_json(value: Mapping[str, object]) -> None:
     print(json.dumps(value, indent=2, allow_nan=False, ensure_ascii=False))
 
 
+def print_written(made: Any, line: str, *, as_json: bool, **changed: object) -> None:
+    """Print what was written: its fields, with ``changed`` ones, as JSON; or its notices and then a line."""
+    if as_json:
+        facts = asdict(made) | changed
+        facts["output"] = str(facts.pop("path"))
+        print_json(facts)
+        return
+    for notice in made.notices:
+        print(f"note: {notice}")
+    print(line)
+
+
 def size(text: str) -> tuple[int, int]:
     """Parse ``WIDTHxHEIGHT`` in pixels, each 1 to 65,536 (an argparse type)."""
     match = _SIZE.fullmatch(text)
@@ -75,3 +92,41 @@ def size(text: str) -> tuple[int, int]:
     if max(width, height) > _LARGEST:
         raise argparse.ArgumentTypeError(f"{text} is too large; each side is at most {_LARGEST} pixels")
     return width, height
+
+
+def add_export(command: argparse.ArgumentParser) -> None:
+    """Declare ``--json`` and ``--follow``."""
+    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
+    command.add_argument(
+        "--follow",
+        action="store_true",
+        help="print each step as a line of JSON, and stop when standard input ends: for programs",
+    )
+
+
+@contextmanager
+def export_progress(what: str, options: argparse.Namespace) -> Iterator[Progress]:
+    """Yield the callback that reports the progress of the body as the options ask for it."""
+    if not options.follow:
+        with progress_bar(what, quiet=options.json) as progress:
+            yield progress
+        return
+    ended = threading.Event()
+
+    def wait_for_the_end() -> None:
+        # By the system's own call: a thread that waits in a buffered read would hold its lock at our exit.
+        while os.read(sys.stdin.fileno(), 4096):
+            pass
+        ended.set()
+
+    threading.Thread(target=wait_for_the_end, daemon=True).start()
+
+    def report(fraction: float, doing: str) -> None:
+        if ended.is_set():
+            raise Cancelled
+        try:
+            print(json.dumps({"fraction": round(fraction, 4), "what": doing}), flush=True)
+        except BrokenPipeError as error:  # the reader is gone
+            raise Cancelled from error
+
+    yield report

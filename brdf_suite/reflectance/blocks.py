@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import numpy.typing as npt
@@ -46,6 +45,9 @@ def in_blocks(
         for start in starts:
             fill(start)
     else:
+        # Only here: small calls, as on the edit path, need no threads and no import.
+        from concurrent.futures import ThreadPoolExecutor
+
         with ThreadPoolExecutor(threads) as pool:
             # list() raises what a block raised.
             list(pool.map(fill, starts))

@@ -17,6 +17,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 
+from brdf_suite.acquisition.geometry.lens import lens_pixels
 from brdf_suite.acquisition.geometry.refinement.refinement import Refinement, refine
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
@@ -66,7 +67,7 @@ def draw_outline(axes: Axes, union: np.ndarray, outline: SphereOutline) -> None:
     axes.imshow(np.cbrt(np.clip(union / top, 0.0, 1.0)), cmap="gray")
     whole = outline.geometry.outline(np.linspace(0.0, 2.0 * np.pi, 361))
     axes.plot(*whole.T, color="#4aa3ff", lw=0.8)
-    middle = outline.geometry.lens.pixels(outline.centre_m)
+    middle = lens_pixels(outline.geometry.lens, outline.centre_m)
     inward = middle - outline.points
     inward /= np.linalg.norm(inward, axis=-1, keepdims=True)
     ends = outline.points + _LONG * outline.residuals_px[:, None] * inward

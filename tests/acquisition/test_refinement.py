@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from brdf_suite.acquisition.geometry.lens import lens_rays
 from brdf_suite.acquisition.geometry.refinement.refinement import (
     Refinement,
     calibrate_geometry,
@@ -221,7 +222,7 @@ def _narrow_spot(geometry: RigGeometry, k: int) -> np.ndarray:
     column, row = np.round(geometry.highlights(_ANGLES[k])).astype(int) - near
     normal = geometry.highlight_normals(geometry.light(_ANGLES[k]))[0]
     fine = (np.arange(2 * near * parts) + 0.5) / parts - 0.5
-    rays = geometry.lens.rays(np.stack(np.meshgrid(column + fine, row + fine), axis=-1))
+    rays = lens_rays(geometry.lens, np.stack(np.meshgrid(column + fine, row + fine), axis=-1))
     along = rays @ geometry.centre
     rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
     normals = unit((along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays - geometry.centre)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from brdf_suite.acquisition.geometry.lens import lens_pixels
 from brdf_suite.acquisition.geometry.sphere.nominal_geometry import in_rig, nominal_geometry
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple, unit
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
@@ -130,7 +131,7 @@ def test_the_upper_half_alone_and_no_masked_or_clipped_pixel(
 ) -> None:
     sampler = SphereSampler(geometry)
     rows = np.nonzero(sampler.used)[0]
-    assert rows.max() <= geometry.lens.pixels(geometry.centre)[1]
+    assert rows.max() <= lens_pixels(geometry.lens, geometry.centre)[1]
     assert SphereSampler(geometry, upper_half=False).used.sum() > 1.9 * sampler.used.sum()
     mask = np.ones((_SIDE, _SIDE), bool)
     mask[:, 90:] = False
@@ -172,7 +173,7 @@ def test_lamp_and_post_hide_what_is_behind_them(geometry: RigGeometry, radiance:
     free = set(SphereSampler(replace(geometry, light_height_m=0.02)).samples(0, radiance).pixel.tolist())
     left = set(SphereSampler(hiding).samples(0, radiance).pixel.tolist())
     lamp = hiding.light(0.0)
-    x, y = hiding.lens.pixels(lamp)
+    x, y = lens_pixels(hiding.lens, lamp)
     radius = 0.012 / lamp[2] * hiding.lens.fx
     hidden = np.array(sorted(free - left))
     rows, columns = np.divmod(hidden, _SIDE)

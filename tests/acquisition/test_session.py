@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,

@@ -13,8 +13,7 @@ from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.fitting.homomorphic.accuracy import accuracy
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
-from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
-from brdf_suite.fitting.homomorphic.projected import average_samples
+from brdf_suite.fitting.homomorphic.factorize import BIAS, average_samples, factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, report, subrange

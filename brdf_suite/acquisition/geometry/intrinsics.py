@@ -16,7 +16,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.board_corners import find_corners, opencv
-from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.progress import Progress, report

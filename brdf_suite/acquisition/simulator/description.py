@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,

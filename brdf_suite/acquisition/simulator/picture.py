@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera, first_hits, lengths
-from brdf_suite.acquisition.simulator.turntable import turntable_reflection
 from brdf_suite.arrays import Floats
+from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.protocol import Reflectance
 
 _LARGEST_GRID = 32
@@ -37,6 +37,11 @@ _STEEPER = 2.5
 
 A slope of ln(ratio)/√8 a pixel makes the middle differ from the mean by its square over 24 n²: under 5e-4."""
 _BLOCK = 1 << 14
+# The turntable below the sphere: how far, its radius in metres, its albedo; and the coat that mirrors it.
+_BELOW_M = 0.15
+_RADIUS_M = 0.6
+_ALBEDO = 0.06
+_INDEX = 1.5
 """Rays at once: their arrays stay in the processor's cache."""
 
 
@@ -205,3 +210,16 @@ def _around(values: Floats, choose: np.ufunc, outside: float) -> Floats:
         found = choose(choose(padded[..., :-2], padded[..., 1:-1]), padded[..., 2:])
         found = np.moveaxis(found, -1, axis)
     return found
+
+
+def turntable_reflection(lamp: SimulatedLamp, points: Floats, normals: Floats, views: Floats) -> Floats:
+    """Return the radiance (n,), over the lamp's strength, of a matt disc below the sphere mirrored in its coat."""
+    cosines = np.einsum("ij,ij->i", normals, views)
+    mirrored = 2.0 * cosines[:, None] * normals - views
+    down = mirrored[:, 1] < -1e-6
+    reach = np.where(down, (-_BELOW_M - points[:, 1]) / np.where(down, mirrored[:, 1], -1.0), 0.0)
+    feet = points + reach[:, None] * mirrored
+    seen = down & (np.hypot(feet[:, 0], feet[:, 2]) < _RADIUS_M)
+    lights, relative = lamp.at(feet)
+    radiance = _ALBEDO / np.pi * np.maximum(lights[:, 1], 0.0) * relative
+    return np.where(seen, fresnel_dielectric(cosines, _INDEX) * radiance, 0.0)

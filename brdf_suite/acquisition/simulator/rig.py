@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import Session, SessionCamera
 from brdf_suite.acquisition.session.values import Matrix
 from brdf_suite.acquisition.simulator.calibration_pictures import (

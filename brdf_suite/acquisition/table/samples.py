@@ -30,6 +30,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.lens import lens_rays
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.table import samples_kernel
 from brdf_suite.arrays import Bools, Singles
@@ -167,7 +168,7 @@ class SphereSampler:
     def _surface(self, pixels: npt.NDArray[np.float64]) -> tuple[npt.NDArray[np.float64], ...]:
         """Return points, normals and ways to the camera (..., 3) that pixels (..., 2) see."""
         geometry = self.geometry
-        rays = geometry.lens.rays(pixels)
+        rays = lens_rays(geometry.lens, pixels)
         along = rays @ geometry.centre
         rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
         points = (along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import dataclasses
 
-from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json
+from brdf_suite.cli.picture.scene_options import add_layout
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram, environment_statistics
 from brdf_suite.pipeline.environments import read_environment_file
 from brdf_suite.pipeline.scene import find_environment

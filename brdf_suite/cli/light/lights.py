@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json
+from brdf_suite.cli.picture.scene_options import add_layout
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.png import write_png
 from brdf_suite.lighting.environment import Environment

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from time import perf_counter
 
-from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.picture.scene_options import add_layout
 from brdf_suite.pipeline.scene import load_environment
 
 

@@ -6,8 +6,7 @@ import argparse
 from pathlib import Path
 
 from brdf_suite.appearance.difference.tolerance import Tolerances
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.output import add_export, export_progress, print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances
 from brdf_suite.documents.store import load_view
 from brdf_suite.errors import SuiteError, UnreachableError

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import argparse
 import math
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
 
-from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.cli.paint.export_progress import export_progress
+from brdf_suite.cli.output import export_progress, print_written, progress_bar
 from brdf_suite.cli.picture.file_options import parse_settings
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
@@ -74,14 +73,21 @@ def add_raytraced(command: argparse.ArgumentParser) -> None:
     )
 
 
-def check_renderer(options: argparse.Namespace) -> None:
-    """Raise :class:`SuiteError` where an option is for the other renderer: left out silently, it would mislead."""
-    of_other = _OF_OTHER[options.renderer]
-    given = [f"--{name.replace('_', '-')}" for name in of_other if getattr(options, name, None)]
+def check_renderer(
+    options: argparse.Namespace,
+    of_other: Mapping[str, Sequence[str]] = _OF_OTHER,
+    instead: Mapping[str, str] = _INSTEAD,
+) -> None:
+    """Raise :class:`SuiteError` where an option is for the other renderer: left out silently, it would mislead.
+
+    ``of_other`` has the names of the options that a renderer lacks, ``instead`` what ends the sentence about one.
+    """
+    given = [name for name in of_other[options.renderer] if getattr(options, name, None)]
     if given:
-        name = given[0]
-        instead = _INSTEAD.get(name[2:], "")
-        raise SuiteError(f"With --renderer {options.renderer} there is no {name}; leave it out{instead}.")
+        name = given[0].replace("_", "-")
+        raise SuiteError(
+            f"With --renderer {options.renderer} there is no --{name}; leave it out{instead.get(name, '')}."
+        )
 
 
 def run_reference(options: argparse.Namespace, view: View) -> int:
@@ -101,20 +107,15 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
             fresh=options.fresh,
             progress=progress,
         )
-    if options.json:
-        facts = asdict(picture)
-        facts["output"] = str(facts.pop("path"))
-        facts["noise"] = picture.noise if math.isfinite(picture.noise) else None
-        print_json(facts)
-        return 0
-    for notice in picture.notices:
-        print(f"note: {notice}")
     before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
     noise = f"noise {100.0 * picture.noise:.1f} %" if math.isfinite(picture.noise) else "noise not known"
-    print(
+    print_written(
+        picture,
         f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
         f"{picture.environment}; {picture.samples} samples a pixel{before}, {noise}, "
-        f"{picture.seconds:.1f} s ({picture.renderer})"
+        f"{picture.seconds:.1f} s ({picture.renderer})",
+        as_json=options.json,
+        noise=picture.noise if math.isfinite(picture.noise) else None,
     )
     return 0
 
@@ -136,20 +137,15 @@ def run_raytraced(options: argparse.Namespace, view: View) -> int:
             tables=options.table_split or "clamp",
             progress=progress,
         )
-    if options.json:
-        facts = asdict(picture)
-        facts["output"] = str(facts.pop("path"))
-        print_json(facts)
-        return 0
-    for notice in picture.notices:
-        print(f"note: {notice}")
     before = f", {picture.resumed_samples} of them from before" if picture.resumed_samples else ""
     rays = "one mirrored ray" if picture.reflections == 1 else f"{picture.reflections} reflected rays"
     count = "one sample" if picture.samples == 1 else f"{picture.samples} samples"
-    print(
+    print_written(
+        picture,
         f"{picture.path}: {picture.width}×{picture.height}, {picture.paint} on {picture.surface} in "
         f"{picture.environment}; {picture.lights} lights, {rays}, {count} a pixel{before}, "
-        f"{picture.seconds:.1f} s ({picture.renderer})"
+        f"{picture.seconds:.1f} s ({picture.renderer})",
+        as_json=options.json,
     )
     return 0
 

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import argparse
 import os
-from dataclasses import asdict
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.output import add_export, export_progress, print_written
 from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.reference_options import (
     add_reference,
@@ -60,17 +58,12 @@ def run(options: argparse.Namespace) -> int:
         picture = render_to_file(
             options.paint, view, options.size, options.output, parse_settings(options), progress=progress
         )
-    if options.json:
-        facts = asdict(picture)
-        facts["output"] = str(facts.pop("path"))
-        print_json(facts)
-        return 0
-    for notice in picture.notices:
-        print(f"note: {notice}")
     fit = f"fit {picture.fit_ms:.2f} ms" + (", time-limited" if picture.time_limited else "")
-    print(
+    print_written(
+        picture,
         f"{picture.path}: {picture.width}×{picture.height}, "
         f"{picture.paint} on {picture.surface} in {picture.environment}; "
-        f"{fit}, maps {picture.maps_s:.2f} s, draw {picture.draw_ms:.0f} ms ({picture.renderer})"
+        f"{fit}, maps {picture.maps_s:.2f} s, draw {picture.draw_ms:.0f} ms ({picture.renderer})",
+        as_json=options.json,
     )
     return 0

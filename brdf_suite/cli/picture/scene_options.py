@@ -6,9 +6,8 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import size
-from brdf_suite.documents.view import BACKGROUNDS, FRESNEL_MODES, TONE_CURVES, View
+from brdf_suite.documents.view import BACKGROUNDS, ENVIRONMENT_LAYOUTS, FRESNEL_MODES, TONE_CURVES, View
 from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp, LightColour
 from brdf_suite.errors import ValueRangeError
 
@@ -215,3 +214,16 @@ def parse_view(options: argparse.Namespace) -> View:
     check_environment(view.environment)
     check_surface(view.surface)
     return view
+
+
+def add_layout(command: argparse.ArgumentParser) -> None:
+    """Declare ``--layout``."""
+    command.add_argument(
+        "--layout",
+        choices=ENVIRONMENT_LAYOUTS,
+        default="auto",
+        metavar="LAYOUT",
+        help="how the image is laid out, where its shape misleads: "
+        + ", ".join(ENVIRONMENT_LAYOUTS[1:])
+        + " (default: auto)",
+    )

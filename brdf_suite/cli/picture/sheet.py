@@ -6,8 +6,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.output import add_export, export_progress, print_json
 from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.scene_options import add_scene, parse_view
 from brdf_suite.reports.contact_sheet.document import write_sheet

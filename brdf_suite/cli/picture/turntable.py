@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import asdict
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.output import add_export, export_progress, print_written
 from brdf_suite.cli.picture.file_options import add_picture, parse_settings
-from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, samples
+from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, check_renderer, samples
 from brdf_suite.cli.picture.scene_options import add_scene, parse_view
-from brdf_suite.errors import SuiteError
 from brdf_suite.output.turntable import Turn, write_turntable
 from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 
@@ -58,7 +55,7 @@ def add(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object."""
-    _check_renderer(options)
+    check_renderer(options, _OF_OTHER, {})
     view = parse_view(options)
     turn = Turn(options.frames, options.fps, options.clockwise)
     with export_progress("turntable", options) as progress:
@@ -84,14 +81,11 @@ def run(options: argparse.Namespace) -> int:
                 fresh=options.fresh,
                 progress=progress,
             )
-    if options.json:
-        facts = asdict(made)
-        facts["output"] = str(facts.pop("path"))
-        print_json(facts)
-        return 0
-    for notice in made.notices:
-        print(f"note: {notice}")
-    print(f"{made.path}: {made.frames} frames of {made.width}×{made.height}, {made.paint}")
+    print_written(
+        made,
+        f"{made.path}: {made.frames} frames of {made.width}×{made.height}, {made.paint}",
+        as_json=options.json,
+    )
     return 0
 
 
@@ -100,9 +94,3 @@ _OF_OTHER = {
     "reference": ("quality", "table_split", "bits", "colour_space", "transparent"),
     "raytraced": ("bits", "colour_space", "transparent"),
 }
-
-
-def _check_renderer(options: argparse.Namespace) -> None:
-    given = [f"--{name.replace('_', '-')}" for name in _OF_OTHER[options.renderer] if getattr(options, name)]
-    if given:
-        raise SuiteError(f"With --renderer {options.renderer} there is no {given[0]}; leave it out.")

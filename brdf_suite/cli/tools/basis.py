@@ -10,8 +10,7 @@ from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.paint.export_progress import add_export, export_progress
+from brdf_suite.cli.output import add_export, export_progress, print_json
 from brdf_suite.cli.tools.machine import describe_machine
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
+from scipy import sparse
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, regularization
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
-from brdf_suite.fitting.homomorphic.projected import average_samples, enlarge_map
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.progress import Progress, report, subrange
@@ -194,3 +194,28 @@ def correct_mean(
     correction = np.where(found > 0.0, wanted / np.where(found > 0.0, found, 1.0), 1.0)
     correction = np.where(correction > 0.0, correction, 1.0)
     return Factorization(product.factors, product.logs, product.alpha * correction), correction
+
+
+def average_samples(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Floats:
+    """Return unknowns (n, channels): means of the logarithms ``wanted`` (samples, channels), shared by the factors.
+
+    A texel takes the mean of its samples, by their bilinear weights, over the number of factors; one without a sample
+    takes the mean of all.
+    """
+    mass = np.asarray(matrix.sum(axis=0)).ravel()
+    everywhere = wanted.mean(axis=0)
+    held = (matrix.T @ wanted) / np.maximum(mass, 1e-12)[:, None]
+    means = np.where(mass[:, None] > 1e-9, held, everywhere)
+    return np.asarray(means / len(layout.factors))
+
+
+def enlarge_map(values: Floats, shape: tuple[int, ...]) -> Floats:
+    """Return a map (n, channels) or (n, n, channels) interpolated to ``shape`` texels, centres over the same square."""
+    for axis, size in enumerate(shape):
+        old = values.shape[axis]
+        at = np.clip((np.arange(size) + 0.5) * old / size - 0.5, 0.0, old - 1.0)
+        low = np.minimum(at.astype(np.int64), max(old - 2, 0))
+        share = (at - low).reshape([-1 if axis == i else 1 for i in range(values.ndim)])
+        upper = np.minimum(low + 1, old - 1)
+        values = np.take(values, low, axis=axis) * (1.0 - share) + np.take(values, upper, axis=axis) * share
+    return values

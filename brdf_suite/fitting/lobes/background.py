@@ -28,7 +28,7 @@ from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 if TYPE_CHECKING:
-    from concurrent.futures import Future  # see answers.py
+    from concurrent.futures import Future
 
 Solutions = tuple[Floats, ...]
 Then = Callable[[LimitedSolution], Any]

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.raytraced.camera import Pinhole
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,3 +74,23 @@ def _padded(radiance: npt.NDArray[np.float32]) -> npt.NDArray[np.float32]:
     """Return the map with one more ring at each end: the pole's ring rotated by half a turn."""
     beyond = radiance.shape[1] // 2
     return np.concatenate([np.roll(radiance[:1], beyond, 1), radiance, np.roll(radiance[-1:], beyond, 1)])
+
+
+_PLACES = 3
+"""Looks along each edge of a pixel."""
+
+
+def sky_behind(sky: TracedSky, camera: Pinhole, size: tuple[int, int]) -> npt.NDArray[np.float32]:
+    """Return (h, w, 3): the mean radiance of the sky behind each pixel."""
+    pixel = dr.arange(mi.UInt32, size[0] * size[1])
+    column, row = pixel % camera.width, pixel // camera.width
+
+    def one_more(k: mi.UInt32, total: mi.Color3f) -> tuple[mi.UInt32, mi.Color3f]:
+        within = (mi.Point2f(mi.Float(k % _PLACES), mi.Float(k // _PLACES)) + 0.5) / _PLACES
+        _, direction = camera.ray(column, row, within)
+        return k + 1, total + sky.along(direction, mi.Bool(True))
+
+    _, total = dr.while_loop(
+        (mi.UInt32(0), mi.Color3f(0.0)), lambda k, _: k < _PLACES**2, one_more, label="places behind a pixel"
+    )
+    return np.asarray((np.array(total).T / _PLACES**2).reshape(size[1], size[0], 3), np.float32)

@@ -81,6 +81,6 @@ def _metadata(scene: ReferenceScene, estimate: Estimate, *, denoise: bool) -> Ma
         "Software": "BRDF Suite",
         "Title": scene.name,
         "Description": f"{scene.name} on {scene.surface} in {scene.environment}, path-traced with {estimate.samples} "
-        f"samples a pixel{', denoise_picture' if denoise else ''}, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
+        f"samples a pixel{', denoised' if denoise else ''}, {scene.exposed_view(estimate).exposure_ev:+g} EV, "
         f"tone curve {scene.view.tone_curve}",
     }

@@ -37,7 +37,7 @@ def test_eval_is_in_the_working_space_and_never_negative(shared_data: Path, name
 
 
 def test_the_paper_is_white_and_the_vinyl_golden(shared_data: Path) -> None:
-    from brdf_suite.reflectance import measure_lab
+    from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
     paper = measure_lab(read_measured(shared_data / "brdf" / REAL[0]), 45.0, 45.0)
     gold = measure_lab(read_measured(shared_data / "brdf" / REAL[1]), 45.0, [15.0, 45.0])

@@ -15,7 +15,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured import ReadOptions, read_measured, sniff, write_measured
 from brdf_suite.files.measured.samples import as_samples
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reflectance import measure_lab
+from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 SPECTRAL = ("cayman.brdf", "krylon_blue.brdf")
 

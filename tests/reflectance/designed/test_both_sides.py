@@ -13,9 +13,9 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Measurement, Paint
 from brdf_suite.documents.store import load_paint
 from brdf_suite.pipeline.lobe_fit import PaintFitter
-from brdf_suite.reflectance import measure_lab
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.instruments.aperture import POINT
+from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 from brdf_suite.reflectance.instruments.through_aperture import build_through
 from brdf_suite.resources import resource, resource_names
 

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.lens import lens_rays
 from brdf_suite.acquisition.geometry.refinement.fit import HighlightSeries, find_outliers, fit_rig, stray
 from brdf_suite.acquisition.geometry.refinement.movement import Movement, find_movements
 from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, RefinedValue, apply, priors
@@ -275,7 +276,7 @@ def _degrees_per_pixel(geometry: RigGeometry, seen: Floats) -> Floats:
 
 def _met(geometry: RigGeometry, pixels: Floats) -> tuple[Floats, Floats, Floats]:
     """Return the rays of pixels (n, 2), the points where they meet the sphere, and its normals there, (n, 3) each."""
-    rays = geometry.lens.rays(pixels)
+    rays = lens_rays(geometry.lens, pixels)
     along = rays @ geometry.centre
     rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
     points = (along - np.sqrt(np.maximum(rest, 0.0)))[:, None] * rays

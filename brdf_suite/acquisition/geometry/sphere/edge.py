@@ -22,6 +22,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.special import ndtr
 
+from brdf_suite.acquisition.geometry.lens import lens_rays
 from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.arrays import Floats
@@ -104,7 +105,7 @@ def _blur(sectors: list[tuple[int, Floats, Floats]]) -> float:
 
 def _outline_normals(geometry: RigGeometry, azimuths: Floats) -> Floats:
     """Return the sphere's normals (n, 3) where the outline is."""
-    rays = geometry.lens.rays(geometry.outline(azimuths))
+    rays = lens_rays(geometry.lens, geometry.outline(azimuths))
     distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
     return unit(distance * rays - geometry.centre)
 
@@ -134,7 +135,7 @@ def _sectors(
     pixels = np.stack(np.meshgrid(columns, rows), axis=-1).reshape(-1, 2)
     away = np.linalg.norm(pixels - outline.mean(axis=0), axis=-1)
     pixels = pixels[(away > radii.min() - inside - 2.0) & (away < radii.max() + _OUTSIDE + 2.0)]
-    rays = geometry.lens.rays(pixels)
+    rays = lens_rays(geometry.lens, pixels)
     axis = unit(geometry.centre)
     right = unit(np.cross((0.0, 1.0, 0.0), axis))
     down = np.cross(axis, right)

@@ -23,6 +23,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import binary_dilation, label, uniform_filter
 
+from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.arrays import Bools, Floats
 
@@ -108,9 +109,9 @@ def find_highlight(
     if not places or places[0] is None:
         return None
     normal, spread, count = places[0].normal, places[0].spread, places[0].pixels
-    pixel = geometry.lens.pixels(geometry.centre + geometry.radius_m * normal)
+    pixel = lens_pixels(geometry.lens, geometry.centre + geometry.radius_m * normal)
     others = [
-        geometry.lens.pixels(geometry.centre + geometry.radius_m * place.normal)
+        lens_pixels(geometry.lens, geometry.centre + geometry.radius_m * place.normal)
         for place in places[1:]
         if place is not None
     ]
@@ -157,7 +158,7 @@ class _Window:
             return None
         rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
         pixels = np.stack(np.meshgrid(np.arange(low[0], high[0]), np.arange(low[1], high[1])), axis=-1)
-        rays = geometry.lens.rays(pixels)
+        rays = lens_rays(geometry.lens, pixels)
         along = rays @ geometry.centre
         rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
         points = (along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays

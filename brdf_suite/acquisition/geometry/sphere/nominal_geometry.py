@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import Session
 
 

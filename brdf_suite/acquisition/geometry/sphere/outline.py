@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
+from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
 from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.edge import LEAST_LIT, Edge, circle, find_edge, lit_share
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple, unit
@@ -121,7 +122,7 @@ def _require(edge: Edge, geometry: RigGeometry) -> None:
             "The sphere's outline was not found. It is seen where the light reaches it from the side: add positions "
             "of the light between 40° and 150°, and check the radius, the camera's distance and the mask."
         )
-    rays = geometry.lens.rays(edge.pixels)
+    rays = lens_rays(geometry.lens, edge.pixels)
     axis = unit(geometry.centre)
     tangents = unit(rays - (rays @ axis)[:, None] * axis)
     if math.acos(float(np.clip((tangents @ tangents.T).min(), -1.0, 1.0))) < _LEAST_ARC:
@@ -134,7 +135,7 @@ def _require(edge: Edge, geometry: RigGeometry) -> None:
 def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None) -> RigGeometry:
     """Return the geometry with the outline that most pixels between bright and dark lie on."""
     points = _border(union, mask)
-    rays = geometry.lens.rays(points)
+    rays = lens_rays(geometry.lens, points)
     angle = geometry.outline_angle
     # Without a calibration the angle is not known: any sphere from 2 % of the picture on.
     low, high = (0.8 * angle, 1.25 * angle) if geometry.lens_known else (0.04 * angle, 2.5 * angle)
@@ -203,8 +204,8 @@ def _placed(geometry: RigGeometry, axis: Floats, rho: float) -> RigGeometry:
     distance = float(np.linalg.norm(geometry.centre_m))
     stretch = math.tan(rho) / math.tan(geometry.outline_angle)
     lens = replace(geometry.lens, fx=geometry.lens.fx * stretch, fy=geometry.lens.fy * stretch)
-    pixel = geometry.lens.pixels(axis)
-    return replace(geometry, lens=lens, centre_m=triple(lens.rays(pixel) * distance))
+    pixel = lens_pixels(geometry.lens, axis)
+    return replace(geometry, lens=lens, centre_m=triple(lens_rays(lens, pixel) * distance))
 
 
 def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
@@ -212,12 +213,14 @@ def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
 
     def moved(x: Floats) -> RigGeometry:
         """The sphere's centre seen at pixel x[:2], its outline x[2] pixels around it."""
-        return _placed(geometry, geometry.lens.rays(x[:2]), math.atan(x[2] / geometry.lens.fx))
+        return _placed(geometry, lens_rays(geometry.lens, x[:2]), math.atan(x[2] / geometry.lens.fx))
 
     def distances(x: Floats) -> Floats:
         return outline_distances(moved(x), edge.pixels)
 
-    x = np.append(geometry.lens.pixels(geometry.centre), math.tan(geometry.outline_angle) * geometry.lens.fx)
+    x = np.append(
+        lens_pixels(geometry.lens, geometry.centre), math.tan(geometry.outline_angle) * geometry.lens.fx
+    )
     certainty = 1.0 / np.hypot(edge.sigma_px, _SYSTEMATIC_PX)
     used = np.ones(len(edge.pixels), bool)
     for _ in range(_STEPS):
@@ -253,7 +256,7 @@ def outline_distances(geometry: RigGeometry, pixels: Floats) -> Floats:
     axis = unit(geometry.centre)
     right = unit(np.cross((0.0, 1.0, 0.0), axis))
     down = np.cross(axis, right)
-    rays = geometry.lens.rays(pixels)
+    rays = lens_rays(geometry.lens, pixels)
     azimuth = np.arctan2(rays @ down, rays @ right)
     inward = np.stack((-np.cos(azimuth), -np.sin(azimuth)), axis=-1)
     # Along the radius the two differ only by the ellipse's and the lens's slant, a cosine of almost 1.

@@ -21,7 +21,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.geometry.lens import lens_pixels
+from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 
@@ -151,7 +152,7 @@ class RigGeometry:
     def highlights(self, angles_deg: npt.ArrayLike) -> Floats:
         """Return the pixels (..., 2) where the light is mirrored at angles (...), degrees; NaN: not seen."""
         normals, seen = self.highlight_normals(self.light(angles_deg))
-        pixels = self.lens.pixels(self.centre + self.radius_m * normals)
+        pixels = lens_pixels(self.lens, self.centre + self.radius_m * normals)
         return np.where(seen[..., None], pixels, np.nan)
 
     @property
@@ -166,7 +167,9 @@ class RigGeometry:
         right = unit(np.cross((0.0, 1.0, 0.0), axis))
         down = np.cross(axis, right)
         across = np.cos(azimuths)[..., None] * right + np.sin(azimuths)[..., None] * down
-        return self.lens.pixels(math.cos(self.outline_angle) * axis + math.sin(self.outline_angle) * across)
+        return lens_pixels(
+            self.lens, math.cos(self.outline_angle) * axis + math.sin(self.outline_angle) * across
+        )
 
     def with_centre(self, centre: npt.ArrayLike) -> RigGeometry:
         """Return the geometry with the sphere's centre elsewhere; the turntable goes with it."""

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from concurrent.futures import Future, InvalidStateError
 from contextlib import suppress
 from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
-    from concurrent.futures import Future  # deferred, see answers.py
+    from concurrent.futures import Future  # deferred, as in background.py
 
 First = TypeVar("First")
 Second = TypeVar("Second")
@@ -23,7 +22,17 @@ def chain_futures(
     that was cancelled meanwhile. Cancelling the whole cancels what is in work of it; where one of the two is
     cancelled or fails, so does the whole.
     """
+    from concurrent.futures import Future, InvalidStateError
+
     whole: Future[Second] = Future()
+
+    def settle(value: Second | None = None, error: BaseException | None = None) -> None:
+        """Give the whole a value or an error, unless it was cancelled meanwhile."""
+        with suppress(InvalidStateError):
+            if error is not None:
+                whole.set_exception(error)
+            else:
+                whole.set_result(value)  # type: ignore[arg-type]  # None may be what Second is
 
     def stop(_: Future[Second]) -> None:
         if whole.cancelled():
@@ -37,7 +46,7 @@ def chain_futures(
         try:
             second = begin(done.result(), whole)
         except Exception as error:  # noqa: BLE001 - carried to the waiting caller; a future left alone hangs
-            _settle(whole, error=error)
+            settle(error=error)
             return
         if second is None:
             return
@@ -48,19 +57,10 @@ def chain_futures(
         if done.cancelled():
             whole.cancel()
         elif (error := done.exception()) is not None:
-            _settle(whole, error=error)
+            settle(error=error)
         else:
-            _settle(whole, done.result())
+            settle(done.result())
 
     whole.add_done_callback(stop)
     first.add_done_callback(go_on)
     return whole
-
-
-def _settle(future: Future[Second], value: Second | None = None, error: BaseException | None = None) -> None:
-    """Give ``future`` a value or an error, unless it was cancelled meanwhile."""
-    with suppress(InvalidStateError):
-        if error is not None:
-            future.set_exception(error)
-        else:
-            future.set_result(value)  # type: ignore[arg-type]  # None may be what Second is
