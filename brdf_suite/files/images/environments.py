@@ -22,7 +22,7 @@ from brdf_suite.files.images.png import write_png, write_png_strips
 from brdf_suite.files.images.primaries import REC2020, rgb_to_working
 from brdf_suite.files.images.radiance import read_radiance
 from brdf_suite.files.images.radiance_repair import clip_negative, note_darkness, repair_non_finite
-from brdf_suite.files.made_size import within_memory
+from brdf_suite.files.memory_limit import within_memory
 
 __all__ = [
     "ImageData",

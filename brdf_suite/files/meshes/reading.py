@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.made_size import within_memory
+from brdf_suite.files.memory_limit import within_memory
 from brdf_suite.files.meshes.foreign import check_stl, gltf_parts, read_parts
 from brdf_suite.files.meshes.glb import is_own, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.surface.mesh import Mesh, PartGeometry

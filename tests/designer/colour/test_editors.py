@@ -8,7 +8,7 @@ from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_panel import HANDLES
 from brdf_designer.session.fields import apply_edit, step_name
 from brdf_designer.session.state import colours_of
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt

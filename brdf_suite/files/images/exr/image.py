@@ -19,7 +19,7 @@ from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.channels import ExrLight, choose_light, to_rgb
 from brdf_suite.files.images.exr.header import ExrHeader, parse_headers
 from brdf_suite.files.images.primaries import REC709, REC2020, Chromaticities
-from brdf_suite.files.made_size import MOST_MADE_BYTES
+from brdf_suite.files.memory_limit import MOST_MADE_BYTES
 
 MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
