@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery_offer import RecoveryOffer
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.program import Program

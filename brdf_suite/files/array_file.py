@@ -149,23 +149,17 @@ def read_arrays(layout: Layout, path: PathLike) -> tuple[dict[str, Any], dict[st
         The file is missing, of another kind or version, truncated, changed, or its header is not as described above.
     """
     with open_plain(path, _LARGEST) as stream:
-        try:
-            size = os.fstat(stream.fileno()).st_size
-            found = read_next(layout, path, stream, size)
-            if (end := stream.tell()) != size:
-                raise FileError(path, f"has {size - end:,} bytes that belong to no array", f"byte {end}")
-            return found
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        size = os.fstat(stream.fileno()).st_size
+        found = read_next(layout, path, stream, size)
+        if (end := stream.tell()) != size:
+            raise FileError(path, f"has {size - end:,} bytes that belong to no array", f"byte {end}")
+        return found
 
 
 def read_header(layout: Layout, path: PathLike) -> dict[str, Any]:
     """Return the header alone, for listings; the arrays are not looked at. Errors as :func:`read_arrays`."""
     with open_plain(path, _LARGEST) as stream:
-        try:
-            return _checked_header(layout, path, stream, os.fstat(stream.fileno()).st_size)[0]
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        return _checked_header(layout, path, stream, os.fstat(stream.fileno()).st_size)[0]
 
 
 def read_next(

@@ -6,6 +6,7 @@ import math
 import os
 import stat
 from collections.abc import Iterator
+from contextlib import contextmanager
 from io import BufferedReader
 from pathlib import Path
 
@@ -21,37 +22,38 @@ MOST_BANDS = 2048
 """Wavelengths of a spectrum; the finest array spectrometers have about that."""
 
 
-def open_plain(path: PathLike, largest: int) -> BufferedReader:
-    """Return the open file at ``path``.
+@contextmanager
+def open_plain(path: PathLike, largest: int | None = None) -> Iterator[BufferedReader]:
+    """Yield the open file at ``path``.
 
     Raises
     ------
     FileError
-        It is missing, not readable, not a plain file (so that no pipe can hang us), or over ``largest`` bytes.
+        It is missing, not readable, also within the block, not a plain file (so that no pipe can hang us), or over
+        ``largest`` bytes.
     """
+    if "\0" in os.fspath(path):
+        raise FileError(path, "cannot be read (its name holds a NUL character)")
     try:
         found = Path(path).stat()
         if not stat.S_ISREG(found.st_mode):
-            raise FileError(path, "is not a file" if not stat.S_ISDIR(found.st_mode) else "is a folder")
-        if found.st_size > largest:
+            folder = " (it is a folder)" if stat.S_ISDIR(found.st_mode) else ""
+            raise FileError(path, f"is not a plain file{folder}")
+        if largest is not None and found.st_size > largest:
             raise FileError(
                 path, f"has {found.st_size:,} bytes, more than the {largest:,} that this format can need"
             )
-        return Path(path).open("rb")
+        with Path(path).open("rb") as stream:
+            yield stream
     except OSError as error:
-        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    except ValueError as error:  # a NUL character in the name
-        raise FileError(os.fspath(path), f"cannot be read: {error}") from error
+        raise FileError(path, f"cannot be read ({error.strerror or error})") from error
 
 
-def read_bytes(path: PathLike, largest: int) -> bytes:
+def read_bytes(path: PathLike, largest: int | None = None) -> bytes:
     """Return the content of a plain file of at most ``largest`` bytes, or raise :class:`FileError`."""
     with open_plain(path, largest) as stream:
-        try:
-            # As many as it has now: asking for the largest would reserve that much.
-            return stream.read(os.fstat(stream.fileno()).st_size)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        # As many as it has now: asking for the largest would reserve that much.
+        return stream.read(os.fstat(stream.fileno()).st_size)
 
 
 def numbered_lines(path: PathLike, largest: int) -> Iterator[tuple[int, str]]:
@@ -66,10 +68,7 @@ def numbered_lines(path: PathLike, largest: int) -> Iterator[tuple[int, str]]:
     number = 0
     with open_plain(path, largest) as stream:
         while True:
-            try:
-                line = stream.readline(LONGEST_LINE + 1)
-            except OSError as error:
-                raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+            line = stream.readline(LONGEST_LINE + 1)
             if not line:
                 return
             number += 1

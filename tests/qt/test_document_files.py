@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import MOST_RECENT
 from brdf_qt.documents.recovery import Recovered, Recovery
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import Qt, QTimer

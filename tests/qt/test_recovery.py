@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 
 from brdf_qt.documents.files import DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovery
-from brdf_qt.documents.store import DocumentStore
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 

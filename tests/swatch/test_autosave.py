@@ -9,7 +9,7 @@ import pytest
 from brdf_color_swatch.assembly import palette_format
 from brdf_color_swatch.library import autosave
 from brdf_color_swatch.library.autosave import PaletteRecovery
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.work.tasks import TaskRunner
 
 from brdf_suite.documents.paint import solid_paint

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.history import History, Store
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from hypothesis import given, settings
 from hypothesis import strategies as st
 

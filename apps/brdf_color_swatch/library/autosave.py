@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from brdf_qt.documents.store import MOST_STEPS, DocumentStore
+from brdf_qt.documents.open_document import MOST_STEPS, DocumentStore
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.palette import Palette

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Literal
 
 from brdf_qt.documents.files import DocumentFiles
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovery
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.documents.watch import FileWatch
 
 from brdf_color_swatch.grid.rows import Rows

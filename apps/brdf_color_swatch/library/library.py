@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovery
 from brdf_qt.documents.stamp import FileStamp, stamp_of
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.program.settings import settings
 from brdf_qt.window.message_bar import Message, message_of

@@ -12,9 +12,9 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.stamp import FileStamp
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject, Signal

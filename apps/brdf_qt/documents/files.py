@@ -13,9 +13,9 @@ from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
 
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.stamp import FileStamp, stamp_of
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of

@@ -18,8 +18,8 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from brdf_qt.documents.files import DocumentFormat
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.stamp import FileStamp
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.program.settings import state_folder
 from brdf_qt.program.translation import tr
 from brdf_suite.errors import FileError, SuiteError

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication

@@ -25,7 +25,7 @@ from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_expos
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
-from brdf_suite.files.made_size import within_memory
+from brdf_suite.files.memory_limit import within_memory
 
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
 

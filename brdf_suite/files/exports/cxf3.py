@@ -68,24 +68,31 @@ def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | Non
     now = datetime.now(UTC).isoformat(timespec="seconds").replace("+00:00", "Z")
     specifications: dict[str, str] = {}
     objects = [write_object(item, f"paint{i + 1}", now, specifications) for i, item in enumerate(items)]
-    text = (
+    about = "Multi-angle colours of paints, D65 and 10° observer"
+    write_atomically(path, write_document(objects, specifications, now, about))
+    return ()
+
+
+def write_document(
+    objects: Sequence[str], specifications: Mapping[str, str], now: str, about: str, tags: str = ""
+) -> bytes:
+    """Return the file: Objects and their specifications, with a description and further elements about the file."""
+    resources = (
+        f"    <cc:ObjectCollection>\n{''.join(objects)}    </cc:ObjectCollection>\n"
+        f"    <cc:ColorSpecificationCollection>\n{''.join(specifications.values())}"
+        "    </cc:ColorSpecificationCollection>\n"
+    )
+    return (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
         f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
         "  <cc:FileInformation>\n"
         f"    <cc:Creator>BRDF Suite {version('brdf-suite')}</cc:Creator>\n"
         f"    <cc:CreationDate>{now}</cc:CreationDate>\n"
-        "    <cc:Description>Multi-angle colours of paints, D65 and 10° observer</cc:Description>\n"
+        f"    <cc:Description>{escape(clean_text(about))}</cc:Description>\n{tags}"
         "  </cc:FileInformation>\n"
-        "  <cc:Resources>\n"
-        f"    <cc:ObjectCollection>\n{''.join(objects)}    </cc:ObjectCollection>\n"
-        "    <cc:ColorSpecificationCollection>\n"
-        f"{''.join(specifications.values())}"
-        "    </cc:ColorSpecificationCollection>\n"
-        "  </cc:Resources>\n"
-        "</cc:CxF>\n"
-    )
-    write_atomically(path, text.encode("utf-8"))
-    return ()
+        + (f"  <cc:Resources>\n{resources}  </cc:Resources>\n" if objects else "  <cc:Resources/>\n")
+        + "</cc:CxF>\n"
+    ).encode()
 
 
 def write_object(
@@ -153,24 +160,33 @@ def tag_collection(tags: Mapping[str, str]) -> str:
 
 def write_specification(name: str, geometry: Geometry, bands: tuple[float, ...] | None) -> str:
     """Return the ColorSpecification of one angle, D65 and 10°, with the wavelengths of its spectra where it has any."""
+    angle = (
+        f'<cc:MultiAngle><cc:BRDFAngle Notation="{geometry.name}">'
+        f"<cc:IlluminationAngle>{geometry.illumination_deg!r}</cc:IlluminationAngle>"
+        f"<cc:Aspecular>{geometry.aspecular_deg!r}</cc:Aspecular></cc:BRDFAngle></cc:MultiAngle>"
+    )
+    range_nm = None if bands is None else (bands[0], bands[1] - bands[0])
+    method = "unknown" if bands is None else "E308_1nm"
+    return any_specification(name, "D65", 10, method, angle, range_nm)
+
+
+def any_specification(
+    name: str, light: str, observer: int, method: str, geometry: str, bands: tuple[float, float] | None
+) -> str:
+    """Return a ColorSpecification; ``geometry`` is its element, ``bands`` first wavelength and step of spectra, nm."""
     kind = "Colorimetric_Reflectance" if bands is None else "Spectrum_Reflectance"
     spectral = (
-        ""
-        if bands is None
-        else f'          <cc:WavelengthRange StartWL="{bands[0]:.0f}" Increment="{bands[1] - bands[0]:.0f}"/>\n'
+        "" if bands is None else f'<cc:WavelengthRange StartWL="{bands[0]:.0f}" Increment="{bands[1]:g}"/>'
     )
     return (
         f'      <cc:ColorSpecification Id="{name}">\n'
-        "        <cc:TristimulusSpec><cc:Illuminant>D65</cc:Illuminant><cc:Observer>10_Degree</cc:Observer>"
-        f"<cc:Method>{'unknown' if bands is None else 'E308_1nm'}</cc:Method></cc:TristimulusSpec>\n"
+        f"        <cc:TristimulusSpec><cc:Illuminant>{light}</cc:Illuminant>"
+        f"<cc:Observer>{observer}_Degree</cc:Observer><cc:Method>{method}</cc:Method></cc:TristimulusSpec>\n"
         "        <cc:MeasurementSpec>\n"
         f"          <cc:MeasurementType>{kind}</cc:MeasurementType>\n"
-        f'          <cc:GeometryChoice><cc:MultiAngle><cc:BRDFAngle Notation="{geometry.name}">'
-        f"<cc:IlluminationAngle>{geometry.illumination_deg!r}</cc:IlluminationAngle>"
-        f"<cc:Aspecular>{geometry.aspecular_deg!r}</cc:Aspecular></cc:BRDFAngle></cc:MultiAngle></cc:GeometryChoice>\n"
-        f"{spectral}"
-        "        </cc:MeasurementSpec>\n"
-        "      </cc:ColorSpecification>\n"
+        f"          <cc:GeometryChoice>{geometry}</cc:GeometryChoice>\n"
+        + (f"          {spectral}\n" if spectral else "")
+        + "        </cc:MeasurementSpec>\n      </cc:ColorSpecification>\n"
     )
 
 

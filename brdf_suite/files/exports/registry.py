@@ -33,10 +33,7 @@ def read_paints(path: PathLike, formats: tuple[ExportFormat, ...] = FORMATS) -> 
         It cannot be read, is of no such format, or is damaged; with the place. Nothing is partly read.
     """
     with open_plain(path, _LARGEST) as stream:
-        try:
-            head = stream.read(_HEAD)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        head = stream.read(_HEAD)
     for known in formats:
         if known.sniff is not None and known.read is not None and known.sniff(head):
             return known.read(path)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.made_size import check_made
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.memory_limit import check_made
 
 MOST_ROWS = 4096
 """The largest prefiltered face has 2,048 texels on 90°; a map of 8,192 × 4,096 holds as many."""
@@ -27,7 +26,7 @@ def reduction(height: int, width: int) -> int:
     return max(1, -(-height // MOST_ROWS), -(-width // (2 * MOST_ROWS)))
 
 
-def check_reducible(path: str | os.PathLike[str], height: int, width: int, place: str) -> None:
+def check_reducible(path: PathLike, height: int, width: int, place: str) -> None:
     """Raise :class:`FileError`, naming ``place``, where an image is too thin or too wide to be reduced in strips."""
     by = reduction(height, width)
     if min(height, width) < by:

@@ -7,22 +7,20 @@ what cannot be radiance.
 
 from __future__ import annotations
 
-import os
-import stat
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.images.exr.image import read_exr, write_exr
 from brdf_suite.files.images.exr.writer import write_exr_strips
 from brdf_suite.files.images.png import write_png, write_png_strips
 from brdf_suite.files.images.primaries import REC2020, rgb_to_working
 from brdf_suite.files.images.radiance import read_radiance
 from brdf_suite.files.images.radiance_repair import clip_negative, note_darkness, repair_non_finite
-from brdf_suite.files.made_size import within_memory
+from brdf_suite.files.memory_limit import within_memory
 
 __all__ = [
     "ImageData",
@@ -56,7 +54,7 @@ class ImageData:
 
 
 @within_memory
-def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
+def read_environment_image(path: PathLike) -> ImageData:
     """Read an environment image from an OpenEXR or Radiance file, in whatever layout it has.
 
     Larger than 8,192 × 4,096 is reduced by area as it is read, in strips.
@@ -66,7 +64,8 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
     FileError
         The file is missing, damaged, too large or too small, or of another kind; the message says which.
     """
-    start = _first_bytes(path)
+    with open_plain(path) as stream:
+        start = stream.read(12)
     layout = None
     if start.startswith(b"\x76\x2f\x31\x01"):
         exr = read_exr(path)
@@ -93,19 +92,6 @@ def read_environment_image(path: str | os.PathLike[str]) -> ImageData:
     pixels, clipped = clip_negative(pixels)
     notices = (*notes, *repairs, *clipped, *note_darkness(pixels))
     return ImageData(np.ascontiguousarray(pixels), notices, layout)
-
-
-def _first_bytes(path: str | os.PathLike[str]) -> bytes:
-    try:
-        # A pipe or a device would be waited for without end.
-        if not stat.S_ISREG(Path(path).stat().st_mode):
-            raise FileError(path, "is not a plain file")
-        with Path(path).open("rb") as stream:
-            return stream.read(12)
-    except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror})") from error
-    except ValueError as error:  # a zero byte in the name
-        raise FileError(path, f"cannot be read ({error})") from error
 
 
 def _what_instead(start: bytes) -> str:

@@ -7,7 +7,6 @@ would take more memory than a picture of the suite needs.
 
 from __future__ import annotations
 
-import os
 import stat
 import warnings
 from collections.abc import Sequence
@@ -18,7 +17,7 @@ from typing import IO, TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 
 if TYPE_CHECKING:
     from PIL.Image import Image as PillowImage
@@ -35,7 +34,7 @@ _PIXEL_BYTES = {"1": 1, "L": 1, "P": 1, "I;16": 2, "I;16L": 2, "I;16B": 2, "I;16
 _STRIP_BYTES = 1 << 24
 
 
-def read_picture(path: str | os.PathLike[str], formats: Sequence[str] = PICTURE_FORMATS) -> NDArray[Any]:
+def read_picture(path: PathLike, formats: Sequence[str] = PICTURE_FORMATS) -> NDArray[Any]:
     """Return pixels (h, w, 3) in colour or (h, w, 1) in grey, the first row at the top; alpha is dropped.
 
     uint8 0…255; uint16 or int32 0…65535 for grey of 16 bits; float32, as in the file, for grey of floats.
@@ -49,7 +48,7 @@ def read_picture(path: str | os.PathLike[str], formats: Sequence[str] = PICTURE_
 
 
 def read_rgb(
-    path: str | os.PathLike[str],
+    path: PathLike,
     formats: Sequence[str],
     *,
     content: bytes | None = None,
@@ -63,7 +62,7 @@ def read_rgb(
 
 
 def _read(
-    path: str | os.PathLike[str],
+    path: PathLike,
     content: bytes | None,
     formats: Sequence[str],
     mode: str | None,
@@ -92,9 +91,7 @@ def _read(
         raise FileError(path, f"is damaged, or no {kind} that can be read: {error}") from error
 
 
-def _pixels(
-    path: str | os.PathLike[str], image: PillowImage, mode: str | None, most_bytes: int
-) -> NDArray[Any]:
+def _pixels(path: PathLike, image: PillowImage, mode: str | None, most_bytes: int) -> NDArray[Any]:
     if mode is None and image.mode != "F" and not image.mode.startswith("I"):
         mode = "L" if image.mode in ("1", "L", "LA") else "RGB"
     channels = 3 if mode == "RGB" else 1
@@ -121,7 +118,7 @@ def _pixels(
     return pixels
 
 
-def open_regular(path: str | os.PathLike[str]) -> IO[bytes]:
+def open_regular(path: PathLike) -> IO[bytes]:
     """Open a plain file; a pipe or a device would be waited for without end."""
     try:
         if not stat.S_ISREG(Path(path).stat().st_mode):

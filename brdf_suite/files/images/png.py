@@ -6,7 +6,6 @@ those available writes 16-bit RGB, or a picture that is larger than memory.
 
 from __future__ import annotations
 
-import os
 import struct
 import zlib
 from collections.abc import Iterable, Mapping
@@ -17,7 +16,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE, DisplaySpace
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.icc import profile_bytes
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
@@ -32,7 +31,7 @@ _FILTERED_BYTES = 8 << 20
 
 
 def write_png(
-    path: str | os.PathLike[str],
+    path: PathLike,
     pixels: NDArray[np.uint8] | NDArray[np.uint16],
     metadata: Mapping[str, str] | None = None,
     space: DisplaySpace | None = None,
@@ -59,7 +58,7 @@ def write_png(
 
 
 def write_png_strips(
-    path: str | os.PathLike[str],
+    path: PathLike,
     size: tuple[int, int],
     strips: Iterable[NDArray[Any]],
     metadata: Mapping[str, str] | None = None,

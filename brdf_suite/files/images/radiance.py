@@ -8,14 +8,13 @@ divided out, so that the result is radiance.
 
 from __future__ import annotations
 
-import os
 import re
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.header import MAX_PIXELS
 from brdf_suite.files.images.primaries import REC709, Chromaticities, rgb_to_xyz
@@ -26,7 +25,7 @@ _MAX_EXPOSURE = 1e12
 
 
 def read_radiance(
-    path: str | os.PathLike[str],
+    path: PathLike,
 ) -> tuple[NDArray[np.float32], Chromaticities, tuple[str, ...]]:
     """Return pixels (h, w, 3) float32 in the file's own primaries, those primaries, and notes.
 
@@ -35,10 +34,7 @@ def read_radiance(
     FileError
         The file is damaged, truncated or not a Radiance picture.
     """
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror})") from error
+    data = read_bytes(path)
     if not data.startswith((b"#?RADIANCE", b"#?RGBE", b"#?AUTOPANO")):
         raise FileError(path, "is not a Radiance picture (it does not begin with #?RADIANCE)", "byte 0")
     fields, size_line, start = _header(path, data)
@@ -55,7 +51,7 @@ def read_radiance(
     return pixels, primaries, (*notes, *reduced)
 
 
-def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], bytes, int]:
+def _header(path: PathLike, data: bytes) -> tuple[dict[str, str], bytes, int]:
     """Return the fields, the size line and the place of the pixels; repeated fields are joined by ';'."""
     fields: dict[str, str] = {}
     at, blank = 0, False
@@ -80,7 +76,7 @@ def _header(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, str], 
 
 
 def _size(
-    path: str | os.PathLike[str], line: bytes, start: int
+    path: PathLike, line: bytes, start: int
 ) -> tuple[tuple[bytes, bytes], tuple[bytes, bytes], tuple[int, int]]:
     match = _SIZE.match(line)
     if match is None or match[2] == match[5]:
@@ -99,7 +95,7 @@ class _Lines:
 
     def __init__(
         self,
-        path: str | os.PathLike[str],
+        path: PathLike,
         data: bytes,
         start: int,
         height: int,
@@ -139,9 +135,7 @@ class _Lines:
         return line
 
 
-def _new_line(
-    path: str | os.PathLike[str], data: bytes, at: int, width: int, row: int
-) -> tuple[NDArray[np.uint8], int]:
+def _new_line(path: PathLike, data: bytes, at: int, width: int, row: int) -> tuple[NDArray[np.uint8], int]:
     """Decode one line of the adaptive coding: the four bytes apart, each in runs and literals."""
     out = bytearray()
     last = len(data) - 1
@@ -162,9 +156,7 @@ def _new_line(
     return np.frombuffer(bytes(out), np.uint8).reshape(4, width).T, at
 
 
-def _old_line(
-    path: str | os.PathLike[str], data: bytes, at: int, width: int, row: int
-) -> tuple[NDArray[np.uint8], int]:
+def _old_line(path: PathLike, data: bytes, at: int, width: int, row: int) -> tuple[NDArray[np.uint8], int]:
     """Decode one line of plain pixels, among which (1, 1, 1, n) repeats the last pixel n times."""
     out = bytearray()
     end, shift = 4 * width, 0
@@ -193,7 +185,7 @@ def _to_float(rgbe: NDArray[np.uint8]) -> NDArray[np.float32]:
     return result
 
 
-def _gain(path: str | os.PathLike[str], fields: dict[str, str]) -> NDArray[np.float32]:
+def _gain(path: PathLike, fields: dict[str, str]) -> NDArray[np.float32]:
     """Return what the stored channels are multiplied by to be radiance."""
     gain = np.ones(3)
     for key, count in (("EXPOSURE", 1), ("COLORCORR", 3)):

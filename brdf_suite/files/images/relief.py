@@ -8,14 +8,13 @@ comes back are slopes, which can be averaged: the normal is (-dh/du, -dh/dv, 1) 
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.pictures import open_regular, read_picture
 
@@ -31,7 +30,7 @@ _SCALES = {"u1": 255.0, "u2": 65535.0, "i4": 65535.0}
 """What white is, by kind and size of the numbers; Pillow gives 16 bits as either of two."""
 
 
-def read_normal_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+def read_normal_map(path: PathLike) -> NDArray[np.float32]:
     """Return slopes (h, w, 2) float32, dh/du and dh/dv, the first row at v = 0 (the lower edge of the image).
 
     Raises
@@ -58,7 +57,7 @@ def read_normal_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     return reduced
 
 
-def read_tangent_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+def read_tangent_map(path: PathLike) -> NDArray[np.float32]:
     """Return directions in the surface (h, w, 2) float32, unit vectors over u and v, the first row at v = 0.
 
     Red and green hold (t + 1)/2, or t itself in EXR files with negative numbers (as glTF's anisotropy has it).
@@ -86,7 +85,7 @@ def read_tangent_map(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     return reduced
 
 
-def read_mask(path: str | os.PathLike[str]) -> NDArray[np.float32]:
+def read_mask(path: PathLike) -> NDArray[np.float32]:
     """Return the mean of the colour channels, (h, w) float32, 0…1, the first row at the lower edge of the image.
 
     White is 1 and black 0, as the numbers stand in the file: a mask is a share, not a colour.
@@ -104,7 +103,7 @@ def read_mask(path: str | os.PathLike[str]) -> NDArray[np.float32]:
     return np.clip(_reduced(pixels, grey)[0][..., 0], 0.0, 1.0)
 
 
-def _read(path: str | os.PathLike[str]) -> tuple[NDArray[Any], bool]:
+def _read(path: PathLike) -> tuple[NDArray[Any], bool]:
     """Return pixels (h, w, channels) as in the file, the first row at the top; and whether they are signed."""
     with open_regular(path) as stream:
         start = stream.read(4)

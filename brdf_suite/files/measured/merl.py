@@ -167,13 +167,10 @@ def stored_albedo(planes: Floats, grid: HalfAngleGrid) -> float:
 def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Floats, list[str]]:
     """Return the bins, the stored values (3, bins), and notes."""
     with open_plain(path, _LARGEST) as stream:
-        try:
-            size = os.fstat(stream.fileno()).st_size
-            head = stream.read(_HEADER.size)
-            grid, notes = _grid_of(path, head, size)
-            stored = np.fromfile(stream, "<f8", 3 * grid.bins)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        size = os.fstat(stream.fileno()).st_size
+        head = stream.read(_HEADER.size)
+        grid, notes = _grid_of(path, head, size)
+        stored = np.fromfile(stream, "<f8", 3 * grid.bins)
     if stored.size != 3 * grid.bins:
         raise FileError(path, "became shorter while it was read")
     planes = stored.reshape(3, grid.bins)

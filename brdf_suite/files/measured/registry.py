@@ -56,11 +56,8 @@ def sniff(path: PathLike) -> MeasuredFormat:
         It cannot be read, is empty, or is of no known format.
     """
     with open_plain(path, _LARGEST) as stream:
-        try:
-            head = stream.read(_HEAD)
-            size = stream.seek(0, 2)
-        except OSError as error:
-            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+        head = stream.read(_HEAD)
+        size = stream.seek(0, 2)
     if not head:
         raise FileError(path, "is empty", "byte 0")
     found = [known for known in FORMATS if known.sniff(head, size)]

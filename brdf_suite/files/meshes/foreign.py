@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.meshes.gltf import read_gltf
 from brdf_suite.files.meshes.material_words import material_word
 from brdf_suite.surface.repair import RawPart
@@ -22,7 +22,7 @@ _STL_HEADER, _STL_TRIANGLE = 84, 50
 _LARGEST = float(np.finfo(np.float32).max)
 
 
-def check_stl(path: str | os.PathLike[str], data: bytes) -> None:
+def check_stl(path: PathLike, data: bytes) -> None:
     """Refuse a binary STL whose size is not that of the triangles that its header promises.
 
     Raises
@@ -42,7 +42,7 @@ def check_stl(path: str | os.PathLike[str], data: bytes) -> None:
         raise FileError(path, f"{what}: {sizes}", "byte 80")
 
 
-def read_parts(path: str | os.PathLike[str]) -> list[RawPart]:
+def read_parts(path: PathLike) -> list[RawPart]:
     """Return the parts with triangles, in world axes and the unit of the file, unchecked.
 
     Raises
@@ -65,9 +65,7 @@ def read_parts(path: str | os.PathLike[str]) -> list[RawPart]:
         raise FileError(path, _in_words(error)) from error
 
 
-def gltf_parts(
-    path: str | os.PathLike[str], document: dict[str, Any], binary: memoryview | None
-) -> list[RawPart]:
+def gltf_parts(path: PathLike, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
     """Return the parts of a glTF document, as :func:`brdf_suite.files.meshes.gltf.read_gltf`; all faults as
     FileError."""
     try:
@@ -96,7 +94,7 @@ def _has_faces(geometry: Any) -> bool:
     return getattr(geometry, "faces", None) is not None and len(geometry.faces) > 0
 
 
-def _raw_part(path: str | os.PathLike[str], scene: Any, node: str) -> RawPart:
+def _raw_part(path: PathLike, scene: Any, node: str) -> RawPart:
     transform, name = scene.graph[node]
     mesh = scene.geometry[name]
     matrix = np.asarray(transform, dtype=np.float64)

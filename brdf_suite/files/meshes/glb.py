@@ -11,7 +11,6 @@ triangles (uint16 where they fit, else uint32), each aligned to 4 bytes.
 from __future__ import annotations
 
 import json
-import os
 import struct
 from typing import Any
 
@@ -19,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
 _MARK = {"brdf_suite_mesh": 1, "uv_unit": "mm"}
@@ -45,7 +44,7 @@ _LOOKS: dict[str, tuple[tuple[float, float, float, float], float, float]] = {
 }
 
 
-def write_mesh_glb(mesh: Mesh, path: str | os.PathLike[str]) -> None:
+def write_mesh_glb(mesh: Mesh, path: PathLike) -> None:
     """Write ``mesh`` so that :func:`read_own_glb` gives back the same numbers. Same mesh, same bytes.
 
     Raises
@@ -117,7 +116,7 @@ def _material(word: str) -> dict[str, Any]:
     return {"name": word, "pbrMetallicRoughness": look}
 
 
-def split_glb(path: str | os.PathLike[str], data: bytes) -> tuple[dict[str, Any], memoryview]:
+def split_glb(path: PathLike, data: bytes) -> tuple[dict[str, Any], memoryview]:
     """Return the JSON document and the binary chunk (empty where there is none) of a binary glTF file.
 
     Raises
@@ -156,9 +155,7 @@ def is_own(document: dict[str, Any]) -> bool:
     return isinstance(asset, dict) and asset.get("extras") == _MARK
 
 
-def read_own_glb(
-    path: str | os.PathLike[str], document: dict[str, Any], binary: memoryview, name: str
-) -> Mesh:
+def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, name: str) -> Mesh:
     """Return the mesh of a file of ours, from what :func:`split_glb` gave.
 
     Raises

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made
+from brdf_suite.files.memory_limit import MOST_MADE_BYTES, check_made
 from brdf_suite.files.meshes.material_words import material_word
 from brdf_suite.surface.repair import RawPart
 

@@ -10,15 +10,14 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.made_size import within_memory
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.memory_limit import within_memory
 from brdf_suite.files.meshes.foreign import check_stl, gltf_parts, read_parts
 from brdf_suite.files.meshes.glb import is_own, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.surface.mesh import Mesh, PartGeometry
@@ -36,7 +35,7 @@ _UNIT_NAMES = {"m": "metres", "cm": "centimetres", "mm": "millimetres", "in": "i
 
 
 @within_memory
-def read_mesh(path: str | os.PathLike[str], unit: str = "file") -> Mesh:
+def read_mesh(path: PathLike, unit: str = "file") -> Mesh:
     """Return the mesh in a file, in metres, every part with normals and texture coordinates in millimetres.
 
     Parameters
@@ -84,7 +83,7 @@ def _content(file: Path) -> bytes:
         raise FileError(file, f"cannot be read ({error.strerror or error})") from error
 
 
-def _gltf_json(path: str | os.PathLike[str], data: bytes) -> dict[str, Any]:
+def _gltf_json(path: PathLike, data: bytes) -> dict[str, Any]:
     try:
         document = json.loads(data)
     except (ValueError, RecursionError) as error:
@@ -94,7 +93,7 @@ def _gltf_json(path: str | os.PathLike[str], data: bytes) -> dict[str, Any]:
     return document
 
 
-def _repaired(path: str | os.PathLike[str], raw: list[RawPart], unit: str) -> Mesh:
+def _repaired(path: PathLike, raw: list[RawPart], unit: str) -> Mesh:
     if not raw:
         raise FileError(path, "holds no triangles (points or lines alone cannot be drawn)")
     factor, note = _scale(raw) if unit == "file" else (METRES[unit], f"taken as {_UNIT_NAMES[unit]}")

@@ -10,7 +10,6 @@ Neither has a unit or a meaning of its numbers: what is to be known goes into co
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -19,6 +18,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Reals
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.errors import PathLike
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class PointMesh:
     values: Reals | None = None
 
 
-def write_obj(path: str | os.PathLike[str], mesh: PointMesh, comments: Sequence[str] = ()) -> None:
+def write_obj(path: PathLike, mesh: PointMesh, comments: Sequence[str] = ()) -> None:
     """Write ``mesh`` as OBJ; raises :class:`FileError` where that cannot be."""
     lines = [f"# {line}" for line in _lines(comments)]
     codes = mesh.colours / 255.0
@@ -59,7 +59,7 @@ def write_obj(path: str | os.PathLike[str], mesh: PointMesh, comments: Sequence[
     write_atomically(path, ("\n".join(lines) + "\n").encode("utf-8"))
 
 
-def write_ply(path: str | os.PathLike[str], mesh: PointMesh, comments: Sequence[str] = ()) -> None:
+def write_ply(path: PathLike, mesh: PointMesh, comments: Sequence[str] = ()) -> None:
     """Write ``mesh`` as binary PLY; raises :class:`FileError` where that cannot be."""
     fields: list[tuple[str, str]] = [(name, "<f4") for name in ("x", "y", "z", "nx", "ny", "nz")]
     fields += [(name, "u1") for name in ("red", "green", "blue")]

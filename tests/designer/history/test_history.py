@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.history.strip import name_lines
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt

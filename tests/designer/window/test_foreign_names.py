@@ -14,8 +14,8 @@ from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovery
-from brdf_qt.documents.store import DocumentStore
 
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.documents.palette import Entry, Palette

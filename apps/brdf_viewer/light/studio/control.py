@@ -8,9 +8,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.recovery_offer import RecoveryOffer
-from brdf_qt.documents.store import DocumentStore
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of

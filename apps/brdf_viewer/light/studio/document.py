@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.window.dialogs import Dialogs
 from PySide6.QtCore import QObject
 

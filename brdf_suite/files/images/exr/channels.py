@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -10,7 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.header import ExrChannel, ExrHeader
 from brdf_suite.files.images.primaries import Chromaticities, rgb_to_xyz
 
@@ -25,7 +24,7 @@ class ExrLight:
     notes: tuple[str, ...]
 
 
-def choose_light(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> ExrLight:
+def choose_light(path: PathLike, headers: Sequence[ExrHeader]) -> ExrLight:
     """Return the first part that holds R, G and B (also in a layer), or else Y with or without its chroma.
 
     Raises
@@ -84,7 +83,7 @@ def _luminance(header: ExrHeader) -> ExrLight | None:
     return ExrLight(header, "grey", (by_name["Y"],), (*_part_note(header), note))
 
 
-def _check(path: str | os.PathLike[str], light: ExrLight) -> None:
+def _check(path: PathLike, light: ExrLight) -> None:
     for channel in light.channels:
         if channel.kind == "uint":
             raise FileError(path, "holds integers, not radiance", f"channel {_shown(channel.name)}")

@@ -12,7 +12,7 @@ import struct
 from dataclasses import dataclass
 from typing import BinaryIO
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.primaries import Chromaticities
 
 MAX_PIXELS = 16384 * 8192
@@ -55,7 +55,7 @@ class ExrHeader:
     white_luminance: float | None = None
 
 
-def parse_headers(path: str | os.PathLike[str], stream: BinaryIO) -> tuple[ExrHeader, ...]:
+def parse_headers(path: PathLike, stream: BinaryIO) -> tuple[ExrHeader, ...]:
     """Parse the headers of the open file ``stream``, one per part; ``path`` is for the messages.
 
     Raises
@@ -96,7 +96,7 @@ def parse_headers(path: str | os.PathLike[str], stream: BinaryIO) -> tuple[ExrHe
 
 
 def _header(
-    path: str | os.PathLike[str],
+    path: PathLike,
     attributes: dict[str, tuple[int, bytes]],
     reader: _Reader,
     part: int,
@@ -132,7 +132,7 @@ def _text(attributes: dict[str, tuple[int, bytes]], name: str) -> str:
     return attributes.get(name, (0, b""))[1].decode("utf-8", errors="replace")
 
 
-def _chunk_count(path: str | os.PathLike[str], attributes: dict[str, tuple[int, bytes]]) -> int:
+def _chunk_count(path: PathLike, attributes: dict[str, tuple[int, bytes]]) -> int:
     place, value = attributes.get("chunkCount", (0, b""))
     count = struct.unpack("<i", value)[0] if len(value) == 4 else 0
     if count < 1:
@@ -140,16 +140,14 @@ def _chunk_count(path: str | os.PathLike[str], attributes: dict[str, tuple[int, 
     return int(count)
 
 
-def _skip_table(
-    path: str | os.PathLike[str], reader: _Reader, attributes: dict[str, tuple[int, bytes]]
-) -> None:
+def _skip_table(path: PathLike, reader: _Reader, attributes: dict[str, tuple[int, bytes]]) -> None:
     reader.take(8 * _chunk_count(path, attributes))
 
 
 class _Reader:
     """Sequential reader of little-endian values; an error names the place of truncation."""
 
-    def __init__(self, path: str | os.PathLike[str], data: bytes) -> None:
+    def __init__(self, path: PathLike, data: bytes) -> None:
         self.path, self.data, self.at = path, data, 0
 
     def take(self, count: int) -> bytes:
@@ -186,7 +184,7 @@ class _Reader:
         return found
 
 
-def _channels(path: str | os.PathLike[str], place: int, value: bytes) -> tuple[ExrChannel, ...]:
+def _channels(path: PathLike, place: int, value: bytes) -> tuple[ExrChannel, ...]:
     reader = _Reader(path, value)
     found = []
     while name := reader.name():
@@ -201,7 +199,7 @@ def _channels(path: str | os.PathLike[str], place: int, value: bytes) -> tuple[E
     return tuple(found)
 
 
-def _window(path: str | os.PathLike[str], name: str, place: int, value: bytes) -> Window:
+def _window(path: PathLike, name: str, place: int, value: bytes) -> Window:
     if len(value) != 16:
         raise FileError(path, f"has a damaged {name}", f"byte {place}")
     x_min, y_min, x_max, y_max = struct.unpack("<iiii", value)
@@ -214,9 +212,7 @@ def _window(path: str | os.PathLike[str], name: str, place: int, value: bytes) -
     return x_min, y_min, x_max, y_max
 
 
-def _check_chunks(
-    path: str | os.PathLike[str], reader: _Reader, count: int, stream: BinaryIO, head: int
-) -> None:
+def _check_chunks(path: PathLike, reader: _Reader, count: int, stream: BinaryIO, head: int) -> None:
     """Check that the table of ``count`` chunk offsets is whole, and that the last chunk lies within the file.
 
     ``head``: bytes of a chunk before its data, the last four of which hold the data's size.

@@ -7,19 +7,19 @@ import io
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.channels import ExrLight, choose_light, to_rgb
 from brdf_suite.files.images.exr.header import ExrHeader, parse_headers
 from brdf_suite.files.images.primaries import REC709, REC2020, Chromaticities
-from brdf_suite.files.made_size import MOST_MADE_BYTES
+from brdf_suite.files.memory_limit import MOST_MADE_BYTES
 
 MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
@@ -37,7 +37,7 @@ class ExrImage:
     is_cube: bool
 
 
-def read_exr(path: str | os.PathLike[str]) -> ExrImage:
+def read_exr(path: PathLike) -> ExrImage:
     """Read the first part of an EXR file that holds light.
 
     Scan-line and tiled files of one or several parts, half or float, all compressions; channels R, G, B in any
@@ -50,11 +50,8 @@ def read_exr(path: str | os.PathLike[str]) -> ExrImage:
     FileError
         The file is damaged or of a kind that is not read.
     """
-    try:
-        with Path(path).open("rb") as stream:
-            headers = parse_headers(path, stream)
-    except OSError as error:
-        raise FileError(path, f"cannot be read ({error.strerror})") from error
+    with open_plain(path) as stream:
+        headers = parse_headers(path, stream)
     light = choose_light(path, headers)
     header, notes = light.header, list(light.notes)
     if header.part > 0 or light.kind == "chroma":
@@ -83,7 +80,7 @@ def _window(header: ExrHeader) -> tuple[int, int, int, int]:
     return header.data_window if header.is_cube else header.display_window
 
 
-def _check_whole(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> None:
+def _check_whole(path: PathLike, headers: Sequence[ExrHeader]) -> None:
     """Refuse a file whose parts are too large together: but for the first, the library reads all of them at once."""
     total = 0
     for header in headers:
@@ -99,7 +96,7 @@ def _check_whole(path: str | os.PathLike[str], headers: Sequence[ExrHeader]) -> 
 class _Rows:
     """Rows of the display window of one part, decoded on demand."""
 
-    def __init__(self, path: str | os.PathLike[str], light: ExrLight, chromaticities: Chromaticities) -> None:
+    def __init__(self, path: PathLike, light: ExrLight, chromaticities: Chromaticities) -> None:
         self._path, self._light, self._chromaticities = path, light, chromaticities
         self._file: Any = None
         self._planes: dict[str, NDArray[np.floating]] | None = None
@@ -175,7 +172,7 @@ class _Rows:
 
 
 def write_exr(
-    path: str | os.PathLike[str],
+    path: PathLike,
     pixels: NDArray[np.floating],
     chromaticities: Chromaticities = REC2020,
     metadata: Mapping[str, str] | None = None,

@@ -6,7 +6,6 @@ because the library's writer takes whole pictures, and its one for rows is to be
 
 from __future__ import annotations
 
-import os
 import struct
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.primaries import Chromaticities
 
 _LINES = 16
@@ -26,7 +25,7 @@ _NAMES = {3: "RGB", 4: "RGBA"}
 
 
 def write_exr_strips(
-    path: str | os.PathLike[str],
+    path: PathLike,
     size: tuple[int, int],
     strips: Iterable[NDArray[Any]],
     chromaticities: Chromaticities,

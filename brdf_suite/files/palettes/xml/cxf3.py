@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from datetime import UTC, datetime
-from importlib.metadata import version
 from xml.sax.saxutils import escape
 
 import numpy as np
@@ -21,8 +20,16 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import flat_to_json
 from brdf_suite.errors import SuiteError
-from brdf_suite.files.cxf import NAMESPACE, is_cxf
-from brdf_suite.files.exports.cxf3 import attribute, clean_text, fits, tag_collection, write_object
+from brdf_suite.files.cxf import is_cxf
+from brdf_suite.files.exports.cxf3 import (
+    any_specification,
+    attribute,
+    clean_text,
+    fits,
+    tag_collection,
+    write_document,
+    write_object,
+)
 from brdf_suite.files.exports.format import ExportItem, Spectra
 from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
@@ -44,7 +51,7 @@ from brdf_suite.files.palettes.xml.cxf3_reading import (
 
 _SAME_DE = 0.5
 """How far a spectrum's own colour may lie from a reading for the two still to belong together, ΔE00."""
-_ILLUMINANTS = (
+_ILLUMINANTS = {
     "A",
     "B",
     "C",
@@ -61,7 +68,7 @@ _ILLUMINANTS = (
     "F10",
     "F11",
     "F12",
-)
+}
 
 
 def _spectra_of(entry: Entry, paint: Paint) -> Spectra | None:
@@ -107,27 +114,7 @@ def write(palette: Palette) -> bytes:
         for name, value in about.items()
         if value
     )
-    text = (
-        '<?xml version="1.0" encoding="UTF-8"?>\n'
-        f'<cc:CxF xmlns:cc="{NAMESPACE}">\n'
-        "  <cc:FileInformation>\n"
-        f"    <cc:Creator>BRDF Suite {version('brdf-suite')}</cc:Creator>\n"
-        f"    <cc:CreationDate>{now}</cc:CreationDate>\n"
-        f"    <cc:Description>{_text(palette.name)}</cc:Description>\n{rows}"
-        "  </cc:FileInformation>\n"
-    )
-    if objects:
-        text += (
-            "  <cc:Resources>\n"
-            f"    <cc:ObjectCollection>\n{''.join(objects)}    </cc:ObjectCollection>\n"
-            "    <cc:ColorSpecificationCollection>\n"
-            f"{''.join(specifications.values())}"
-            "    </cc:ColorSpecificationCollection>\n"
-            "  </cc:Resources>\n"
-        )
-    else:
-        text += "  <cc:Resources/>\n"
-    return (text + "</cc:CxF>\n").encode("utf-8")
+    return write_document(objects, specifications, now, palette.name, rows)
 
 
 def _multiline(text: str) -> str:
@@ -221,21 +208,8 @@ def _element(colour: FlatColour, specifications: dict[str, str]) -> str:
 
 
 def _specification(name: str, light: str, observer: int, bands: tuple[float, float] | None) -> str:
-    kind = "Colorimetric_Reflectance" if bands is None else "Spectrum_Reflectance"
-    spectral = (
-        ""
-        if bands is None
-        else f'          <cc:WavelengthRange StartWL="{bands[0]:.0f}" Increment="{bands[1]:g}"/>\n'
-    )
-    return (
-        f'      <cc:ColorSpecification Id="{name}">\n'
-        f"        <cc:TristimulusSpec><cc:Illuminant>{light}</cc:Illuminant>"
-        f"<cc:Observer>{observer}_Degree</cc:Observer><cc:Method>unknown</cc:Method></cc:TristimulusSpec>\n"
-        "        <cc:MeasurementSpec>\n"
-        f"          <cc:MeasurementType>{kind}</cc:MeasurementType>\n"
-        "          <cc:GeometryChoice><cc:UnknownGeometry>true</cc:UnknownGeometry></cc:GeometryChoice>\n"
-        f"{spectral}        </cc:MeasurementSpec>\n      </cc:ColorSpecification>\n"
-    )
+    unknown = "<cc:UnknownGeometry>true</cc:UnknownGeometry>"
+    return any_specification(name, light, observer, "unknown", unknown, bands)
 
 
 FORMAT = PaletteFormat(

@@ -343,7 +343,7 @@ def test_unsaved_work_of_a_killed_run_is_offered_and_taken(start, script, qtbot)
     code = (
         "import os\n"
         "from PySide6.QtCore import QCoreApplication\n"
-        "from brdf_qt.documents.store import DocumentStore\n"
+        "from brdf_qt.documents.open_document import DocumentStore\n"
         "from brdf_qt.documents.recovery import Recovery\n"
         "from brdf_viewer.light.studio.document import FORMAT\n"
         "app = QCoreApplication([])\n"

@@ -16,7 +16,7 @@ import pytest
 
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made, within_memory
+from brdf_suite.files.memory_limit import MOST_MADE_BYTES, check_made, within_memory
 from brdf_suite.files.meshes.reading import read_mesh
 
 MEASURE = """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.documents.open_document import DocumentStore
 from hypothesis import given
 from hypothesis import strategies as st
 
