@@ -39,7 +39,7 @@ def lit(renderer, scenes):
     """Return a function that draws a sheet in the dark, with lamps or with lights of the environment."""
 
     def draw(view, weights, *, lights=None, flakes=None, part=None, environment=0.0, size=SIZE):
-        renderer.set_environment(scenes.constant(environment), *([] if lights is None else [lights]))
+        renderer.set_environment(scenes.constant(environment), *([] if lights is None else [lambda: lights]))
         renderer.set_mesh([part or sheet()])
         renderer.set_material("paint", weights)
         renderer.set_flakes("paint", flakes)
