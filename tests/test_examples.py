@@ -27,6 +27,8 @@ def tried(checkout: Path, folder: Path, *options: str) -> list[str]:
         "pytest",
         "-s",
         "-p",
+        "_hypothesis_pytestplugin",  # and no other: that of Qt takes longer than the property
+        "-p",
         "conftest",
         "-p",
         "no:cacheprovider",
@@ -36,7 +38,11 @@ def tried(checkout: Path, folder: Path, *options: str) -> list[str]:
     done = subprocess.run(
         command,
         cwd=folder,
-        env={**os.environ, "PYTHONPATH": str(checkout / "tests")},
+        env={
+            **os.environ,
+            "PYTHONPATH": str(checkout / "tests"),
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        },
         capture_output=True,
         text=True,
         timeout=240,

@@ -34,8 +34,11 @@ TRAP = "from pathlib import Path\nPath(__file__).with_name('ran').touch()\n"
 
 def uses(path: Path) -> set[str]:
     """What a source uses that can start Python: ``sys.executable``, and modules that build command lines themselves."""
-    found = set()
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    found: set[str] = set()
+    text = path.read_text(encoding="utf-8")
+    if not any(word in text for word in ("executable", "multiprocessing", "ProcessPoolExecutor")):
+        return found  # what is looked for holds one of them, and parsing takes long
+    for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.Attribute) and node.attr in ("executable", "_base_executable"):
             found.add("executable")
         names = []

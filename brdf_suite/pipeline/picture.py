@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache, partial
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -124,7 +125,7 @@ class SceneRenderer:
                 diffuse=_faces(maps.diffuse),
                 background=_faces(maps.background),
             ),
-            _distant(prepared),
+            cache(partial(_distant, prepared)),
         )
 
     def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:

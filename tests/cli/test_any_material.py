@@ -12,6 +12,7 @@ from brdf_suite.cli.main import main
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.pipeline.material import load_document
+from brdf_suite.realtime.environment import textures
 
 KINDS = (
     "shipped",
@@ -61,8 +62,16 @@ def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str
 @pytest.mark.parametrize("command", COMMANDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_command_takes_every_kind(
-    kind: str, command: str, materials: dict[str, str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    kind: str,
+    command: str,
+    materials: dict[str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    monkeypatch.setattr(
+        textures, "MIPMAPPED_FROM", 4096
+    )  # made in software they take longer than the pictures
     save_palette(
         Palette("Shipped", (Entry(load_document("blue"), id="1"),)), tmp_path / "shipped.brdfpalette"
     )

@@ -25,7 +25,7 @@ from brdf_suite.realtime.pictures.renderer import Renderer
 Step = Callable[[], bool]
 """A step is over as soon as it returns True."""
 _MOST = 1000
-_TURN_MS = 20
+_TURN_MS = 4
 
 
 class Walk(QObject):

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import zlib
 from collections.abc import Callable
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -160,18 +161,22 @@ def test_what_is_large_and_true_is_read(tmp_path: Path) -> None:
     square = np.column_stack(
         (corner, corner + 1, corner + side, corner + side, corner + 1, corner + side + 1)
     )
-    (tmp_path / "large.bin").write_bytes(points.astype("<f4").tobytes() + square.astype("<u4").tobytes())
-    views = [
-        {"buffer": 0, "byteLength": points.size * 4},
-        {"buffer": 0, "byteOffset": points.size * 4, "byteLength": square.size * 4},
-    ]
+    up = np.zeros_like(points)  # normals are in the file: to make them would take most of the time
+    up[:, 2] = 1.0
+    arrays = [points.astype("<f4"), square.astype("<u4"), up]
+    (tmp_path / "large.bin").write_bytes(b"".join(array.tobytes() for array in arrays))
+    ends = np.cumsum([0, *(array.nbytes for array in arrays)]).tolist()
+    views = [{"buffer": 0, "byteOffset": start, "byteLength": end - start} for start, end in pairwise(ends)]
     accessors = [
         {"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": len(points)},
         {"bufferView": 1, "componentType": 5125, "type": "SCALAR", "count": square.size},
+        {"bufferView": 2, "componentType": 5126, "type": "VEC3", "count": len(points)},
     ]
+    primitive = {"attributes": {"POSITION": 0, "NORMAL": 2}, "indices": 1}
+    buffers = [{"byteLength": ends[-1], "uri": "large.bin"}]
     mesh = tmp_path / "large.gltf"
     mesh.write_bytes(
-        gltf(accessors, bufferViews=views, buffers=[{"byteLength": 28 << 20, "uri": "large.bin"}])
+        gltf(accessors, bufferViews=views, buffers=buffers, meshes=[{"primitives": [primitive]}])
     )
     assert read_mesh(mesh).triangle_count == 2 * (side - 1) ** 2
 

@@ -241,6 +241,7 @@ def test_a_holder_that_gives_signs_of_life_is_waited_for(
     """The work of the first takes longer than the second's patience with silence, on a clock of the test's own."""
     now = [100.0]
     monkeypatch.setattr(cache_lock, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    monkeypatch.setattr(cache_lock, "POLL_SECONDS", 0.01)
     looked = threading.Semaphore(0)  # one for each time that the second looks and goes on waiting
     key = cache_key(environment, [3.0])
     folder = MapCache().folder

@@ -20,7 +20,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint, view_from_json
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.documents.view_settings import Lamp, SurfaceLook
+from brdf_suite.documents.view_settings import Lamp, Sparkle, SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, MissingExtraError, ValueRangeError
 from brdf_suite.output import video
 from brdf_suite.output.picture_file import PictureSettings
@@ -36,7 +36,9 @@ from brdf_suite.reports import sheet_text
 from brdf_suite.reports.contact_sheet.document import SheetItem, caption, sheet_items, write_sheet
 from brdf_suite.reports.contact_sheet.pictures import item_pictures
 
-VIEW = View(Camera(azimuth_deg=30.0, elevation_deg=15.0), surface="sphere", background="grey")
+VIEW = View(
+    Camera(azimuth_deg=30.0, elevation_deg=15.0), surface="sphere", background="grey", sparkle=Sparkle("off")
+)
 SIZE = (64, 48)
 WHITE = solid_paint("Weiß", (95.0, 0.0, 1.0))
 BLUE = solid_paint("Blue", (30.0, 5.0, -40.0))

@@ -17,6 +17,7 @@ from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline import environments
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.realtime.environment import textures as environment_textures
+from brdf_suite.realtime.gl import mesh_buffers
 from brdf_suite.realtime.pictures.renderer import Renderer
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
@@ -108,6 +109,9 @@ def shared_scene(read_before: dict, lights: dict[str, Path], monkeypatch: pytest
     share(loading, "load_shaped", lambda path, look, *_: (path, look) if path == "sphere" else None)
     spheres = {id(value) for place, value in read_before.items() if place[0] == "load_shaped"}
     share(control, "baked_occlusion", lambda mesh, *_: id(mesh) if id(mesh) in spheres else None)
+    meshes = [value for place, value in read_before.items() if place[0] in ("load_shaped", "baked_occlusion")]
+    known = {id(part.positions) for mesh in meshes for part in mesh.parts}
+    share(mesh_buffers, "is_closed_outward", lambda points, *_: id(points) if id(points) in known else None)
 
 
 def write_light(path: Path, up: float, front: float, back: float) -> Path:

@@ -45,7 +45,7 @@ def read_normal_map(path: PathLike) -> NDArray[np.float32]:
 
     def slopes(shares: NDArray[Any]) -> tuple[NDArray[Any], int]:
         normals = shares[..., :3] if signed else 2.0 * shares[..., :3] - 1.0
-        length = np.linalg.norm(normals, axis=-1)
+        length = np.sqrt(np.einsum("...i,...i", normals, normals))  # several times as fast as linalg.norm
         sound = (np.abs(length - 1.0) < 0.25) & (normals[..., 2] > 0.0)
         upright = np.maximum(normals[..., 2:], 1.0 / _STEEPEST)
         return np.clip(-normals[..., :2] / upright, -_STEEPEST, _STEEPEST), int(sound.sum())
@@ -135,7 +135,10 @@ def _reduced(
         sound += well
         if step > 1:
             tall, wide = len(values) // down, width // across
-            blocks = values[: tall * down, : wide * across].reshape(tall, down, wide, across, values.shape[2])
-            values = blocks.mean(axis=(1, 3))
+            # Rows first, then columns added one by one: a mean along short axes takes several times as long.
+            shape = (tall, down, wide, across, values.shape[2])
+            blocks = values[: tall * down, : wide * across].reshape(shape).mean(axis=1)
+            values = sum(blocks[:, :, k] for k in range(1, across)) + blocks[:, :, 0]
+            values /= across
         parts.append(np.asarray(values, np.float32))
     return np.ascontiguousarray(np.concatenate(parts)[::-1]), sound / (height * width)

@@ -53,31 +53,51 @@ def compose(
     def add(name: str, asked_by: str) -> None:
         if name in files:
             return
-        path = next((folder / name for folder in folders if (folder / name).is_file()), None)
-        if path is None:
+        pieces = next((found for folder in folders if (found := _pieces(folder, name)) is not None), None)
+        if pieces is None:
             raise GraphicsError(f"The shader file {name} is missing{asked_by}; install brdf-suite again.")
-        number = len(files)
+        start = len(files) * _LINES_PER_FILE
         files.append(name)
-        lines.append(f"#line {number * _LINES_PER_FILE + 1}")
-        # A shader of the user's is read anew each time, since it may have been edited.
-        text = _shipped_text(name) if path.parent == SHADERS else path.read_text(encoding="utf-8")
-        for row, line in enumerate(text.splitlines(), 1):
-            include = _INCLUDE.match(line)
-            if include:
-                add(include.group(1), f", asked for by {name}, line {row}")
-                lines.append(f"#line {number * _LINES_PER_FILE + row + 1}")
-            else:
-                # Compilers of OpenGL 3.3 read ASCII only.
-                lines.append(line.encode("ascii", "replace").decode("ascii"))
+        row = 0
+        for text, included in pieces:
+            lines.append(f"#line {start + row + 1}")
+            lines.extend(text)
+            row += len(text) + 1
+            if included:
+                add(included, f", asked for by {name}, line {row}")
 
     add(name, "")
     return ShaderSource("\n".join(lines) + "\n", tuple(files))
 
 
+_Pieces = tuple[tuple[tuple[str, ...], str], ...]
+"""Lines, and the file that is included after them, empty after the last ones."""
+
+
+def _pieces(folder: Path, name: str) -> _Pieces | None:
+    """Return a file's pieces; None where there is none. A user's shader is read anew, since it may be edited."""
+    return _shipped_pieces(name) if folder == SHADERS else _read_pieces(folder / name)
+
+
 @cache
-def _shipped_text(name: str) -> str:
-    """Return a shipped shader file, read once a process."""
-    return (SHADERS / name).read_text(encoding="utf-8")
+def _shipped_pieces(name: str) -> _Pieces | None:
+    return _read_pieces(SHADERS / name)
+
+
+def _read_pieces(path: Path) -> _Pieces | None:
+    if not path.is_file():
+        return None
+    pieces: list[tuple[tuple[str, ...], str]] = []
+    lines: list[str] = []
+    # Compilers of OpenGL 3.3 read ASCII only.
+    for line in path.read_text(encoding="utf-8").encode("ascii", "replace").decode("ascii").splitlines():
+        include = _INCLUDE.match(line)
+        if include:
+            pieces.append((tuple(lines), include.group(1)))
+            lines = []
+        else:
+            lines.append(line)
+    return (*pieces, (tuple(lines), ""))
 
 
 def look_up_defines(broad: int, sharp: int) -> dict[str, str]:

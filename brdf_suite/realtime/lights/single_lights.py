@@ -6,6 +6,8 @@ small table more.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import moderngl
 
 from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
@@ -19,13 +21,21 @@ from brdf_suite.realtime.lights.lobes import COLUMNS, ROWS, light_lobes
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 
+FindLights = Callable[[], DistantLights]
+"""Finds the lights of an environment; called before each frame with flakes, and never without any."""
+
+
+def no_lights() -> DistantLights:
+    """Return the lights of an environment in which no flake glints."""
+    return NO_LIGHTS
+
 
 class SingleLights:
     """Lights of the environment and lamps, for all materials."""
 
     def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
-        self._environment = NO_LIGHTS
+        self._find: FindLights = no_lights
         self._weights: dict[str, MaterialWeights] = {}
         self._stock: dict[str, MaterialWeights] = {}
         self._flakes: dict[str, Flakes] = {}
@@ -34,9 +44,9 @@ class SingleLights:
         self._buffer: moderngl.Buffer | None = None
         self._block = b""
 
-    def set_environment(self, lights: DistantLights, exponents: tuple[float, ...]) -> None:
+    def set_environment(self, find: FindLights, exponents: tuple[float, ...]) -> None:
         """Replace the environment's lights; stock materials follow its lobes."""
-        self._environment = lights
+        self._find = find
         self._stock = stock_materials(exponents)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
@@ -55,13 +65,13 @@ class SingleLights:
         words: set[str] = set()
         if view.lamps:
             words.add("LAMPS")
-        if view.sparkle.mode != "off" and self._flakes:
+        if self._sparkles(view):
             words.add("SPARKLE_GLINTS" if view.sparkle.mode == "glints" else "SPARKLE_TEXTURE")
         return frozenset(words)
 
     def bind(self, view: View) -> None:
         """Bind the lights of this frame, written where they changed."""
-        block = light_block(view, self._environment)
+        block = light_block(view, self._find() if self._sparkles(view) else NO_LIGHTS)
         if self._buffer is None:
             self._buffer = self._objects.buffer(reserve=BLOCK_SIZE, dynamic=True)
         if block != self._block:
@@ -70,6 +80,9 @@ class SingleLights:
             self._objects.counters.buffer_writes += 1
             self._block = block
         self._buffer.bind_to_uniform_block(LIGHTS_BINDING)
+
+    def _sparkles(self, view: View) -> bool:
+        return view.sparkle.mode != "off" and bool(self._flakes)
 
     def uniforms(self, material: str, view: View, *, has_uv: bool) -> dict[str, object]:
         """Bind a material's table, and return its flakes by the names of lit.glsl."""

@@ -38,8 +38,7 @@ from brdf_suite.realtime.gl.objects import Counters, GpuObjects
 from brdf_suite.realtime.gl.programs import MATERIAL_BINDING, PAINTS, Features, LookUps, Programs, assign
 from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
 from brdf_suite.realtime.gl.view_uniforms import columns, surface_features, view_uniforms
-from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
-from brdf_suite.realtime.lights.single_lights import SingleLights
+from brdf_suite.realtime.lights.single_lights import FindLights, SingleLights, no_lights
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
@@ -135,15 +134,15 @@ class Renderer(OffscreenPictures):
         """Replace the ground that a view may ask for; None: there is none."""
         self._ground.set_field(field)
 
-    def set_environment(self, maps: EnvironmentMaps, lights: DistantLights = NO_LIGHTS) -> None:
+    def set_environment(self, maps: EnvironmentMaps, find_lights: FindLights = no_lights) -> None:
         """Replace the light. Materials must then have the same exponents; stock ones follow by themselves.
 
-        ``lights`` are those of its lights in which single flakes glint.
+        ``find_lights`` returns those of its lights in which single flakes glint.
         """
         self._ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
-        self._single_lights.set_environment(lights, maps.exponents)
+        self._single_lights.set_environment(find_lights, maps.exponents)
 
     def set_material(self, name: str, weights: MaterialWeights) -> None:
         """Give a material its weights; from the second time on this writes one small buffer and no more."""

@@ -84,7 +84,7 @@ def _smooth(field: Floats) -> Floats:
     for axis in (0, 1):
         padded = np.concatenate([np.take(field, [0, 0], axis), field, np.take(field, [-1, -1], axis)], axis)
         length = field.shape[axis]
-        parts = [np.take(padded, np.arange(k, k + length), axis) for k in range(5)]
+        parts = [padded[k : k + length] if axis == 0 else padded[:, k : k + length] for k in range(5)]
         field = (parts[0] + 4.0 * parts[1] + 6.0 * parts[2] + 4.0 * parts[3] + parts[4]) / 16.0
     return field
 

@@ -82,7 +82,7 @@ def eight_lights():
 def flaked(context, scene, lights):
     """Return a renderer with the fixed scene and the default paint's flakes."""
     renderer = Renderer(context)
-    renderer.set_environment(scene._maps(), lights)
+    renderer.set_environment(scene._maps(), lambda: lights)
     renderer.set_mesh([_with_millimetres(scene._sphere(), scene.RADIUS)])
     renderer.set_material("paint", scene._weights(default_paint()))
     renderer.set_flakes("paint", default_paint().flakes)

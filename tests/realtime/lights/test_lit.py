@@ -39,7 +39,7 @@ def lit(renderer, scenes):
     """Return a function that draws a sheet in the dark, with lamps or with lights of the environment."""
 
     def draw(view, weights, *, lights=None, flakes=None, part=None, environment=0.0, size=SIZE):
-        renderer.set_environment(scenes.constant(environment), *([] if lights is None else [lights]))
+        renderer.set_environment(scenes.constant(environment), *([] if lights is None else [lambda: lights]))
         renderer.set_mesh([part or sheet()])
         renderer.set_material("paint", weights)
         renderer.set_flakes("paint", flakes)
@@ -180,6 +180,20 @@ def test_lights_turn_with_the_environment(lit, scenes):
     assert np.abs(shown - plain).max() > 0.2
     np.testing.assert_allclose(away, plain, atol=1e-6)
     np.testing.assert_allclose(back, shown, atol=2e-3 * shown.max())
+
+
+def test_lights_are_looked_for_only_where_flakes_are_drawn(renderer, scenes):
+    asked = []
+    renderer.set_environment(scenes.constant(1.0), lambda: asked.append(True) or one_light())
+    renderer.set_mesh([sheet()])
+    renderer.set_material("paint", scenes.weights(kd=0.02, directional=0.5))
+    lit_too = replace(NEAR, sparkle=Sparkle("glints"), lamps=(Lamp("directional"),))
+    renderer.linear_image(lit_too, (24, 16), samples=1)
+    renderer.set_flakes("paint", FLAKES)
+    renderer.linear_image(replace(lit_too, sparkle=Sparkle("off")), (24, 16), samples=1)
+    assert asked == []
+    renderer.linear_image(lit_too, (24, 16), samples=1)
+    assert asked
 
 
 def test_flakes_are_the_same_in_tiles_and_with_more_samples(renderer, lit, scenes):

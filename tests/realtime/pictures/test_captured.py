@@ -26,7 +26,7 @@ def scene(renderer: Renderer, scenes) -> Renderer:
     renderer.set_mesh([scenes.sphere(rings=64), scenes.sheet("trim", 0.07, (0.0, 0.0, 0.12))])
     light = scenes.from_function(lambda d: np.where(d[..., :1] > 0.2, [3.0, 2.0, 1.0], [0.1, 0.2, 0.4]))
     lights = DistantLights(np.array([[0.0, 0.6, 0.8]]), np.array([[40.0, 40.0, 40.0]]), np.array([0.02]))
-    renderer.set_environment(light, lights)
+    renderer.set_environment(light, lambda: lights)
     return renderer
 
 

@@ -33,9 +33,8 @@ def test_flakes_on_a_ball(renderer, scenes, mode, distance):
     weights = scenes.weights(kd=0.03, gloss=0.04, directional=0.35)
     weights = replace(weights, kdd=weights.kdd * np.array([0.3, 0.5, 1.0]))
     sun = np.array([[0.3, 0.5, 0.81]]) / np.linalg.norm([0.3, 0.5, 0.81])
-    renderer.set_environment(
-        scenes.constant(0.4), DistantLights(sun, np.full((1, 3), 1.5), np.array([0.005]))
-    )
+    lights = DistantLights(sun, np.full((1, 3), 1.5), np.array([0.005]))
+    renderer.set_environment(scenes.constant(0.4), lambda: lights)
     renderer.set_mesh([BALL.ball(0.05, 64, with_uvs=True)])
     renderer.set_material("paint", weights)
     renderer.set_flakes("paint", Flakes(90.0, 30.0, 0.17, 0.3))
