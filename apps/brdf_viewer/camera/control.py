@@ -6,6 +6,7 @@ import dataclasses
 from typing import Any
 
 from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
@@ -108,7 +109,7 @@ class CameraControl(QObject):
     def _turning(self, running: bool) -> None:
         """The turntable's whole run is one step."""
         if running:
-            self._state.history.begin_running("Turntable")
+            self._state.history.begin_running(tr("Turntable"))
         else:
             self._state.history.end_running()
 

@@ -10,6 +10,7 @@ import contextlib
 import json
 import shutil
 
+from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, QProcess, Signal
 
@@ -79,7 +80,8 @@ class ExportProcess(QObject):
     def _not_started(self, error: QProcess.ProcessError) -> None:
         if error == QProcess.ProcessError.FailedToStart:
             self._end()
-            self.failed.emit(f"The export could not be started: {self.process.errorString()}.")
+            text = tr("The export could not be started: {reason}.")
+            self.failed.emit(text.format(reason=self.process.errorString()))
 
     def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
         if self._ended:
@@ -92,7 +94,9 @@ class ExportProcess(QObject):
             self.cancelled.emit()
         elif crashed or (code and words):
             last = (
-                words.splitlines()[-1].removeprefix("brdf-suite: ") if words else "it ended without a message"
+                words.splitlines()[-1].removeprefix("brdf-suite: ")
+                if words
+                else tr("it ended without a message")
             )
             self.failed.emit(last)
         else:
