@@ -5,6 +5,7 @@ from __future__ import annotations
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
 
@@ -45,13 +46,13 @@ class Edits(QObject):
         """Return the number of a document's parameter, within its range."""
         known = PARAMETERS[parameter or name]
         unit = known.unit if unit is None else unit
-        return self.number(name, known.label, unit, known.low, known.high, step, decimals, known.default)
+        return self.number(name, tr(known.label), unit, known.low, known.high, step, decimals, known.default)
 
     def choice(self, name: str, titles: dict[str, str]) -> QComboBox:
         """Return a list whose choices are changes of ``name``."""
         box = QuietComboBox()
         for key, title in titles.items():
-            box.addItem(title, key)
+            box.addItem(tr(title), key)
         box.setObjectName(f"studio_{name}")
         box.activated.connect(lambda index: self.changed.emit(name, box.itemData(index)))
         return box
@@ -72,8 +73,8 @@ class TemperatureField(QWidget):
         super().__init__()
         self._edits, self._name = edits, name
         self.kelvin = edits.of_document(name, 50.0, 0, "colour_temperature_k")
-        self.neutral = QCheckBox("Neutral")
-        self.neutral.setToolTip("White of the picture, D65")
+        self.neutral = QCheckBox(tr("Neutral"))
+        self.neutral.setToolTip(tr("White of the picture, D65"))
         self.neutral.clicked.connect(self._clicked)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
