@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
@@ -69,23 +69,23 @@ class ViewerCommands(QObject):
         self._add_view()
         self._add_paint()
         self.undo = window.add_action(
-            window.edit_menu, "&Undo", self.undo_requested.emit, QKeySequence.StandardKey.Undo
+            window.edit_menu, mark("&Undo"), self.undo_requested.emit, QKeySequence.StandardKey.Undo
         )
         self.redo = window.add_action(
-            window.edit_menu, "&Redo", self.redo_requested.emit, QKeySequence.StandardKey.Redo
+            window.edit_menu, mark("&Redo"), self.redo_requested.emit, QKeySequence.StandardKey.Redo
         )
         self.show_history("", "")
         window.edit_menu.addSeparator()
         window.add_action(
             window.edit_menu,
-            "&Copy Picture",
+            mark("&Copy Picture"),
             self.copy_requested.emit,
             QKeySequence.StandardKey.Copy,
             "copy",
-            "Copy the picture to the clipboard at full resolution",
+            mark("Copy the picture to the clipboard at full resolution"),
         )
         designer = window.add_action(
-            window.window_menu, "Open &Designer", self.designer_requested.emit, "Ctrl+D", "palette"
+            window.window_menu, mark("Open &Designer"), self.designer_requested.emit, "Ctrl+D", "palette"
         )
         window.window_menu.insertAction(window.window_menu.actions()[0], designer)
         self._add_toolbar()
@@ -121,8 +121,8 @@ class ViewerCommands(QObject):
 
     def show_history(self, undo: str, redo: str) -> None:
         """Say what Undo and Redo would do; empty where there is nothing to be done."""
-        for action, word, step in ((self.undo, "&Undo", undo), (self.redo, "&Redo", redo)):
-            action.setText(f"{word} {step}".strip())
+        for action, word, step in ((self.undo, mark("&Undo"), undo), (self.redo, mark("&Redo"), redo)):
+            action.setText(f"{tr(word)} {step}".strip())
             action.setEnabled(bool(step))
 
     def show_source(self, kind: str, key: str) -> None:
@@ -144,64 +144,74 @@ class ViewerCommands(QObject):
 
     def _add_file(self) -> None:
         menu = self._window.file_menu
-        self.open_paint = self._open(menu, "&Open Paint…", "paint", QKeySequence.StandardKey.Open)
-        self._open(menu, "Open &Environment…", "environment", "Ctrl+Shift+E")
-        self._open(menu, "Open &Surface…", "surface", "Ctrl+M")
-        self._open(menu, "Open Pa&lette…", "palette", "Ctrl+Shift+L")
-        self._open(menu, "Open &View…", "view", "Ctrl+Shift+O")
+        self.open_paint = self._open(menu, mark("&Open Paint…"), "paint", QKeySequence.StandardKey.Open)
+        self._open(menu, mark("Open &Environment…"), "environment", "Ctrl+Shift+E")
+        self._open(menu, mark("Open &Surface…"), "surface", "Ctrl+M")
+        self._open(menu, mark("Open Pa&lette…"), "palette", "Ctrl+Shift+L")
+        self._open(menu, mark("Open &View…"), "view", "Ctrl+Shift+O")
         menu.addSeparator()
         add = self._window.add_action
         save = QKeySequence.StandardKey.Save
         add(
             menu,
-            "&Save View",
+            mark("&Save View"),
             self.view_save_requested.emit,
             save,
             "floppy-disk",
-            "Camera, light and all settings",
+            mark("Camera, light and all settings"),
         )
-        add(menu, "Save View &As…", self.view_save_as_requested.emit, "Ctrl+Shift+S")
+        add(menu, mark("Save View &As…"), self.view_save_as_requested.emit, "Ctrl+Shift+S")
         menu.addSeparator()
         self._window.add_action(
             menu,
-            "Save &Picture…",
+            mark("Save &Picture…"),
             self.picture_requested.emit,
             "Ctrl+E",
             "floppy-disk",
-            "Save the picture as PNG at full resolution, with paint and settings as metadata",
+            mark("Save the picture as PNG at full resolution, with paint and settings as metadata"),
         )
         self._window.add_action(
             menu,
-            tr("Save T&raced Picture…"),
+            mark("Save T&raced Picture…"),
             self.trace_save_requested.emit,
             "Ctrl+Shift+R",
             "floppy-disk",
-            tr("Save the traced picture as EXR with the variance of each pixel"),
+            mark("Save the traced picture as EXR with the variance of each pixel"),
         )
         for text, kind, keys, tip in (
-            ("E&xport Picture…", "picture", "Ctrl+Shift+X", "A picture of any size, as PNG or EXR"),
             (
-                "Export &Turntable…",
+                mark("E&xport Picture…"),
+                "picture",
+                "Ctrl+Shift+X",
+                mark("A picture of any size, as PNG or EXR"),
+            ),
+            (
+                mark("Export &Turntable…"),
                 "turntable",
                 None,
-                "One turn of the object, as a video or a folder of pictures",
+                mark("One turn of the object, as a video or a folder of pictures"),
             ),
-            ("Export &Contact Sheet…", "sheet", None, "All paints of a palette or a folder in this light"),
+            (
+                mark("Export &Contact Sheet…"),
+                "sheet",
+                None,
+                mark("All paints of a palette or a folder in this light"),
+            ),
         ):
             self._window.add_action(
                 menu, text, partial(self.export_requested.emit, kind), keys, "export", tip
             )
         menu.addSeparator()
-        self.studio = menu.addMenu("S&tudio")
+        self.studio = menu.addMenu(tr("S&tudio"))
         menu.addSeparator()
         self.recent_menus = {
-            kind: menu.addMenu(title)
+            kind: menu.addMenu(tr(title))
             for kind, title in (
-                ("paint", "Recent &Paints"),
-                ("palette", "Recent Pale&ttes"),
-                ("view", "Recent Vie&ws"),
-                ("environment", "Recent E&nvironments"),
-                ("surface", "Recent S&urfaces"),
+                ("paint", mark("Recent &Paints")),
+                ("palette", mark("Recent Pale&ttes")),
+                ("view", mark("Recent Vie&ws")),
+                ("environment", mark("Recent E&nvironments")),
+                ("surface", mark("Recent S&urfaces")),
             )
         }
         self._window.add_quit()
@@ -220,25 +230,27 @@ class ViewerCommands(QObject):
                 f"View: {title}",
                 partial(self.preset_requested.emit, key),
                 str(index + 1),
-                tip=f"View: {title}, framing the surface",
+                tip=tr("View: {view}, framing the surface").format(view=tr(title)),
             )
             for index, (key, (title, _, _)) in enumerate(PRESETS.items())
         ]
+        for action, (title, _, _) in zip(self.presets, PRESETS.values(), strict=True):
+            action.setText(tr("View: {view}").format(view=tr(title)))
         self.frame = self._window.add_action(
             menu,
-            "&Frame Surface",
+            mark("&Frame Surface"),
             self.frame_requested.emit,
             "F",
             "frame-corners",
-            "Fill the picture with the surface",
+            mark("Fill the picture with the surface"),
         )
         self.turntable = self._window.add_action(
             menu,
-            "&Turntable",
+            mark("&Turntable"),
             None,
             "Space",
             "arrows-clockwise",
-            "Rotate the surface in front of camera and light",
+            mark("Rotate the surface in front of camera and light"),
         )
         self.turntable.setCheckable(True)
         # Space presses a button that has the focus; it is the turntable's on the picture only.
@@ -246,26 +258,30 @@ class ViewerCommands(QObject):
         self.on_picture = [self.turntable]
         menu.addSeparator()
         self._sources = {
-            "environment": menu.addMenu("&Environment"),
-            "surface": menu.addMenu("S&urface"),
+            "environment": menu.addMenu(tr("&Environment")),
+            "surface": menu.addMenu(tr("S&urface")),
         }
         self._source_groups = {kind: QActionGroup(submenu) for kind, submenu in self._sources.items()}
         for group in self._source_groups.values():
             # A file of the user's is none of them, and a choice that fails goes back.
             group.setExclusionPolicy(QActionGroup.ExclusionPolicy.ExclusiveOptional)
         self._add_renderers()
-        self._tone = self._choices(menu.addMenu("T&one Curve"), TONE_TITLES, self.tone_curve_requested)
+        self._tone = self._choices(menu.addMenu(tr("T&one Curve")), TONE_TITLES, self.tone_curve_requested)
         self._background = self._choices(
-            menu.addMenu("&Background"), BACKGROUND_TITLES, self.background_requested
+            menu.addMenu(tr("&Background")), BACKGROUND_TITLES, self.background_requested
         )
         self._add_compare()
         self.figures = self._window.add_action(
-            menu, "Figures over the &Picture", None, "H", tip="Frame time, lobes, tone curve and readout"
+            menu,
+            mark("Figures over the &Picture"),
+            None,
+            "H",
+            tip=mark("Frame time, lobes, tone curve and readout"),
         )
         self.figures.setCheckable(True)
-        self._fresnel = self._choices(menu.addMenu("Fres&nel"), FRESNEL_TITLES, self.fresnel_requested)
-        self._look_up = self._choices(menu.addMenu("&Look-up"), LOOK_UP_TITLES, self.look_up_requested)
-        self._sparkle = self._choices(menu.addMenu("Spar&kle"), SPARKLE_TITLES, self.sparkle_requested)
+        self._fresnel = self._choices(menu.addMenu(tr("Fres&nel")), FRESNEL_TITLES, self.fresnel_requested)
+        self._look_up = self._choices(menu.addMenu(tr("&Look-up")), LOOK_UP_TITLES, self.look_up_requested)
+        self._sparkle = self._choices(menu.addMenu(tr("Spar&kle")), SPARKLE_TITLES, self.sparkle_requested)
 
     def _add_renderers(self) -> None:
         menu = self._window.view_menu.addMenu(tr("&Renderer"))
@@ -283,12 +299,12 @@ class ViewerCommands(QObject):
         add = self._window.add_action
         add(
             menu,
-            tr("&Stop Refining"),
+            mark("&Stop Refining"),
             self.trace_stop_requested.emit,
             "Ctrl+.",
-            tip=tr("Keep the picture as it is"),
+            tip=mark("Keep the picture as it is"),
         )
-        add(menu, tr("&Resume Refining"), self.trace_resume_requested.emit, "Ctrl+Shift+.")
+        add(menu, mark("&Resume Refining"), self.trace_resume_requested.emit, "Ctrl+Shift+.")
 
     def show_renderer(self, renderer: str, quality: str) -> None:
         """Tick which renderer makes the picture, and the ray tracer's quality where it is that."""
@@ -298,29 +314,29 @@ class ViewerCommands(QObject):
             action.setChecked(action.data() == quality and renderer == "raytraced")
 
     def _add_compare(self) -> None:
-        menu = self._window.view_menu.addMenu("&Compare")
+        menu = self._window.view_menu.addMenu(tr("&Compare"))
         self._compare = self._choices(menu, MODE_TITLES, self.compare_requested)
         menu.addSeparator()
         self._window.add_action(
             menu,
-            "Start or Stop &Blinking",
+            mark("Start or Stop &Blinking"),
             self.blink_requested.emit,
             "B",
-            tip="Alternate between A and B; again to return to the previous mode",
+            tip=mark("Alternate between A and B; again to return to the previous mode"),
         )
         self._window.add_action(
             menu,
-            "&Switch and Stay",
+            mark("&Switch and Stay"),
             self.flip_requested.emit,
             "Shift+B",
-            tip="Switch between A and B manually",
+            tip=mark("Switch between A and B manually"),
         )
         self._window.add_action(
             menu,
-            "&Freeze A as B",
+            mark("&Freeze A as B"),
             self.freeze_requested.emit,
             "Ctrl+B",
-            tip="Keep the current paint as B",
+            tip=mark("Keep the current paint as B"),
         )
 
     def show_sparkle(self, mode: str) -> None:
@@ -346,30 +362,30 @@ class ViewerCommands(QObject):
         menu = self._window.paint_menu
         self.follow = self._window.add_action(
             menu,
-            "&Follow Designer",
+            mark("&Follow Designer"),
             None,
             "Ctrl+L",
             "link",
-            "Show the paint that is being edited in Designer",
+            mark("Show the paint that is being edited in Designer"),
         )
         self.follow.setCheckable(True)
         menu.addSeparator()
-        for text, step, key in (("&Next Paint", 1, "Right"), ("&Previous Paint", -1, "Left")):
+        for text, step, key in ((mark("&Next Paint"), 1, "Right"), (mark("&Previous Paint"), -1, "Left")):
             action = self._window.add_action(
                 menu,
                 text,
                 partial(self.step_requested.emit, step),
                 key,
-                tip="In the open palette or the shipped paints",
+                tip=mark("In the open palette or the shipped paints"),
             )
             # Arrows move in lists and numbers; they are the paints' on the picture only.
             action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             self.on_picture.append(action)
         self.palette_close = self._window.add_action(
-            menu, "&Close Palette", self.palette_close_requested.emit
+            menu, mark("&Close Palette"), self.palette_close_requested.emit
         )
         menu.addSeparator()
-        self._paints = menu.addMenu("Open &Shipped Paint")
+        self._paints = menu.addMenu(tr("Open &Shipped Paint"))
 
     def _add_toolbar(self) -> None:
         bar = self._window.toolbar
@@ -377,9 +393,9 @@ class ViewerCommands(QObject):
         bar.addAction(self.follow)
         bar.addSeparator()
         for action, (title, _, _) in zip(self.presets, PRESETS.values(), strict=True):
-            action.setIconText(title)
+            action.setIconText(tr(title))
             bar.addAction(action)
         bar.addAction(self.frame)
-        self.frame.setIconText("Frame")
+        self.frame.setIconText(tr("Frame"))
         bar.addSeparator()
         bar.addAction(self.turntable)

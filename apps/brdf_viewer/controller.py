@@ -10,6 +10,7 @@ from pathlib import Path
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
@@ -303,7 +304,7 @@ class ViewerController(Program):
         program, *arguments = child_command("brdf_designer")
         started, _ = QProcess.startDetached(program, arguments)
         if not started:
-            message = Message("designer", "Designer could not be started.", severity="error")
+            message = Message("designer", tr("Designer could not be started."), severity="error")
             self.window.messages.show_message(message)
 
     def close(self) -> None:

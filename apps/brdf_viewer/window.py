@@ -7,6 +7,7 @@ from functools import partial
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.gl.surface import Drawer, GlSurface
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, Signal
@@ -47,11 +48,11 @@ class ViewerWindow(SuiteWindow):
     closing = Signal()
 
     def __init__(self, make_drawer: Callable[[Context], Drawer], parent: QWidget | None = None) -> None:
-        super().__init__("Viewer", parent)
+        super().__init__(tr("Viewer"), parent)
         self.setWindowTitle("BRDF Suite Viewer")
         # The renderer averages four samples a pixel by itself, in linear light as the eye does.
         self.picture = GlSurface(make_drawer, samples=0)
-        self.picture.setAccessibleName("Picture")
+        self.picture.setAccessibleName(tr("Picture"))
         self.overlay = PictureOverlay(self.picture)
         self.set_centre(self.picture, tab_hides_panels=True)
         self.environment = EnvironmentSection()
@@ -81,16 +82,17 @@ class ViewerWindow(SuiteWindow):
             self.inspector.add_section(section)
         self.commands = ViewerCommands(self)
         self.studio = StudioPanel()
-        self.studio_dock = self.add_panel("Studio", self.studio, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.studio_dock = self.add_panel(mark("Studio"), self.studio, Qt.DockWidgetArea.LeftDockWidgetArea)
         self.studio_dock.hide()
         self.close_guards: list[Callable[[], bool]] = []
         for action in self.commands.on_picture:
             self.picture.addAction(action)
         self.busy: dict[str, tuple[float, str]] = {}
         self._busy_delay = make_timer(self, self._show_busy)
-        for name in ("frame", "renderer", "lobes", "fit", "exposure", "environment", "palette"):
+        names = (mark("frame"), mark("renderer"), mark("lobes"), mark("fit"), mark("exposure"))
+        for name in (*names, mark("environment"), mark("palette")):
             self.status.cell(name, elastic=name in ("renderer", "fit", "environment", "palette"))
-        for name in ("readout", "link"):
+        for name in (mark("readout"), mark("link")):
             self.status.cell(name, right=True, elastic=name == "link")
         self.restore_layout()
         self.picture.setFocus()

@@ -6,6 +6,7 @@ import dataclasses
 from typing import Any
 
 from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.translation import tr
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.view import Camera, View
@@ -106,7 +107,7 @@ class CameraControl(ViewerFeature):
     def _turning(self, running: bool) -> None:
         """The turntable's whole run is one step."""
         if running:
-            self._state.history.begin_running("Turntable")
+            self._state.history.begin_running(tr("Turntable"))
         else:
             self._state.history.end_running()
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from brdf_qt.program.translation import mark
+
 from brdf_suite.documents.view import Camera
 
 PRESETS: dict[str, tuple[str, float, float]] = {
-    "front": ("Front", 0.0, 6.0),
-    "three_quarter": ("¾ view", 35.0, 7.0),
-    "side": ("Side", 90.0, 4.0),
-    "top": ("Top", 0.0, 89.0),
+    "front": (mark("Front"), 0.0, 6.0),
+    "three_quarter": (mark("¾ view"), 35.0, 7.0),
+    "side": (mark("Side"), 90.0, 4.0),
+    "top": (mark("Top"), 0.0, 89.0),
 }
 """Key: title, azimuth and elevation in degrees; the first is on key 1."""
 

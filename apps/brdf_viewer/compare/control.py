@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.recent_files import RecentFiles
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 KIND = "compare"
 _OFFER = "no second paint"
-_OF = {"light": "of the light, before the tone curve", "picture": "of the picture, as shown"}
+_OF = {"light": mark("of the light, before the tone curve"), "picture": mark("of the picture, as shown")}
 Ask = Callable[[QWidget, str], str]
 
 
@@ -210,15 +210,15 @@ class CompareControl(ViewerFeature):
         self._window.set_idle(KIND)
 
     def _report(self, error: Exception) -> None:
-        todo = "Choose another paint as B, or freeze the current one."
+        todo = tr("Choose another paint as B, or freeze the current one.")
         self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _offer(self) -> None:
         message = Message(
             _OFFER,
-            "No second paint is selected.",
-            todo="Choose one under Compare in the inspector, or freeze the current paint as B.",
-            actions=(("Freeze A as B", self.freeze),),
+            tr("No second paint is selected."),
+            todo=tr("Choose one under Compare in the inspector, or freeze the current paint as B."),
+            actions=((tr("Freeze A as B"), self.freeze),),
         )
         self._window.messages.show_message(message)
 
@@ -267,7 +267,7 @@ class CompareControl(ViewerFeature):
             return
         picture = isinstance(second.value, ComparedPicture) and not second.value.is_light
         basis = "picture" if picture else compare.basis
-        scale = Scale(compare.scale_delta_e, _OF[basis]) if shown == "difference" else None
+        scale = Scale(compare.scale_delta_e, tr(_OF[basis])) if shown == "difference" else None
         first = state.fit.name
         if state.renderer != "realtime":
             made_by = state.renderer if state.traced is not None else "realtime"
@@ -319,10 +319,12 @@ def second_facts(value: LobeFit | ComparedPicture | RealTimePicture) -> list[str
         return [tr("B is the same paint in real time: all differences come from the renderer")]
     if isinstance(value, ComparedPicture):
         rows, columns = value.pixels.shape[:2]
-        what = "light (linear)" if value.is_light else "display colours, with its own tone curve"
-        return [f"B is a picture of {columns} × {rows} pixels, {what}; it fits by its width"]
+        what = tr("light (linear)") if value.is_light else tr("display colours, with its own tone curve")
+        text = tr("B is a picture of {columns} × {rows} pixels, {what}; it fits by its width")
+        return [text.format(columns=columns, rows=rows, what=what)]
     worst = value.worst_delta_e
-    fit = [] if worst is None else [f"B: fit: maximum ΔE00 {worst:.2f} at the measured angles"]
+    text = tr("B: fit: maximum ΔE00 {worst:.2f} at the measured angles")
+    fit = [] if worst is None else [text.format(worst=worst)]
     return [*fit, *value.notices]
 
 

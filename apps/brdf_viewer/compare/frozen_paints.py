@@ -11,6 +11,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from brdf_qt.program.settings import state_folder
+from brdf_qt.program.translation import tr
 
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, paint_to_json, save_paint
 
@@ -57,7 +58,7 @@ def frozen_title(key: str) -> str | None:
     path = Path(key)
     if path.parent.name != _FOLDER or path.parent != state_folder(_FOLDER).absolute():
         return None
-    return f"{path.stem[: -_HASH - 1]} (frozen)"
+    return tr("{name} (frozen)").format(name=path.stem[: -_HASH - 1])
 
 
 def _forget_oldest(folder: Path, used: Collection[str | None]) -> None:

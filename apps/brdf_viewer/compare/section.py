@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QPushButton, QWidget
 
@@ -13,23 +14,23 @@ from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.fields.source_chooser import SourceChooser
 
 MODE_TITLES = {
-    "off": "Off",
-    "side": "Side by side",
-    "swipe": "Swipe",
-    "blink": "Blink",
-    "difference": "Difference (ΔE00)",
+    "off": mark("Off"),
+    "side": mark("Side by side"),
+    "swipe": mark("Swipe"),
+    "blink": mark("Blink"),
+    "difference": mark("Difference (ΔE00)"),
 }
 MODE_TIPS = {
-    "off": "Only the current paint",
-    "side": "Each has half the picture with its own framing",
-    "swipe": "One picture: A left of the line, B right of it; drag the line",
-    "blink": "Alternately in the same place",
-    "difference": "Colour difference of each pixel on a colour scale",
+    "off": mark("Only the current paint"),
+    "side": mark("Each has half the picture with its own framing"),
+    "swipe": mark("One picture: A left of the line, B right of it; drag the line"),
+    "blink": mark("Alternately in the same place"),
+    "difference": mark("Colour difference of each pixel on a colour scale"),
 }
-BASIS_TITLES = {"light": "Light", "picture": "Picture"}
+BASIS_TITLES = {"light": mark("Light"), "picture": mark("Picture")}
 BASIS_TIPS = {
-    "light": "Exposed radiance before the tone curve; radiance 1 has L* = 100",
-    "picture": "Displayed colours after the tone curve",
+    "light": mark("Exposed radiance before the tone curve; radiance 1 has L* = 100"),
+    "picture": mark("Displayed colours after the tone curve"),
 }
 
 
@@ -37,27 +38,29 @@ class CompareSection(Section):
     """How two paints are shown, and which is the second."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Compare", "compare", parent)
+        super().__init__(tr("Compare"), "compare", parent)
         self.mode = ChoiceBox(MODE_TITLES, MODE_TIPS)
-        self.chooser = SourceChooser("Open a paint, a measured file or a picture (.exr, .png) as B")
-        self.freeze = QPushButton("Freeze A as B")
-        self.freeze.setToolTip("Keep the current paint as B while A changes (Ctrl+B)")
+        self.chooser = SourceChooser(tr("Open a paint, a measured file or a picture (.exr, .png) as B"))
+        self.freeze = QPushButton(tr("Freeze A as B"))
+        self.freeze.setToolTip(tr("Keep the current paint as B while A changes (Ctrl+B)"))
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
-        self.divider = NumberField("Divider", "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
-        self.rate = NumberField("Rate", rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
-        self.scale = NumberField("Maximum", scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
+        self.divider = NumberField(tr("Divider"), "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
+        self.rate = NumberField(tr("Rate"), rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
+        self.scale = NumberField(tr("Maximum"), scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
         self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
         self.facts = note()
         form = Form()
-        form.add_row("Show", self.mode, "Comparison of A and B; press B to blink")
-        form.add_row("Second (B)", self.chooser, "Paint or picture that the current paint is compared with")
+        form.add_row(tr("Show"), self.mode, tr("Comparison of A and B; press B to blink"))
+        form.add_row(
+            tr("Second (B)"), self.chooser, tr("Paint or picture that the current paint is compared with")
+        )
         form.add_row("", self.freeze)
         self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
-            "swipe": [(form.add_row("Divider", self.divider, divider.meaning), self.divider)],
-            "blink": [(form.add_row("Rate", self.rate, rate.meaning), self.rate)],
+            "swipe": [(form.add_row(tr("Divider"), self.divider, tr(divider.meaning)), self.divider)],
+            "blink": [(form.add_row(tr("Rate"), self.rate, tr(rate.meaning)), self.rate)],
             "difference": [
-                (form.add_row("Basis", self.basis, "Colours whose difference is shown"), self.basis),
-                (form.add_row("Maximum", self.scale, scale.meaning), self.scale),
+                (form.add_row(tr("Basis"), self.basis, tr("Colours whose difference is shown")), self.basis),
+                (form.add_row(tr("Maximum"), self.scale, tr(scale.meaning)), self.scale),
             ],
         }
         form.add_wide(self.facts)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from brdf_suite.documents.light_store import STUDIO_ENDING
@@ -36,15 +37,15 @@ ENDINGS: dict[str, tuple[str, ...]] = {
 """The measured ones among the paints stand here and are not asked of their readers, which are much to import."""
 
 TITLES = {
-    "paint": "Paint or Measured File",
-    "palette": "Palette",
-    "view": "View",
-    "environment": "Environment",
-    "surface": "Surface",
-    "compare": "Second Paint or Picture",
-    "normal_map": "Normal Map",
-    "tangent_map": "Tangent Map",
-    "mask": "Mask",
+    "paint": mark("Paint or Measured File"),
+    "palette": mark("Palette"),
+    "view": mark("View"),
+    "environment": mark("Environment"),
+    "surface": mark("Surface"),
+    "compare": mark("Second Paint or Picture"),
+    "normal_map": mark("Normal Map"),
+    "tangent_map": mark("Tangent Map"),
+    "mask": mark("Mask"),
 }
 ASKED: dict[str, tuple[str, ...]] = {
     **ENDINGS,
@@ -75,7 +76,10 @@ def ask_file(parent: QWidget, kind: str) -> str:
     patterns = " ".join(f"*{ending}" for ending in ASKED[kind])
     start = str(settings().value(f"folder/{kind}", ""))
     path, _ = QFileDialog.getOpenFileName(
-        parent, f"Open {TITLES[kind]}", start, f"{TITLES[kind]} ({patterns});;All files (*)"
+        parent,
+        tr("Open: {what}").format(what=tr(TITLES[kind])),
+        start,
+        f"{tr(TITLES[kind])} ({patterns});;" + tr("All files (*)"),
     )
     if path:
         settings().setValue(f"folder/{kind}", str(Path(path).parent))
@@ -85,7 +89,7 @@ def ask_file(parent: QWidget, kind: str) -> str:
 def ask_picture(parent: QWidget, name: str) -> str:
     """Ask where to save a picture called ``name``, starting where the last one was; empty where nowhere."""
     start = Path(str(settings().value("folder/picture", "")))
-    dialog = QFileDialog(parent, "Save Picture", str(start), f"PNG picture (*{PICTURE_ENDING})")
+    dialog = QFileDialog(parent, tr("Save Picture"), str(start), tr("PNG picture (*.png)"))
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
     # Added by the dialog and not afterwards, so that it asks about the file that is really written.
     dialog.setDefaultSuffix(PICTURE_ENDING)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.stamp import FileStamp, stamp_of
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QStandardPaths
@@ -20,7 +21,6 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 KIND = "view"
-_FILTERS = f"View (*{VIEW_ENDING});;All files (*)"
 _MESSAGE_MS = 6000
 
 
@@ -45,7 +45,7 @@ class ViewFiles(ViewerFeature):
     def open(self, path: str | None = None) -> bool:
         """Show the view in a file, asking for one where none is given; True where that was done."""
         if path is None:
-            asked = self._dialogs.open_path(self._folder(), _FILTERS)
+            asked = self._dialogs.open_path(self._folder(), _filters())
             if asked is None:
                 return False
             path = str(asked)
@@ -54,7 +54,7 @@ class ViewFiles(ViewerFeature):
         try:
             view = load_view(file)
         except SuiteError as error:
-            self._report(error, "The picture is unchanged. Choose another view.")
+            self._report(error, tr("The picture is unchanged. Choose another view."))
             return False
         self._take(file, stamp)
         history = self._state.history
@@ -78,7 +78,7 @@ class ViewFiles(ViewerFeature):
     def save_as(self) -> bool:
         """Ask for a file and write the view to it; True where it was written."""
         suggested = self._path or self._folder() / f"view{VIEW_ENDING}"
-        path = self._dialogs.save_path(suggested, _FILTERS)
+        path = self._dialogs.save_path(suggested, _filters())
         if path is None:
             return False
         return self._write((path if path.suffix else path.with_name(path.name + VIEW_ENDING)).absolute())
@@ -87,13 +87,13 @@ class ViewFiles(ViewerFeature):
         try:
             save_view(self._seen(), path)
         except SuiteError as error:
-            self._report(error, "Choose another name or folder.")
+            self._report(error, tr("Choose another name or folder."))
             return False
         self._take(path, stamp_of(path))
-        self._window.status.showMessage(f"Saved {path.name}", _MESSAGE_MS)
+        self._window.status.showMessage(tr("Saved: {path}").format(path=path.name), _MESSAGE_MS)
         if self._state.edited_light:
-            what = f"{path.name} refers to the light without its unsaved edits."
-            todo = "Save the studio, then the view again."
+            what = tr("{file} refers to the light without its unsaved edits.").format(file=path.name)
+            todo = tr("Save the studio, then the view again.")
             self._window.messages.show_message(Message(KIND, what, todo=todo, severity="warning"))
         return True
 
@@ -125,3 +125,7 @@ class ViewFiles(ViewerFeature):
             return Path(recent[0]).parent
         documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
         return Path(documents) if Path(documents).is_dir() else Path.home()
+
+
+def _filters() -> str:
+    return tr("View") + f" (*{VIEW_ENDING});;" + tr("All files (*)")

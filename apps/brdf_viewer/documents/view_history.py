@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from brdf_qt.documents.open_document import DocumentStore
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
@@ -18,13 +19,35 @@ from brdf_suite.documents.view import PARTS, View
 
 PAUSE_MS = 500
 _NAMES = {
-    "camera": "Move Camera",
-    "rotation_deg": "Turn Light",
-    "exposure_ev": "Change Exposure",
-    "lamps": "Change Lamps",
-    "turntable_deg_s": "Change Turntable",
-    "compare.divider": "Move Divider",
+    "camera": mark("Move Camera"),
+    "rotation_deg": mark("Turn Light"),
+    "exposure_ev": mark("Change Exposure"),
+    "lamps": mark("Change Lamps"),
+    "turntable_deg_s": mark("Change Turntable"),
+    "compare.divider": mark("Move Divider"),
 }
+STEPS = (
+    mark("Change Background"),
+    mark("Change Background Colour"),
+    mark("Change Clipping Marks"),
+    mark("Change Compare"),
+    mark("Change Environment"),
+    mark("Change Environment Layout"),
+    mark("Change Exposure Mode"),
+    mark("Change Fresnel"),
+    mark("Change Gamut Marks"),
+    mark("Change Lamp Shading"),
+    mark("Change Light Colour"),
+    mark("Change Look Up"),
+    mark("Change Mark Style"),
+    mark("Change Relief"),
+    mark("Change Sparkle"),
+    mark("Change Surface"),
+    mark("Change Surface Look"),
+    mark("Change Tone Curve"),
+    mark("Change Two Tone"),
+)
+"""What :func:`step_name` makes of the other fields."""
 
 
 class ViewHistory(QObject):
@@ -164,6 +187,7 @@ def step_name(names: tuple[str, ...]) -> str:
         return ""
     first = names[0]
     if first in _NAMES:
-        return _NAMES[first]
+        return tr(_NAMES[first])
     words = first.partition(".")[0].removesuffix("_deg").removesuffix("_ev").replace("_", " ")
-    return f"Change {words.title()}"
+    step = f"Change {words.title()}"
+    return tr(step)

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtWidgets import QFileDialog, QWidget
 
@@ -33,8 +34,8 @@ AskSource = Callable[[QWidget], str]
 def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
     """Ask where to export to, starting where the last one went; empty where nowhere."""
     folder = Path(str(settings().value("folder/export", "")))
-    form = f"{title} (*{ending})" if ending else "New folder"
-    dialog = QFileDialog(parent, "Export", str(folder), form)
+    form = f"{tr(title)} (*{ending})" if ending else tr("New folder")
+    dialog = QFileDialog(parent, tr("Export"), str(folder), form)
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
     if ending:
         dialog.setDefaultSuffix(ending)
@@ -50,8 +51,8 @@ def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
 def ask_source(parent: QWidget) -> str:
     """Ask for a palette, or for a folder by any paint in it; empty where the user gives none."""
     folder = str(settings().value("folder/palette", ""))
-    forms = f"Palettes (*{PALETTE_ENDING});;A paint: all paints of its folder (*.brdfpaint)"
-    path, _ = QFileDialog.getOpenFileName(parent, "Paints of the Sheet", folder, forms)
+    forms = tr("Palettes") + f" (*{PALETTE_ENDING});;" + tr("A paint: all paints of its folder (*.brdfpaint)")
+    path, _ = QFileDialog.getOpenFileName(parent, tr("Paints of the Sheet"), folder, forms)
     if not path:
         return ""
     settings().setValue("folder/palette", str(Path(path).parent))
@@ -90,12 +91,12 @@ class ExportControl(ViewerFeature):
         messages = self._window.messages
         fit = self._state.fit
         if fit is None or self._state.surface is None or not self._state.is_complete:
-            todo = "Wait until paint, surface and environment are loaded, then export."
-            messages.show_message(Message(KIND, "There is no picture yet.", todo=todo, severity="error"))
+            todo = tr("Wait until paint, surface and environment are loaded, then export.")
+            messages.show_message(Message(KIND, tr("There is no picture yet."), todo=todo, severity="error"))
             return
         if self._state.edited_light:
-            todo = "Save it with File ▸ Studio ▸ Save Studio, then export."
-            what = "The light has unsaved changes, which an export would not include."
+            todo = tr("Save it with File ▸ Studio ▸ Save Studio, then export.")
+            what = tr("The light has unsaved changes, which an export would not include.")
             messages.show_message(Message(KIND, what, todo=todo, severity="error"))
             return
         # As it is when the user asks: the paint may change while the dialog is open.
@@ -118,9 +119,9 @@ class ExportControl(ViewerFeature):
         process.moved.connect(lambda fraction, what: self._show(fraction, f"{path.name}: {what}"))
         process.done.connect(lambda notes: self._done(path, notes))
         process.failed.connect(self._failed)
-        process.cancelled.connect(lambda: self._end(f"Export of {path.name} cancelled"))
+        process.cancelled.connect(lambda: self._end(tr("Export of {file} cancelled").format(file=path.name)))
         self._given_up = False
-        self._show(0.0, f"{path.name}: starting")
+        self._show(0.0, tr("{file}: starting").format(file=path.name))
         self.dialog.set_busy(True)
         process.start()
 
@@ -152,10 +153,11 @@ class ExportControl(ViewerFeature):
     def _done(self, path: Path, notes: list[str]) -> None:
         missed = [note.removeprefix("not drawn: ") for note in notes if note.startswith("not drawn: ")]
         if missed:
-            what = f"{path.name} was exported without {len(missed)} of its paints."
+            what = tr("{file} was exported without {count} of its paints.")
+            what = what.format(file=path.name, count=len(missed))
             message = Message(KIND, what, where="; ".join(missed[:5]), severity="warning")
             self._window.messages.show_message(message)
-        self._end(f"Exported {path.name}")
+        self._end(tr("{name} exported.").format(name=path.name))
 
     def _failed(self, text: str) -> None:
         self._window.messages.show_message(Message(KIND, text, severity="error"))

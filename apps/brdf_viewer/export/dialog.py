@@ -7,6 +7,7 @@ from collections.abc import Callable
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -52,12 +53,12 @@ class ExportDialog(QDialog):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Export")
+        self.setWindowTitle(tr("Export"))
         self.setObjectName("export")
         self._screen_size, self.ask_source = screen_size, ask_source
         self.kind = QuietComboBox()
         for key, title in KIND_TITLES.items():
-            self.kind.addItem(title, key)
+            self.kind.addItem(tr(title), key)
         self.preset = QuietComboBox()
         self.width_field, self.height_field = (_number(1, _LARGEST, 1, " px") for _ in range(2))
         self.format = QuietComboBox()
@@ -66,14 +67,14 @@ class ExportDialog(QDialog):
         for count in _SAMPLES:
             self.samples.addItem(str(count), count)
         self.samples.setCurrentIndex(_SAMPLES.index(4))
-        self.transparent = QCheckBox("Transparent background")
+        self.transparent = QCheckBox(tr("Transparent background"))
         self.frames = _number(2, 7200, 120, "")
         self.rate = _number(1, 240, 30, " /s")
         self.columns = _number(0, 40, 0, "")
-        self.columns.setSpecialValueText("Automatic")
-        self.source = QLineEdit(readOnly=True, placeholderText="A palette, or a folder of paints")
-        self.browse_button = QPushButton("Choose…")
-        self.export_button = QPushButton("Export…", default=True)
+        self.columns.setSpecialValueText(tr("Automatic"))
+        self.source = QLineEdit(readOnly=True, placeholderText=tr("A palette, or a folder of paints"))
+        self.browse_button = QPushButton(tr("Choose…"))
+        self.export_button = QPushButton(tr("Export…"), default=True)
         self._message = note()
         self._rows: dict[str, list[QWidget]] = {}
         self._busy = False
@@ -129,19 +130,22 @@ class ExportDialog(QDialog):
         row.addWidget(self.source, 1)
         row.addWidget(self.browse_button)
         form = Form()
-        form.add_row("Export", self.kind)
-        self._add(form, "Paints", chosen, "sheet")
-        self._add(form, "Size", self.preset)
+        form.add_row(tr("Export"), self.kind)
+        self._add(form, tr("Paints"), chosen, "sheet")
+        self._add(form, tr("Size"), self.preset)
         self._add(form, "", size)
-        self._add(form, "Format", self.format)
+        self._add(form, tr("Format"), self.format)
         self._add(
-            form, "Colours", self.colour_space, tip="Colour space; the ICC profile is embedded in the file"
+            form,
+            tr("Colours"),
+            self.colour_space,
+            tip=tr("Colour space; the ICC profile is embedded in the file"),
         )
-        self._add(form, "Samples", self.samples, tip="Per pixel, limited by the graphics card")
+        self._add(form, tr("Samples"), self.samples, tip=tr("Per pixel, limited by the graphics card"))
         self._add(form, "", self.transparent, "picture", "turntable")
-        self._add(form, "Frames", self.frames, "turntable", tip="Frames per turn")
-        self._add(form, "Rate", self.rate, "turntable", tip="Frames per second of a video")
-        self._add(form, "Columns", self.columns, "sheet")
+        self._add(form, tr("Frames"), self.frames, "turntable", tip=tr("Frames per turn"))
+        self._add(form, tr("Rate"), self.rate, "turntable", tip=tr("Frames per second of a video"))
+        self._add(form, tr("Columns"), self.columns, "sheet")
         form.add_wide(self._message)
         box = QVBoxLayout(self)
         box.addWidget(form)
@@ -164,16 +168,16 @@ class ExportDialog(QDialog):
         self.preset.blockSignals(True)
         self.preset.clear()
         if kind != "sheet":
-            self.preset.addItem("As on screen", "screen")
+            self.preset.addItem(tr("As on screen"), "screen")
         for size in _SIZES[kind]:
             self.preset.addItem("{} × {}".format(*size), size)
-        self.preset.addItem("Other", None)
+        self.preset.addItem(tr("Other"), None)
         self.preset.blockSignals(False)
         self._set_size(self._screen_size() if kind == "picture" else _SIZES[kind][1])
         self.format.blockSignals(True)
         self.format.clear()
         for form in FORMATS[kind]:
-            self.format.addItem(form.title, form)
+            self.format.addItem(tr(form.title), form)
         self.format.blockSignals(False)
         self._show_format()
 
@@ -190,9 +194,9 @@ class ExportDialog(QDialog):
         if not form.transparent:
             self.transparent.setChecked(False)
         notes = {
-            ".exr": "Radiance before exposure and tone curve, in the primaries stated in the file",
-            ".mp4": "sRGB; an even width and height",
-            ".webm": "sRGB; an even width and height",
+            ".exr": tr("Radiance before exposure and tone curve, in the primaries stated in the file"),
+            ".mp4": tr("sRGB; an even width and height"),
+            ".webm": tr("sRGB; an even width and height"),
         }
         set_note(self._message, notes.get(form.ending, ""))
         self.export_button.setEnabled(self._ready() and not self._busy)

@@ -9,11 +9,17 @@ from glob import escape
 from pathlib import Path
 from typing import Literal
 
+from brdf_qt.program.translation import mark
+
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING, AnyPaint, save_paint, save_view
 from brdf_suite.documents.view import View
 
 Kind = Literal["picture", "turntable", "sheet"]
-KIND_TITLES: dict[str, str] = {"picture": "Picture", "turntable": "Turntable", "sheet": "Contact sheet"}
+KIND_TITLES: dict[str, str] = {
+    "picture": mark("Picture"),
+    "turntable": mark("Turntable"),
+    "sheet": mark("Contact sheet"),
+}
 
 
 @dataclass(frozen=True)
@@ -30,18 +36,18 @@ class Format:
 _BOTH = ("srgb", "display-p3")
 FORMATS: dict[str, tuple[Format, ...]] = {
     "picture": (
-        Format("PNG, 8 bits", ".png", 8, _BOTH, True),
-        Format("PNG, 16 bits", ".png", 16, _BOTH, True),
-        Format("EXR, radiance, 32 bits", ".exr", 32, ("rec2020", *_BOTH), True),
-        Format("EXR, radiance, 16 bits", ".exr", 16, ("rec2020", *_BOTH), True),
+        Format(mark("PNG, 8 bits"), ".png", 8, _BOTH, True),
+        Format(mark("PNG, 16 bits"), ".png", 16, _BOTH, True),
+        Format(mark("EXR, radiance, 32 bits"), ".exr", 32, ("rec2020", *_BOTH), True),
+        Format(mark("EXR, radiance, 16 bits"), ".exr", 16, ("rec2020", *_BOTH), True),
     ),
     "turntable": (
-        Format("MP4 video", ".mp4"),
-        Format("WebM video", ".webm"),
-        Format("Folder of PNG, 8 bits", "", 8, _BOTH, True),
-        Format("Folder of PNG, 16 bits", "", 16, _BOTH, True),
+        Format(mark("MP4 video"), ".mp4"),
+        Format(mark("WebM video"), ".webm"),
+        Format(mark("Folder of PNG, 8 bits"), "", 8, _BOTH, True),
+        Format(mark("Folder of PNG, 16 bits"), "", 16, _BOTH, True),
     ),
-    "sheet": (Format("PNG, 8 bits", ".png", None, _BOTH),),
+    "sheet": (Format(mark("PNG, 8 bits"), ".png", None, _BOTH),),
 }
 
 

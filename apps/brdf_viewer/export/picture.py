@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from numpy.typing import NDArray
 from PySide6.QtGui import QImage
@@ -50,8 +51,8 @@ class PictureExport(ViewerFeature):
         )  # the picture's exposure, where it is measured for it
         made_by = {"Renderer": self._window.overlay.mark} if self._state.traced is not None else {}
         if fit is None or not self._state.is_complete or image.isNull():
-            todo = "Wait until paint, surface and environment are loaded, then save."
-            messages.show_message(Message(_KEY, "There is no picture yet.", todo=todo, severity="error"))
+            todo = tr("Wait until paint, surface and environment are loaded, then save.")
+            messages.show_message(Message(_KEY, tr("There is no picture yet."), todo=todo, severity="error"))
             return
         chosen = self._ask(self._window, re.sub(r"[^\w\- ]+", "_", fit.name).strip(" _") or "picture")
         if not chosen:
@@ -62,10 +63,10 @@ class PictureExport(ViewerFeature):
         try:
             _write(path, image, picture_metadata(fit, view) | made_by)
         except SuiteError as error:
-            messages.show_message(message_of(error, _KEY, todo="Choose another name or folder."))
+            messages.show_message(message_of(error, _KEY, todo=tr("Choose another name or folder.")))
             return
         messages.dismiss(_KEY)
-        self._window.status.showMessage(f"Saved {path.name}", _MESSAGE_MS)
+        self._window.status.showMessage(tr("Saved: {path}").format(path=path.name), _MESSAGE_MS)
 
 
 def pixels_of(image: QImage) -> NDArray[np.uint8]:
@@ -76,5 +77,6 @@ def pixels_of(image: QImage) -> NDArray[np.uint8]:
 
 def _write(path: Path, image: QImage, metadata: dict[str, str]) -> None:
     if path.suffix.lower() != PICTURE_ENDING:
-        raise FileError(path, f"pictures are written as PNG; give a name that ends in {PICTURE_ENDING}")
+        text = tr("pictures are written as PNG; give a name that ends in {ending}")
+        raise FileError(path, text.format(ending=PICTURE_ENDING))
     write_png(path, pixels_of(image), metadata)

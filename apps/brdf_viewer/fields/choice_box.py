@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
@@ -20,9 +21,9 @@ class ChoiceBox(QuietComboBox):
     ) -> None:
         super().__init__(parent)
         for key, title in titles.items():
-            self.addItem(title, key)
+            self.addItem(tr(title), key)
             if tips is not None:
-                self.setItemData(self.count() - 1, plain_tip(tips[key]), Qt.ItemDataRole.ToolTipRole)
+                self.setItemData(self.count() - 1, plain_tip(tr(tips[key])), Qt.ItemDataRole.ToolTipRole)
         self.activated.connect(lambda index: self.picked.emit(self.itemData(index)))
 
     def show_choice(self, key: str) -> None:

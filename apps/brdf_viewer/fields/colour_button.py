@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import QColorDialog, QPushButton, QWidget
@@ -16,7 +17,7 @@ class ColourButton(QPushButton):
     edited = Signal(object)
 
     def __init__(self, title: str, parent: QWidget | None = None) -> None:
-        super().__init__("Pick a colour", parent)
+        super().__init__(tr("Pick a colour"), parent)
         self._title = title
         self._colour: Colour = (0.0, 0.0, 0.0)
         self.picker: QColorDialog | None = None

@@ -9,6 +9,7 @@ from pathlib import Path
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
@@ -23,7 +24,7 @@ class Source:
 
 def title_of(key: str, titles: dict[str, str]) -> str:
     """Return what a source is called: the title of a shipped one, the file's name of a path."""
-    return titles.get(key) or (Path(key).name if "/" in key or "\\" in key else key.replace("_", " "))
+    return tr(titles.get(key, "")) or (Path(key).name if "/" in key or "\\" in key else key.replace("_", " "))
 
 
 class SourceChooser(QWidget):

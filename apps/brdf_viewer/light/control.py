@@ -6,6 +6,7 @@ import dataclasses
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 
 from brdf_suite.documents.view import View
@@ -80,7 +81,7 @@ class LightingControl(ViewerFeature):
     def _moving(self, running: bool) -> None:
         """All that lamps move until they stop is one step of the history."""
         if running:
-            self._state.history.begin_running("Move Lamps")
+            self._state.history.begin_running(tr("Move Lamps"))
         else:
             self._state.history.end_running()
 
@@ -130,11 +131,12 @@ class LightingControl(ViewerFeature):
     def _show_exposure(self, view: View) -> None:
         cell = self._window.status.cell("exposure")
         if view.exposure_mode == "locked":
-            cell.set(f"{view.exposure_ev:+.1f} EV", "Exposure, locked")
+            cell.set(f"{view.exposure_ev:+.1f} EV", tr("Exposure, locked"))
         else:
             total = exposed(view, self._state.metered_ev).exposure_ev
             cell.set(
-                f"{total:+.1f} EV automatic", f"Exposure: automatic value plus {view.exposure_ev:+.1f} EV"
+                tr("{total:+.1f} EV automatic").format(total=total),
+                tr("Exposure: automatic value plus {value:+.1f} EV").format(value=view.exposure_ev),
             )
 
 

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from brdf_qt.program.translation import tr
 
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.statistics import EnvironmentStatistics
@@ -46,14 +47,14 @@ def dominant_light(view: View, figures: EnvironmentStatistics | None) -> Dominan
     if strongest is not None and strongest[0] >= sun and strongest[0] > 0.0:
         _, number, lamp = strongest
         if lamp.kind == "point":
-            return DominantLight(f"point lamp {number}", None, lamp.position)
+            return DominantLight(tr("point lamp {number}").format(number=number), None, lamp.position)
         towards = point_at(lamp.azimuth_deg, lamp.elevation_deg, 1.0)
-        return DominantLight(f"lamp {number}, elevation {lamp.elevation_deg:.0f}°", towards)
+        words = tr("lamp {number}, elevation {elevation:.0f}°")
+        return DominantLight(words.format(number=number, elevation=lamp.elevation_deg), towards)
     if figures is None or figures.sun_direction is None or figures.sun_elevation_deg is None:
         return None
     turned = (figures.sun_azimuth_deg or 0.0) + view.rotation_deg
-    words = (
-        f"the main light, elevation {figures.sun_elevation_deg:.0f}°, azimuth {turned % 360.0:.0f}° "
-        f"({100.0 * figures.sun_share:.0f} % of the environment)"
-    )
+    words = tr(
+        "the main light, elevation {elevation:.0f}°, azimuth {azimuth:.0f}° ({share:.0f} % of the environment)"
+    ).format(elevation=figures.sun_elevation_deg, azimuth=turned % 360.0, share=100.0 * figures.sun_share)
     return DominantLight(words, point_at(turned, figures.sun_elevation_deg, 1.0))

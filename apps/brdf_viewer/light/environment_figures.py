@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QVBoxLayout, QWidget
@@ -24,13 +25,15 @@ class HistogramBars(QWidget):
         self._histogram = Histogram(0.0, (), 0.0)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFixedHeight(_HEIGHT + self.fontMetrics().height() + 2)
-        self.setAccessibleName("Histogram of the light")
+        self.setAccessibleName(tr("Histogram of the light"))
 
     def set_histogram(self, histogram: Histogram) -> None:
         """Show a histogram; one without bars leaves the place empty."""
         self._histogram = histogram
         words = [f"{self._edge(i):+.0f}: {100.0 * share:.3g} %" for i, share in enumerate(histogram.shares)]
-        self.setAccessibleDescription("Share of the sphere by log2 of luminance; " + ", ".join(words))
+        self.setAccessibleDescription(
+            tr("Share of the sphere by log2 of luminance; {shares}").format(shares=", ".join(words))
+        )
         self.update()
 
     @property
@@ -61,7 +64,7 @@ class HistogramBars(QWidget):
         under = QRectF(0.0, floor + 1.0, self.width(), self.height() - floor - 1.0)
         painter.drawText(under, Qt.AlignmentFlag.AlignLeft, f"{2.0 ** self._edge(0):.3g}")
         painter.drawText(under, Qt.AlignmentFlag.AlignRight, f"{2.0 ** self._edge(len(shares)):.3g}")
-        painter.drawText(under, Qt.AlignmentFlag.AlignHCenter, "luminance, by stops")
+        painter.drawText(under, Qt.AlignmentFlag.AlignHCenter, tr("luminance, by stops"))
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -73,9 +76,9 @@ class HistogramBars(QWidget):
 
     def _words(self, index: int) -> str:
         low, high = 2.0 ** self._edge(index), 2.0 ** self._edge(index + 1)
-        return (
-            f"Luminance {low:.3g} to {high:.3g}: {100.0 * self._histogram.shares[index]:.3g} % of the sphere"
-        )
+        share = 100.0 * self._histogram.shares[index]
+        text = tr("Luminance {low:.3g} to {high:.3g}: {share:.3g} % of the sphere")
+        return text.format(low=low, high=high, share=share)
 
     def _edge(self, index: int) -> float:
         return self._histogram.lowest_stop + index
@@ -118,18 +121,23 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
     A brightest place that gives no half per cent of the light is no sun: an overcast sky has one as well.
     """
     stops = statistics.dynamic_range_stops
-    reach = "partly black" if stops is None else f"{stops:.1f} stops"
+    reach = tr("partly black") if stops is None else tr("{stops:.1f} stops").format(stops=stops)
     if statistics.sun_elevation_deg is None or statistics.sun_share < _LEAST_SUN:
-        sun = "No dominant light source"
+        sun = tr("No dominant light source")
     else:
-        sun = (
-            f"Main light: elevation {statistics.sun_elevation_deg:.0f}°, azimuth {statistics.sun_azimuth_deg:.0f}°, "
-            f"{100.0 * statistics.sun_share:.0f} % of total"
+        sun = tr(
+            "Main light: elevation {elevation:.0f}°, azimuth {azimuth:.0f}°, {share:.0f} % of total"
+        ).format(
+            elevation=statistics.sun_elevation_deg,
+            azimuth=statistics.sun_azimuth_deg,
+            share=100.0 * statistics.sun_share,
         )
     return [
-        f"Luminance: mean {statistics.average_luminance:.3g}, maximum {statistics.brightest_luminance:.3g}",
-        f"Dynamic range {reach}",
-        f"Horizontal illuminance {statistics.horizontal_illuminance:.3g}",
+        tr("Luminance: mean {mean:.3g}, maximum {largest:.3g}").format(
+            mean=statistics.average_luminance, largest=statistics.brightest_luminance
+        ),
+        tr("Dynamic range {reach}").format(reach=reach),
+        tr("Horizontal illuminance {value:.3g}").format(value=statistics.horizontal_illuminance),
         sun,
     ]
 
@@ -137,16 +145,20 @@ def lines(statistics: EnvironmentStatistics) -> list[str]:
 def environment_facts(prepared: PreparedEnvironment, loading: bool) -> str:
     """Return the lines under the chooser; ``loading``: whether the missing maps are on their way."""
     rows, columns = prepared.environment.radiance.shape[:2]
-    lines = [f"{columns} × {rows} pixels", *map(_sentence, prepared.environment.notes)]
+    lines = [
+        tr("{columns} × {rows} pixels").format(columns=columns, rows=rows),
+        *map(_sentence, prepared.environment.notes),
+    ]
     if prepared.draft:
-        lines.append("Draft; full quality follows after editing.")
+        lines.append(tr("Draft; full quality follows after editing."))
     elif not prepared.is_final:
         made = prepared.wanted - prepared.missing
         what = f"({made}/{prepared.wanted})"
         if loading:
-            lines.append(f"Refining reflections {what}")
+            lines.append(tr("Refining reflections {what}").format(what=what))
         else:
-            lines.append(f"Reflections incomplete {what}. Select the light again to finish.")
+            text = tr("Reflections incomplete {what}. Select the light again to finish.")
+            lines.append(text.format(what=what))
     return "\n".join([*lines, *prepared.notices])
 
 

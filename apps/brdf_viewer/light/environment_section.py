@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QToolButton, QWidget
 
@@ -15,22 +16,22 @@ from brdf_viewer.fields.source_chooser import SourceChooser
 from brdf_viewer.light.environment_figures import EnvironmentFigures
 
 LAYOUT_TITLES = {
-    "auto": "Auto",
-    "latlong": "Latitude-longitude",
-    "horizontal_cross": "Cube, horizontal cross",
-    "vertical_cross": "Cube, vertical cross",
-    "horizontal_strip": "Cube, faces side by side",
-    "vertical_strip": "Cube, faces one below another",
-    "exr_cube": "Cube of OpenEXR",
-    "angular": "Angular probe",
-    "mirror_ball": "Mirror ball",
-    "dome": "Dome, upper half",
+    "auto": mark("Auto"),
+    "latlong": mark("Latitude-longitude"),
+    "horizontal_cross": mark("Cube, horizontal cross"),
+    "vertical_cross": mark("Cube, vertical cross"),
+    "horizontal_strip": mark("Cube, faces side by side"),
+    "vertical_strip": mark("Cube, faces one below another"),
+    "exr_cube": mark("Cube of OpenEXR"),
+    "angular": mark("Angular probe"),
+    "mirror_ball": mark("Mirror ball"),
+    "dome": mark("Dome, upper half"),
 }
 BACKGROUND_TITLES = {
-    "environment": "Environment",
-    "blurred": "Environment, blurred",
-    "grey": "Neutral grey",
-    "colour": "Plain colour",
+    "environment": mark("Environment"),
+    "blurred": mark("Environment, blurred"),
+    "grey": mark("Neutral grey"),
+    "colour": mark("Plain colour"),
 }
 
 
@@ -38,29 +39,36 @@ class EnvironmentSection(Section):
     """Which light, turned how far, how bright, and whether it is seen behind the surface."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Environment", "environment", parent)
-        self.chooser = SourceChooser("Open an environment file (.exr, .hdr, .brdfstudio)")
-        self.rotation = SliderField("Rotation", "°", -180.0, 180.0, 1.0, 1, 0.0)
-        self.exposure = SliderField("Exposure", "EV", -8.0, 8.0, 0.1, 2, 0.0)
+        super().__init__(tr("Environment"), "environment", parent)
+        self.chooser = SourceChooser(tr("Open an environment file (.exr, .hdr, .brdfstudio)"))
+        self.rotation = SliderField(tr("Rotation"), "°", -180.0, 180.0, 1.0, 1, 0.0)
+        self.exposure = SliderField(tr("Exposure"), "EV", -8.0, 8.0, 0.1, 2, 0.0)
         self.background = ChoiceBox(BACKGROUND_TITLES)
-        self.background_colour = ColourButton("Colour of the background")
+        self.background_colour = ColourButton(tr("Colour of the background"))
         self.layout_list = ChoiceBox(LAYOUT_TITLES)
         self.edit = QToolButton()
-        self.edit.setText("Edit Light")
-        self.edit.setToolTip("Edit this studio or sky in its own panel")
+        self.edit.setText(tr("Edit Light"))
+        self.edit.setToolTip(tr("Edit this studio or sky in its own panel"))
         self.facts = note()
         self.figures = EnvironmentFigures()
+        turned = tr("{meaning} (Alt + drag)").format(meaning=tr(PARAMETERS["rotation_deg"].meaning))
         form = Form()
-        form.add_row("Light", self.chooser, "High-dynamic-range panorama or studio that lights the surface")
         form.add_row(
-            "Projection", self.layout_list, "Projection of the image; choose it where detection fails"
+            tr("Light"), self.chooser, tr("High-dynamic-range panorama or studio that lights the surface")
+        )
+        form.add_row(
+            tr("Projection"), self.layout_list, tr("Projection of the image; choose it where detection fails")
         )
         self._edit_label = form.add_row("", self.edit)
         form.add_wide(self.facts)
         form.add_wide(self.figures)
-        form.add_row("Rotation", self.rotation, PARAMETERS["rotation_deg"].meaning + " (Alt + drag)")
-        form.add_row("Exposure", self.exposure, PARAMETERS["exposure_ev"].meaning)
-        form.add_row("Background", self.background, "Visible background; the light does not change")
+        form.add_row(
+            tr("Rotation"),
+            self.rotation,
+            turned,
+        )
+        form.add_row(tr("Exposure"), self.exposure, tr(PARAMETERS["exposure_ev"].meaning))
+        form.add_row(tr("Background"), self.background, tr("Visible background; the light does not change"))
         self._colour_label = form.add_row("", self.background_colour)
         self.add(form)
 

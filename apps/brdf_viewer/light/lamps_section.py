@@ -12,6 +12,7 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
@@ -19,13 +20,15 @@ from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Lamp
 from brdf_viewer.fields.choice_box import ChoiceBox
 from brdf_viewer.light.studio import places
 
-SHADING_TITLES = {"each": "Exact, per pixel", "ball": "Together, by a ball"}
+SHADING_TITLES = {"each": mark("Exact, per pixel"), "ball": mark("Together, by a ball")}
 SHADING_TIPS = {
-    "each": "Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain",
-    "ball": "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
-    "number of lamps, as if they and the viewer were far away",
+    "each": mark("Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain"),
+    "ball": mark(
+        "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
+        "number of lamps, as if they and the viewer were far away"
+    ),
 }
-KIND_TITLES = {"point": "Point", "directional": "Directional"}
+KIND_TITLES = {"point": mark("Point"), "directional": mark("Directional")}
 _NEW = Lamp()
 
 
@@ -42,10 +45,10 @@ class LampFields(QWidget):
         super().__init__(parent)
         self.lamps: tuple[Lamp, ...] = ()
         self.list = QuietComboBox()
-        self.list.setAccessibleName("Lamps")
+        self.list.setAccessibleName(tr("Lamps"))
         self.list.activated.connect(lambda _index: self._show())
-        self.add_button = _button("plus", "Add a lamp to the environment", self._add)
-        self.remove_button = _button("trash", "Remove this lamp", self._remove)
+        self.add_button = _button("plus", tr("Add a lamp to the environment"), self._add)
+        self.remove_button = _button("trash", tr("Remove this lamp"), self._remove)
         row = QWidget()
         inside = QHBoxLayout(row)
         inside.setContentsMargins(0, 0, 0, 0)
@@ -55,33 +58,35 @@ class LampFields(QWidget):
         inside.addWidget(self.remove_button)
         self.kind = ChoiceBox(KIND_TITLES)
         self.kind.picked.connect(lambda key: self._change(kind=key))
-        self.azimuth = NumberField("Azimuth", "°", -180.0, 180.0, 1.0, 1, 30.0)
+        self.azimuth = NumberField(tr("Azimuth"), "°", -180.0, 180.0, 1.0, 1, 30.0)
         self.azimuth.setWrapping(True)
-        self.elevation = NumberField("Elevation", "°", -90.0, 90.0, 1.0, 1, 45.0)
-        self.distance = NumberField("Distance", "m", 0.05, 1000.0, 0.05, 2, 2.0)
+        self.elevation = NumberField(tr("Elevation"), "°", -90.0, 90.0, 1.0, 1, 45.0)
+        self.distance = NumberField(tr("Distance"), "m", 0.05, 1000.0, 0.05, 2, 2.0)
         for field in (self.azimuth, self.elevation, self.distance):
             field.edited.connect(self._placed)
         strength, kelvin = PARAMETERS["lamp.strength"], PARAMETERS["lamp.temperature_k"]
-        self.strength = NumberField("Strength", "", 0.0, strength.high, 0.1, 2, strength.default)
+        self.strength = NumberField(tr("Strength"), "", 0.0, strength.high, 0.1, 2, strength.default)
         self.strength.edited.connect(lambda value: self._change(strength=value))
-        self.temperature = NumberField("Colour", "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
+        self.temperature = NumberField(tr("Colour"), "K", kelvin.low, kelvin.high, 50.0, 0, kelvin.default)
         self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
-        self.moving = QCheckBox("Moves round")
-        self.moving.setToolTip("Rotate the lamps around the surface to see flakes and highlights move")
+        self.moving = QCheckBox(tr("Moves round"))
+        self.moving.setToolTip(tr("Rotate the lamps around the surface to see flakes and highlights move"))
         self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
         form = Form()
         form.add_row(
-            "Lamps", row, "Small lamps in addition to the environment; flakes sparkle in their light"
+            tr("Lamps"), row, tr("Small lamps in addition to the environment; flakes sparkle in their light")
         )
         self._fields = Form()
-        self._fields.add_row("Kind", self.kind)
-        self._fields.add_row("Azimuth", self.azimuth, PARAMETERS["lamp.azimuth_deg"].meaning)
-        self._fields.add_row("Elevation", self.elevation, PARAMETERS["lamp.elevation_deg"].meaning)
-        self._distance_label = self._fields.add_row("Distance", self.distance, "From the centre of the scene")
-        self._fields.add_row("Strength", self.strength, strength.meaning)
-        self._fields.add_row("Colour", self.temperature, kelvin.meaning)
+        self._fields.add_row(tr("Kind"), self.kind)
+        self._fields.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["lamp.azimuth_deg"].meaning))
+        self._fields.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["lamp.elevation_deg"].meaning))
+        self._distance_label = self._fields.add_row(
+            tr("Distance"), self.distance, tr("From the centre of the scene")
+        )
+        self._fields.add_row(tr("Strength"), self.strength, tr(strength.meaning))
+        self._fields.add_row(tr("Colour"), self.temperature, tr(kelvin.meaning))
         self._fields.add_row("", self.moving)
-        self._fields.add_row("Factored", self.shading, "Shading of factored paints by the lamps")
+        self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
@@ -94,7 +99,9 @@ class LampFields(QWidget):
         chosen = max(0, self.list.currentIndex())
         if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self.lamps] or not lamps:
             self.list.clear()
-            self.list.addItems([f"{i + 1}: {lamp.kind}" for i, lamp in enumerate(lamps)] or ["None"])
+            self.list.addItems(
+                [f"{i + 1}: {tr(KIND_TITLES[lamp.kind])}" for i, lamp in enumerate(lamps)] or [tr("None")]
+            )
             self.list.setCurrentIndex(min(chosen, self.list.count() - 1))
         self.lamps = lamps
         self._show()

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
+from brdf_qt.program.translation import mark
+
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, Lamp, LightColour
 
@@ -32,28 +34,32 @@ THREE = (
 
 PRESETS: Mapping[str, LightingPreset] = MappingProxyType(
     {
-        "d65": LightingPreset("D65", "booth", "D65", "Light booth, average daylight"),
-        "d50": LightingPreset("D50", "booth", "D50", "Light booth, warm daylight (graphic arts)"),
-        "a": LightingPreset("A", "booth", "A", "Light booth, incandescent lamps of 2,856 K"),
+        "d65": LightingPreset("D65", "booth", "D65", mark("Light booth, average daylight")),
+        "d50": LightingPreset("D50", "booth", "D50", mark("Light booth, warm daylight (graphic arts)")),
+        "a": LightingPreset("A", "booth", "A", mark("Light booth, incandescent lamps of 2,856 K")),
         "tl84": LightingPreset(
-            "TL84", "booth", "TL84", "Light booth, three-band fluorescent lamps (CIE F11)"
+            "TL84", "booth", "TL84", mark("Light booth, three-band fluorescent lamps (CIE F11)")
         ),
-        "cwf": LightingPreset("CWF", "booth", "CWF", "Light booth, cool white fluorescent lamps (CIE F2)"),
-        "led": LightingPreset("LED", "booth", "LED", "Light booth, white LEDs of 4,100 K (CIE LED-B3)"),
-        "sun": LightingPreset("Sun and sky", "sunny", "environment", "Clear sky with the sun"),
-        "overcast": LightingPreset("Overcast", "overcast", "environment", "Even, cloudy sky, no sun"),
+        "cwf": LightingPreset(
+            "CWF", "booth", "CWF", mark("Light booth, cool white fluorescent lamps (CIE F2)")
+        ),
+        "led": LightingPreset("LED", "booth", "LED", mark("Light booth, white LEDs of 4,100 K (CIE LED-B3)")),
+        "sun": LightingPreset(mark("Sun and sky"), "sunny", "environment", mark("Clear sky with the sun")),
+        "overcast": LightingPreset(
+            mark("Overcast"), "overcast", "environment", mark("Even, cloudy sky, no sun")
+        ),
         "point": LightingPreset(
-            "Point source",
+            mark("Point source"),
             "booth",
             "D65",
-            "Light booth with one small movable lamp, for sparkle",
+            mark("Light booth with one small movable lamp, for sparkle"),
             (POINT,),
         ),
         "three": LightingPreset(
-            "Three lamps",
+            mark("Three lamps"),
             "booth",
             "D65",
-            "Three movable lamps, no environment – best for factored paints",
+            mark("Three movable lamps, no environment – best for factored paints"),
             THREE,
             0.0,
         ),

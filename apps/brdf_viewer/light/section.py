@@ -7,6 +7,7 @@ from typing import Literal
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
@@ -18,15 +19,15 @@ from brdf_viewer.light.lamps_section import LampFields
 from brdf_viewer.light.presets import PRESETS, is_tinted
 
 ILLUMINANT_TITLES = {
-    "environment": "From environment",
-    "D65": "D65, daylight",
-    "D50": "D50, warm daylight",
-    "A": "A, incandescent",
-    "TL84": "TL84 (CIE F11)",
-    "CWF": "Cool white (CIE F2)",
-    "LED": "LED (CIE LED-B3)",
+    "environment": mark("From environment"),
+    "D65": mark("D65, daylight"),
+    "D50": mark("D50, warm daylight"),
+    "A": mark("A, incandescent"),
+    "TL84": mark("TL84 (CIE F11)"),
+    "CWF": mark("Cool white (CIE F2)"),
+    "LED": mark("LED (CIE LED-B3)"),
 }
-EXPOSURE_TITLES = {"locked": "Locked", "automatic": "Automatic"}
+EXPOSURE_TITLES = {"locked": mark("Locked"), "automatic": mark("Automatic")}
 _COLUMNS = 3
 Spectra = Literal["unknown", "in work", "used"]
 """What is known of a paint's colour in another light."""
@@ -41,35 +42,39 @@ class LightingSection(Section):
     preset_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Lighting", "lighting", parent)
+        super().__init__(tr("Lighting"), "lighting", parent)
         self.presets = QButtonGroup(self)
         # None is pressed where the light is another.
         self.presets.setExclusive(False)
         self.preset_buttons: dict[str, QToolButton] = {}
         self.illuminant = ChoiceBox(ILLUMINANT_TITLES)
-        self.adapted = QCheckBox("Chromatic adaptation")
+        self.adapted = QCheckBox(tr("Chromatic adaptation"))
         self.adapted.setToolTip(
-            "On: white looks white, as to an eye adapted to this light. "
-            "Off: the tint that a daylight-adapted eye sees"
+            tr(
+                "On: white looks white, as to an eye adapted to this light. "
+                "Off: the tint that a daylight-adapted eye sees"
+            )
         )
         self.metamerism = note()
         self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
         light = PARAMETERS["light_colour.brightness"]
         self.brightness = NumberField(
-            "Environment", light.unit, light.low, light.high, 0.05, 2, light.default
+            tr("Environment"), light.unit, light.low, light.high, 0.05, 2, light.default
         )
         self.lamps = LampFields()
         form = Form()
         form.add_wide(self._preset_buttons())
-        form.add_row("Illuminant", self.illuminant, "Illuminant assumed for the environment's white")
+        form.add_row(tr("Illuminant"), self.illuminant, tr("Illuminant assumed for the environment's white"))
         form.add_row("", self.adapted)
         form.add_wide(self.metamerism)
-        form.add_row("Environment", self.brightness, light.meaning)
+        form.add_row(tr("Environment"), self.brightness, tr(light.meaning))
         form.add_row(
-            "Exposure mode",
+            tr("Exposure mode"),
             self.exposure_mode,
-            "Locked: the exposure is the same in every light. Automatic: the object's median luminance becomes "
-            "18 %, and the exposure value is added",
+            tr(
+                "Locked: the exposure is the same in every light. Automatic: the object's median luminance becomes "
+                "18 %, and the exposure value is added"
+            ),
         )
         self.add(form)
         self.add(self.lamps)
@@ -81,8 +86,8 @@ class LightingSection(Section):
         grid.setSpacing(4)
         for index, (key, preset) in enumerate(PRESETS.items()):
             button = QToolButton()
-            button.setText(preset.title)
-            button.setToolTip(plain_tip(preset.tip))
+            button.setText(tr(preset.title))
+            button.setToolTip(plain_tip(tr(preset.tip)))
             button.setCheckable(True)
             button.setObjectName(f"lighting_{key}")
             button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
@@ -118,7 +123,11 @@ def colour_note(colour: LightColour, spectra: Spectra) -> str:
     if not is_tinted(colour):
         return ""
     if spectra != "unknown":
-        return f"Colours {'are being' if spectra == 'in work' else 'were'} computed from the paint's spectra."
+        if spectra == "in work":
+            return tr("Colours are being computed from the paint's spectra.")
+        return tr("Colours were computed from the paint's spectra.")
     if colour.adapted:
-        return "No metamerism: the paint's spectrum is unknown. Assuming chromatic adaptation, it is shown as in D65."
-    return "No metamerism: the paint's spectrum is unknown. Its colours are tinted by the light (CAT16)."
+        return tr(
+            "No metamerism: the paint's spectrum is unknown. Assuming chromatic adaptation, it is shown as in D65."
+        )
+    return tr("No metamerism: the paint's spectrum is unknown. Its colours are tinted by the light (CAT16).")

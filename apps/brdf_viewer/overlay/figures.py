@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import mark, tr
 
 from brdf_suite.documents.view import View
 from brdf_viewer.feature import ViewerFeature
@@ -13,8 +14,12 @@ from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.window import ViewerWindow
 
 _KEY = "figures"
-SPARKLE_WORDS = {"off": "no sparkle", "texture": "flake texture", "glints": "glints"}
-FRESNEL_WORDS = {"off": "no Fresnel", "raised": "Fresnel raised", "multi_angle": "Fresnel by angle"}
+SPARKLE_WORDS = {"off": mark("no sparkle"), "texture": mark("flake texture"), "glints": mark("glints")}
+FRESNEL_WORDS = {
+    "off": mark("no Fresnel"),
+    "raised": mark("Fresnel raised"),
+    "multi_angle": mark("Fresnel by angle"),
+}
 
 
 class FiguresOverlay(ViewerFeature):
@@ -46,7 +51,7 @@ class FiguresOverlay(ViewerFeature):
         state, size = self._state, self._window.picture.device_size
         lines = [f"{self._meter.words or '–'}   {size[0]} × {size[1]}"]
         if state.fit is not None:
-            lines[0] += f"   {len(state.fit.weights.exponents)} lobes"
+            lines[0] += "   " + tr("{count} lobes").format(count=len(state.fit.weights.exponents))
         return [*lines, how(state.exposed_view), *self._readout.lines]
 
 
@@ -56,9 +61,14 @@ def how(view: View) -> str:
     >>> how(View(fresnel="off"))
     'Faithful, soft highlights   +0.0 EV   no Fresnel   glints, 8 lights'
     """
-    sparkle = SPARKLE_WORDS[view.sparkle.mode]
+    sparkle = tr(SPARKLE_WORDS[view.sparkle.mode])
     if view.sparkle.mode != "off":
-        sparkle += f", {view.sparkle.light_count} lights"
+        sparkle = tr("{sparkle}, {count} lights").format(sparkle=sparkle, count=view.sparkle.light_count)
     return "   ".join(
-        [TONE_TITLES[view.tone_curve], f"{view.exposure_ev:+.1f} EV", FRESNEL_WORDS[view.fresnel], sparkle]
+        [
+            tr(TONE_TITLES[view.tone_curve]),
+            f"{view.exposure_ev:+.1f} EV",
+            tr(FRESNEL_WORDS[view.fresnel]),
+            sparkle,
+        ]
     )

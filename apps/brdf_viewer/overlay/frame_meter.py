@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from statistics import median
 
+from brdf_qt.program.translation import tr
 from brdf_qt.window.status_line import StatusCell
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Signal
@@ -46,6 +47,6 @@ class FrameMeter(QObject):
 
     def _show(self) -> None:
         typical, slowest = median(self._frames), max(self._frames)
-        tip = f"Frame time: median of the last {len(self._frames)}; slowest {slowest:.1f} ms"
-        self._cell.set(f"{typical:.1f} ms", tip)
+        tip = tr("Frame time: median of the last {count}; slowest {slowest:.1f} ms")
+        self._cell.set(f"{typical:.1f} ms", tip.format(count=len(self._frames), slowest=slowest))
         self.shown.emit()

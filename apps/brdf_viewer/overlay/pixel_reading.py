@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from brdf_qt.program.translation import tr
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -170,7 +171,11 @@ def short_words(reading: CursorReading) -> str:
     if reading.angles is None:
         return words
     view, aspecular = reading.angles
-    return f"{words}  view {view:.0f}°" + ("" if aspecular is None else f"  aspecular {aspecular:.0f}°")
+    if aspecular is None:
+        return tr("{words}  view {view:.0f}°").format(words=words, view=view)
+    return tr("{words}  view {view:.0f}°  aspecular {aspecular:.0f}°").format(
+        words=words, view=view, aspecular=aspecular
+    )
 
 
 def long_lines(reading: CursorReading) -> list[str]:
@@ -179,22 +184,26 @@ def long_lines(reading: CursorReading) -> list[str]:
     for one in reading.readings:
         light = ""
         if one.radiance is not None:
-            light = "   radiance " + "  ".join(f"{value:.3g}" for value in one.radiance)
+            light = "   " + tr("radiance") + " " + "  ".join(f"{value:.3g}" for value in one.radiance)
         lines.append(f"{one.which}  {lab_words(one.lab)}{light}".strip())
     if reading.delta_e is not None:
         lines.append(f"ΔE00 {reading.delta_e:.2f}")
     point = reading.readings[0].point
     if point is None or reading.angles is None:
-        lines.append("background")
+        lines.append(tr("background"))
         return lines
     view, aspecular = reading.angles
-    lines.append(f"view {view:.1f}°" + ("" if aspecular is None else f"   aspecular {aspecular:.1f}°"))
+    angles = (
+        tr("view {view:.1f}°") if aspecular is None else tr("view {view:.1f}°   aspecular {aspecular:.1f}°")
+    )
+    lines.append(angles.format(view=view, aspecular=aspecular))
     if reading.light is None:
-        lines.append("no aspecular angle: no dominant light source")
+        lines.append(tr("no aspecular angle: no dominant light source"))
     elif aspecular is None:
-        lines.append(f"facing away from {reading.light.words}")
+        lines.append(tr("facing away from {light}").format(light=reading.light.words))
     else:
-        lines.append(f"from {reading.light.words}")
+        lines.append(tr("from {light}").format(light=reading.light.words))
     x, y, z = (1e3 * value for value in point.position)
-    lines.append(f"x {x:.1f}  y {y:.1f}  z {z:.1f} mm on {point.part} ({point.material})".replace("-", "−"))
+    where = tr("x {x:.1f}  y {y:.1f}  z {z:.1f} mm on {part} ({material})")
+    lines.append(where.format(x=x, y=y, z=z, part=point.part, material=point.material).replace("-", "−"))
     return lines

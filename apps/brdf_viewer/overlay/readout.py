@@ -6,6 +6,7 @@ frame of an interaction.
 
 from __future__ import annotations
 
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
@@ -19,9 +20,9 @@ from brdf_viewer.traced.trace_input import first_size
 from brdf_viewer.window import ViewerWindow
 
 REST_MS = 60
-_TIP = (
+_TIP = mark(
     "The pixel under the cursor. L*a*b*: exposed light before the tone curve, D65 and 10°, a white of radiance 1 has "
-    "L* 100. View: angle to the surface's normal. Aspecular: angle from the mirror direction of "
+    "L* 100. View: angle to the surface's normal. Aspecular: angle from the mirror direction of {light}."
 )
 
 
@@ -92,6 +93,8 @@ class Readout(ViewerFeature):
         if reading is None:
             cell.set("")
         else:
-            light = "no dominant light source" if reading.light is None else reading.light.words
-            cell.set(short_words(reading), f"{_TIP}{light}.\n" + "\n".join(long_lines(reading)))
+            light = tr("no dominant light source") if reading.light is None else reading.light.words
+            cell.set(
+                short_words(reading), f"{tr(_TIP).format(light=light)}\n" + "\n".join(long_lines(reading))
+            )
         self.changed.emit(reading)

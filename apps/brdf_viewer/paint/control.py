@@ -280,7 +280,7 @@ class PaintControl(ViewerFeature):
     def _report(self, error: Exception) -> None:
         fit = self._state.fit
         shown = default_paint_name().capitalize() if fit is None else fit.name
-        todo = f"The picture shows {shown}. Choose another paint, or correct this one."
+        todo = tr("The picture shows {shown}. Choose another paint, or correct this one.").format(shown=shown)
         self._window.messages.show_message(message_of(error, _KEY, todo=todo))
 
     def show_fit(self, fit: LobeFit, key: str) -> None:
@@ -293,19 +293,19 @@ class PaintControl(ViewerFeature):
         worst, follows = fit.worst_delta_e, fit.exact_follows
         section.set_fit_error(worst, fit.time_limited, follows)
         set_note(section.facts, "\n".join((*fit.notices, *_ways_of_light(fit))))
-        limited = ", time-limited" if fit.time_limited else ""
+        limited = ", " + tr("time-limited") if fit.time_limited else ""
         self._window.status.cell("lobes").set(
-            f"{len(fit.weights.exponents)} lobes", "Cosine lobes of the fit"
+            tr("{count} lobes").format(count=len(fit.weights.exponents)), tr("Cosine lobes of the fit")
         )
         large = worst is not None and is_large(worst)
         message = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
-        tips = ["Duration of the lobe fit, and its maximum ΔE00 at the measured angles"]
+        tips = [tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")]
         if worst is None:
-            tips = ["Duration of the lobe fit; no measured angles to compare with"]
+            tips = [tr("Duration of the lobe fit; no measured angles to compare with")]
         if more := fit_tips(worst, fit.time_limited, follows):
             tips.append(more)
         self._window.status.cell("fit").set(
-            f"fit {fit.fit_seconds * 1e3:.2f} ms{message}{limited}",
+            tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",
             "\n".join(tips),
             "warning" if large or fit.time_limited else "fresh",
         )
@@ -317,13 +317,14 @@ class PaintControl(ViewerFeature):
 
     def _show_place(self, key: str) -> None:
         words = "" if self._palette is None else self._palette.words(key)
-        tip = "Open palette; the arrow keys select its paints"
+        tip = tr("Open palette; the arrow keys select its paints")
         self._window.status.cell("palette").set(words, tip)
 
     def _designer_title(self) -> str:
         """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
-        name = "Paint" if self._of_designer is None else self._of_designer.name
-        return f"{name} (Designer)" if _DESIGNER in self._link.peers else f"{name} (closed)"
+        name = tr("Paint") if self._of_designer is None else self._of_designer.name
+        is_open = _DESIGNER in self._link.peers
+        return f"{name} (Designer)" if is_open else tr("{name} (closed)").format(name=name)
 
     def _name_designer(self) -> None:
         self._window.paint.chooser.rename(DESIGNER, self._designer_title())
@@ -335,11 +336,13 @@ class PaintControl(ViewerFeature):
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
-        text = "Designer not open"
+        text = tr("Designer not open")
         if linked:
-            text = "Designer connected" if following else "Designer connected (not following)"
-        others = ", ".join(self._link.peers) or "none"
-        self._window.status.cell("link", right=True).set(text, f"Other programs on the link: {others}")
+            text = tr("Designer connected") if following else tr("Designer connected (not following)")
+        others = ", ".join(self._link.peers) or tr("none")
+        self._window.status.cell("link", right=True).set(
+            text, tr("Other programs on the link: {programs}").format(programs=others)
+        )
 
     def _offer(self, linked: bool, following: bool) -> None:
         """Say once that a Designer is open, where Viewer was asked to show another paint at its start."""
@@ -349,9 +352,9 @@ class PaintControl(ViewerFeature):
             self._offers = False
             message = Message(
                 _OFFER,
-                "Designer is open. Follow it to see its paint at every change.",
-                todo="Until then Viewer shows the paint that it was started with.",
-                actions=(("Follow Designer", lambda: self.set_following(True)),),
+                tr("Designer is open. Follow it to see its paint at every change."),
+                todo=tr("Until then Viewer shows the paint that it was started with."),
+                actions=((tr("Follow Designer"), lambda: self.set_following(True)),),
             )
             self._window.messages.show_message(message)
 

@@ -3,27 +3,36 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QWidget
 
 from brdf_viewer.fields.choice_box import ChoiceBox
 
 FRESNEL_TITLES = {
-    "raised": "Raised",
-    "multi_angle": "Several angles",
-    "off": "Off",
+    "raised": mark("Raised"),
+    "multi_angle": mark("Several angles"),
+    "off": mark("Off"),
 }
 FRESNEL_TIPS = {
-    "raised": "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations",
-    "multi_angle": "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
-    "which have no separate coat, are raised",
-    "off": "The lobes of 45° at every angle",
+    "raised": mark(
+        "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations"
+    ),
+    "multi_angle": mark(
+        "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
+        "which have no separate coat, are raised"
+    ),
+    "off": mark("The lobes of 45° at every angle"),
 }
-LOOK_UP_TITLES = {"shifted": "Shifted (exact horizon)", "paper": "Mirror direction (paper)"}
+LOOK_UP_TITLES = {"shifted": mark("Shifted (exact horizon)"), "paper": mark("Mirror direction (paper)")}
 LOOK_UP_TIPS = {
-    "shifted": "Each lobe is looked up between mirror direction and normal: only light above the surface counts",
-    "paper": "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
-    "Meyer: broad lobes take light from below the surface, towards grazing angles",
+    "shifted": mark(
+        "Each lobe is looked up between mirror direction and normal: only light above the surface counts"
+    ),
+    "paper": mark(
+        "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
+        "Meyer: broad lobes take light from below the surface, towards grazing angles"
+    ),
 }
 
 
@@ -31,10 +40,12 @@ class FresnelSection(Section):
     """The Fresnel mode and the form of the look-up, words of :class:`documents.view.View`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Fresnel", "fresnel", parent)
+        super().__init__(tr("Fresnel"), "fresnel", parent)
         self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
         form = Form()
-        form.add_row("Coat and base", self.mode, "Dependence on the viewing angle")
-        form.add_row("Look-up", self.look_up, "Direction in which a lobe is looked up in the filtered light")
+        form.add_row(tr("Coat and base"), self.mode, tr("Dependence on the viewing angle"))
+        form.add_row(
+            tr("Look-up"), self.look_up, tr("Direction in which a lobe is looked up in the filtered light")
+        )
         self.add(form)

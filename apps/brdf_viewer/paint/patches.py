@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import tr
 from brdf_qt.work.fit_error import is_large, large_error_tip, marked
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPalette
@@ -51,7 +52,7 @@ class PaintPatches(QWidget):
         self._colours: list[tuple[QColor, QColor, bool]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMinimumHeight(_HEIGHT)
-        self.setAccessibleName("Colours at the measured angles")
+        self.setAccessibleName(tr("Colours at the measured angles"))
 
     def set_patches(self, patches: Sequence[Patch]) -> None:
         """Show ``patches``, by light and from the smallest aspecular angle on; many angles are thinned."""
@@ -116,7 +117,7 @@ class PaintPatches(QWidget):
             boxes = [box for _, box in group]
             area = QRectF(boxes[0].left(), self.height() - label, boxes[-1].right() - boxes[0].left(), label)
             painter.fillRect(QRectF(area.left(), area.top() - 1, area.width(), 1), painter.pen().color())
-            forms = (f"light {degrees:g}°", f"{degrees:g}°")
+            forms = (tr("light {angle:g}°").format(angle=degrees), f"{degrees:g}°")
             fitting = (form for form in forms if self.fontMetrics().horizontalAdvance(form) <= area.width())
             painter.drawText(area, Qt.AlignmentFlag.AlignCenter, next(fitting, forms[-1]))
 
@@ -159,12 +160,19 @@ def _words(patch: Patch) -> str:
     def lab(values: Lab) -> str:
         return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
 
-    shown = "" if in_srgb_gamut(np.array(patch.asked)) else "\nOutside this screen's colours: shown clipped"
+    shown = (
+        ""
+        if in_srgb_gamut(np.array(patch.asked))
+        else "\n" + tr("Outside this screen's colours: shown clipped")
+    )
     large = ""
     if is_large(patch.delta_e_2000):
         large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
-    light = f"Light {patch.illumination_deg:g}°, aspecular"
+    target, fit = tr("target"), tr("fit")
+    light = tr("Light {light:g}°, aspecular {aspecular:g}°").format(
+        light=patch.illumination_deg, aspecular=patch.aspecular_deg
+    )
     return (
-        f"{light} {patch.aspecular_deg:g}°\ntarget {lab(patch.asked)}\nfit    {lab(patch.fitted)}\n"
+        f"{light}\n{target} {lab(patch.asked)}\n{fit} {lab(patch.fitted)}\n"
         f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
     )

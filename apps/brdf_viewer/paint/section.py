@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from PySide6.QtWidgets import QCheckBox, QWidget
@@ -17,15 +18,15 @@ class PaintSection(Section):
     """Which paint: the one in Designer, a shipped one, or a file; and what the fit makes of it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Paint", "paint", parent)
-        self.follow = QCheckBox("Follow Designer")
-        self.follow.setToolTip("Show the paint that is being edited in Designer, at every change")
-        self.chooser = SourceChooser("Open a paint (.brdfpaint) or a measured file")
+        super().__init__(tr("Paint"), "paint", parent)
+        self.follow = QCheckBox(tr("Follow Designer"))
+        self.follow.setToolTip(tr("Show the paint that is being edited in Designer, at every change"))
+        self.chooser = SourceChooser(tr("Open a paint (.brdfpaint) or a measured file"))
         self.patches = PaintPatches()
         self.fit, self.facts = note(), note()
         form = Form()
         form.add_row("", self.follow)
-        form.add_row("Paint", self.chooser, "Choosing another paint stops following Designer")
+        form.add_row(tr("Paint"), self.chooser, tr("Choosing another paint stops following Designer"))
         form.add_wide(self.patches)
         form.add_wide(self.fit)
         form.add_wide(self.facts)
@@ -33,12 +34,12 @@ class PaintSection(Section):
 
     def set_fit_error(self, worst_delta_e: float | None, time_limited: bool, exact_follows: bool) -> None:
         """Show the largest ΔE00 at the measured angles, None where there is none; a large one stands out."""
-        limited = ", time-limited" if time_limited else ""
+        limited = ", " + tr("time-limited") if time_limited else ""
         if worst_delta_e is None:
-            text = f"Fit: no measured angles to compare with{limited}"
+            text = tr("Fit: no measured angles to compare with{limited}").format(limited=limited)
         else:
-            bound = f"Fit: maximum ΔE00 {worst_delta_e:.2f} at the measured angles{limited}"
-            text = marked(bound, worst_delta_e)
+            bound = tr("Fit: maximum ΔE00 {worst:.2f} at the measured angles{limited}")
+            text = marked(bound.format(worst=worst_delta_e, limited=limited), worst_delta_e)
         set_note(self.fit, text)
         font = self.fit.font()
         font.setBold(worst_delta_e is not None and is_large(worst_delta_e))
@@ -48,4 +49,4 @@ class PaintSection(Section):
     def set_following(self, following: bool, linked: bool) -> None:
         """Show whether Designer is followed, and whether it is there."""
         self.follow.setChecked(following)
-        self.follow.setText("Follow Designer" if linked else "Follow Designer (not open)")
+        self.follow.setText(tr("Follow Designer") if linked else tr("Follow Designer (not open)"))

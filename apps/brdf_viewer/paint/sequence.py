@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.program.translation import tr
+
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import AnyPaint
@@ -44,7 +46,9 @@ class OpenPalette:
         if key not in keys:
             return ""
         name = self.palette.name or Path(self.path).stem
-        return f"{name}, {keys.index(key) + 1} of {len(keys)}"
+        return tr("{name}, {number} of {count}").format(
+            name=name, number=keys.index(key) + 1, count=len(keys)
+        )
 
 
 def is_swatch(key: str) -> bool:

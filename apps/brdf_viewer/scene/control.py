@@ -6,6 +6,7 @@ from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
@@ -26,13 +27,13 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
 SHIPPED_TITLES = {
-    "booth": "Light booth",
-    "sunny": "Sunny sky",
-    "overcast": "Overcast sky",
-    "speed_form": "Speed form",
-    "sphere": "Sphere",
-    "panel": "Curved panel",
-    "car": "Car",
+    "booth": mark("Light booth"),
+    "sunny": mark("Sunny sky"),
+    "overcast": mark("Overcast sky"),
+    "speed_form": mark("Speed form"),
+    "sphere": mark("Sphere"),
+    "panel": mark("Curved panel"),
+    "car": mark("Car"),
 }
 
 
@@ -245,17 +246,17 @@ class SceneControl(ViewerFeature):
 
     def _report(self, kind: str, error: Exception) -> None:
         shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
-        todo = (
-            f"The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
-        )
+        todo = tr(
+            "The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
+        ).format(shown=shown)
         self._window.messages.show_message(message_of(error, kind, todo=todo))
         self.failed.emit(kind, str(error))
 
     def report_unknown(self, path: str, known: str) -> None:
         """A file was dropped that the Viewer does not open."""
-        what = f"Viewer opens files that end in {known}."
+        what = tr("Viewer opens files that end in {endings}.").format(endings=known)
         self._window.messages.show_message(
-            Message("dropped", what, where=path, todo="Drop one of these.", severity="error")
+            Message("dropped", what, where=path, todo=tr("Drop one of these."), severity="error")
         )
 
     def _moved(self, kind: str, fraction: float, what: str) -> None:
@@ -324,21 +325,25 @@ class SceneControl(ViewerFeature):
         title = title_of(loading or self._state.edited_light or self._state.view.environment, SHIPPED_TITLES)
         cell, present = self._window.status.cell("environment"), self._state.environment
         if present is None or present.value.is_final:
-            cell.set(title, "Loading" if loading else "Environment", "stale" if loading else "fresh")
+            cell.set(title, tr("Loading") if loading else tr("Environment"), "stale" if loading else "fresh")
             return
         title = title_of(present.key, SHIPPED_TITLES)
         if present.value.draft:
-            cell.set(f"{title}, draft", "Full quality follows after editing", "stale")
+            cell.set(
+                tr("{title}, draft").format(title=title), tr("Full quality follows after editing"), "stale"
+            )
             return
-        counts = f"maps {present.value.wanted - present.value.missing} of {present.value.wanted}"
-        tip = "Refining reflections" if loading else "Stopped; select the light again to finish"
-        cell.set(f"{title}, {counts}", tip, "stale")
+        made, wanted = present.value.wanted - present.value.missing, present.value.wanted
+        tip = tr("Refining reflections") if loading else tr("Stopped; select the light again to finish")
+        cell.set(
+            tr("{title}, maps {made} of {wanted}").format(title=title, made=made, wanted=wanted), tip, "stale"
+        )
 
 
 def _surface_facts(mesh: Mesh) -> str:
     low, high = mesh.bounds()
     size = " × ".join(f"{edge:.3g}" for edge in high - low)
-    parts = "part" if len(mesh.parts) == 1 else "parts"
-    return "\n".join(
-        [f"{mesh.triangle_count:,} triangles, {len(mesh.parts)} {parts}", f"{size} m", *mesh.notes]
-    )
+    one, many = tr("{triangles:,} triangles, 1 part"), tr("{triangles:,} triangles, {parts} parts")
+    text = one if len(mesh.parts) == 1 else many
+    count = text.format(triangles=mesh.triangle_count, parts=len(mesh.parts))
+    return "\n".join([count, f"{size} m", *mesh.notes])

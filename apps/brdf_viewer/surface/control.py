@@ -6,6 +6,7 @@ import dataclasses
 from typing import Any, Literal
 
 import numpy as np
+from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -174,7 +175,7 @@ class SurfaceControl(ViewerFeature):
     def _failed(self, error: Exception) -> None:
         self._declined = self._baking
         self._end()
-        todo = "The surface is shown without ambient occlusion."
+        todo = tr("The surface is shown without ambient occlusion.")
         self._window.messages.show_message(message_of(error, OCCLUSION, todo=todo))
         self._show_state()
 
@@ -200,8 +201,8 @@ class SurfaceControl(ViewerFeature):
             and self._declined is surface.value
             and wants_baking(self._state.view.surface_look)
         )
-        text = "Computing ambient occlusion…" if self._baking is not None else ""
+        text = tr("Computing ambient occlusion…") if self._baking is not None else ""
         if declined:
-            text = "Shown without ambient occlusion; it has not been computed."
+            text = tr("Shown without ambient occlusion; it has not been computed.")
         set_note(self._section.baking, text)
         self._section.again.setVisible(declined)

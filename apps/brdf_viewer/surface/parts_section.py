@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -20,15 +21,15 @@ from PySide6.QtWidgets import (
 from brdf_suite.documents.view_settings import MATERIALS
 
 MATERIAL_TITLES = {
-    "paint": "Paint",
-    "glass": "Glass",
-    "rubber": "Rubber",
-    "chrome": "Chrome",
-    "lamp": "Lamp",
-    "tail_lamp": "Tail lamp",
-    "trim": "Trim, matt black",
-    "cavity": "Dark cavity",
-    "neutral": "Neutral grey",
+    "paint": mark("Paint"),
+    "glass": mark("Glass"),
+    "rubber": mark("Rubber"),
+    "chrome": mark("Chrome"),
+    "lamp": mark("Lamp"),
+    "tail_lamp": mark("Tail lamp"),
+    "trim": mark("Trim, matt black"),
+    "cavity": mark("Dark cavity"),
+    "neutral": mark("Neutral grey"),
 }
 _OWN = ""
 _ROWS_SHOWN = 7
@@ -44,13 +45,13 @@ class SurfaceParts(QWidget):
         self._own: dict[str, str] = {}
         self._chosen: dict[str, str] = {}
         self.list = QTreeWidget()
-        self.list.setAccessibleName("Parts")
-        self.list.setHeaderLabels(["Part", "Material"])
+        self.list.setAccessibleName(tr("Parts"))
+        self.list.setHeaderLabels([tr("Part"), tr("Material")])
         self.list.setRootIsDecorated(False)
         self.list.setUniformRowHeights(True)
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.list.setToolTip(
-            "Click a part in the picture to select it; Ctrl and Shift select several in the list"
+            tr("Click a part in the picture to select it; Ctrl and Shift select several in the list")
         )
         header = self.list.header()
         header.setStretchLastSection(False)
@@ -58,15 +59,15 @@ class SurfaceParts(QWidget):
         header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.list.itemSelectionChanged.connect(self._show_material)
         self.material = QuietComboBox()
-        self.material.setAccessibleName("Material of selected parts")
-        self.material.setToolTip("Material of the parts selected above")
-        self.material.addItem("From file", _OWN)
+        self.material.setAccessibleName(tr("Material of selected parts"))
+        self.material.setToolTip(tr("Material of the parts selected above"))
+        self.material.addItem(tr("From file"), _OWN)
         for word in MATERIALS:
-            self.material.addItem(MATERIAL_TITLES[word], word)
+            self.material.addItem(tr(MATERIAL_TITLES[word]), word)
         self.material.activated.connect(self._edited)
         row = QHBoxLayout()
         row.setSpacing(8)
-        row.addWidget(PlainLabel("Material of selected parts"))
+        row.addWidget(PlainLabel(tr("Material of selected parts")))
         row.addWidget(self.material, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -111,7 +112,7 @@ class SurfaceParts(QWidget):
                 continue
             name = item.text(0)
             chosen = self._chosen.get(name)
-            item.setText(1, MATERIAL_TITLES[chosen or self._own[name]])
+            item.setText(1, tr(MATERIAL_TITLES[chosen or self._own[name]]))
             font = item.font(1)
             font.setBold(chosen is not None)  # what the user chose looks different from what the file says
             item.setFont(1, font)

@@ -6,6 +6,7 @@ import dataclasses
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 
@@ -20,7 +21,6 @@ from brdf_viewer.window import ViewerWindow
 
 IMAGES = "images"
 _CLOSING_MS = 60_000
-_NONE = Source("", "None")
 
 
 class ReliefControl(ViewerFeature):
@@ -33,7 +33,9 @@ class ReliefControl(ViewerFeature):
         self._runner = TaskRunner(self, threads=1)
         self._request = ImageRequest()
         section = self._section
-        section.paint.set_sources([_NONE, *(Source(name, title_of(name, {})) for name in paint_names())], [])
+        section.paint.set_sources(
+            [Source("", tr("None")), *(Source(name, title_of(name, {})) for name in paint_names())], []
+        )
         section.relief_edited.connect(lambda field, value: self._change("relief", field, value))
         section.two_tone_edited.connect(lambda field, value: self._change("two_tone", field, value))
         section.browse_requested.connect(self._browse)
@@ -73,7 +75,7 @@ class ReliefControl(ViewerFeature):
     def _show(self, view: View) -> None:
         paint = view.two_tone.paint
         self._section.set_relief(view.relief)
-        self._section.set_two_tone(view.two_tone, _NONE.title if paint is None else title_of(paint, {}))
+        self._section.set_two_tone(view.two_tone, tr("None") if paint is None else title_of(paint, {}))
         request = ImageRequest.of(view)
         if request == self._request:
             return
@@ -106,7 +108,7 @@ class ReliefControl(ViewerFeature):
         self._report(error)
 
     def _report(self, error: Exception) -> None:
-        todo = "The picture is unchanged. Open another file in the inspector."
+        todo = tr("The picture is unchanged. Open another file in the inspector.")
         self._window.messages.show_message(message_of(error, IMAGES, todo=todo))
 
     def _cancelled(self, kind: str) -> None:

@@ -6,7 +6,7 @@ from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.icons import icon
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal, SignalInstance
 from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
@@ -20,10 +20,10 @@ from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.fields.source_chooser import SourceChooser, title_of
 
 PROJECTION_TITLES = {
-    "uv": "Tiled",
-    "side": "Projected from the side",
-    "front": "Projected from the front",
-    "top": "Projected from above",
+    "uv": mark("Tiled"),
+    "side": mark("Projected from the side"),
+    "front": mark("Projected from the front"),
+    "top": mark("Projected from above"),
 }
 
 
@@ -33,19 +33,19 @@ class FileChoice(QWidget):
     browse_requested = Signal()
     cleared = Signal()
 
-    def __init__(self, what: str, parent: QWidget | None = None) -> None:
+    def __init__(self, open_tip: str, clear_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.name = PlainLabel("None")
+        self.name = PlainLabel(tr("None"))
         self.name.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.open = QToolButton()
         self.open.setIcon(icon("folder-open"))
-        self.open.setToolTip(plain_tip(f"Open {what}"))
-        self.open.setAccessibleName(f"Open {what}")
+        self.open.setToolTip(plain_tip(open_tip))
+        self.open.setAccessibleName(open_tip)
         self.open.clicked.connect(self.browse_requested)
         self.clear = QToolButton()
         self.clear.setIcon(icon("x"))
-        self.clear.setToolTip(plain_tip(f"Remove {what}"))
-        self.clear.setAccessibleName(f"Remove {what}")
+        self.clear.setToolTip(plain_tip(clear_tip))
+        self.clear.setAccessibleName(clear_tip)
         self.clear.clicked.connect(self.cleared)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -58,7 +58,7 @@ class FileChoice(QWidget):
 
     def set_path(self, path: str | None) -> None:
         """Show a file's name, or that there is none."""
-        self.name.setText("None" if path is None else title_of(path, {}))
+        self.name.setText(tr("None") if path is None else title_of(path, {}))
         self.name.setToolTip(plain_tip(path or ""))
         self.clear.setEnabled(path is not None)
 
@@ -75,40 +75,48 @@ class ReliefSection(Section):
     browse_requested = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Relief and two-tone", "relief", parent)
+        super().__init__(tr("Relief and two-tone"), "relief", parent)
         self.orange_peel = self._number("orange_peel", PARAMETERS["relief.orange_peel"], 0.02, 2)
         self.orange_peel_mm = self._number("orange_peel_mm", PARAMETERS["relief.orange_peel_mm"], 0.5, 1)
         self.peel_facts = note()
         self._relief = Relief()
         self._own_peel: OrangePeel | None = None
-        self.normal_map = self._file("normal_map", "a normal map", self.relief_edited)
-        self.tangent_map = self._file("tangent_map", "a tangent map", self.relief_edited)
+        self.normal_map = self._file(
+            "normal_map", tr("Open a normal map"), tr("Remove the normal map"), self.relief_edited
+        )
+        self.tangent_map = self._file(
+            "tangent_map", tr("Open a tangent map"), tr("Remove the tangent map"), self.relief_edited
+        )
         self.normal_strength = self._number("normal_strength", PARAMETERS["relief.normal_strength"], 0.1, 2)
         self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
-        self.paint = SourceChooser("Open a second paint")
+        self.paint = SourceChooser(tr("Open a second paint"))
         self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
-        self.mask_file = self._file("mask", "a mask", self.two_tone_edited)
+        self.mask_file = self._file("mask", tr("Open a mask"), tr("Remove the mask"), self.two_tone_edited)
         self.projection = ChoiceBox(PROJECTION_TITLES)
         self.projection.picked.connect(lambda key: self.two_tone_edited.emit("projection", key))
-        self.mask_width_mm = NumberField("Mask width", *_of(PARAMETERS["two_tone.mask_width_mm"], 50.0, 1))
+        self.mask_width_mm = NumberField(
+            tr("Mask width"), *_of(PARAMETERS["two_tone.mask_width_mm"], 50.0, 1)
+        )
         self.mask_width_mm.edited.connect(lambda value: self.two_tone_edited.emit("mask_width_mm", value))
         self.two_tone_facts = note()
         form = Form()
-        form.add_row("Orange peel", self.orange_peel, PARAMETERS["relief.orange_peel"].meaning)
-        form.add_row("Wavelength", self.orange_peel_mm, PARAMETERS["relief.orange_peel_mm"].meaning)
+        form.add_row(tr("Orange peel"), self.orange_peel, tr(PARAMETERS["relief.orange_peel"].meaning))
+        form.add_row(tr("Wavelength"), self.orange_peel_mm, tr(PARAMETERS["relief.orange_peel_mm"].meaning))
         form.add_wide(self.peel_facts)
-        form.add_row("Normal map", self.normal_map, "An image of normals (PNG, EXR …), tiled over the paint")
         form.add_row(
-            "Tangent map",
-            self.tangent_map,
-            "An image of the grain's direction in anisotropic factored paints",
+            tr("Normal map"), self.normal_map, tr("An image of normals (PNG, EXR …), tiled over the paint")
         )
-        form.add_row("Strength", self.normal_strength, PARAMETERS["relief.normal_strength"].meaning)
-        form.add_row("Tile width", self.normal_width_mm, PARAMETERS["relief.normal_width_mm"].meaning)
-        form.add_row("Second paint", self.paint, "Shown where the mask is white")
-        form.add_row("Mask", self.mask_file, "An image: black is the first paint, white the second")
-        form.add_row("Mapping", self.projection, "Mapping of the mask onto the surface")
-        form.add_row("Mask width", self.mask_width_mm, PARAMETERS["two_tone.mask_width_mm"].meaning)
+        form.add_row(
+            tr("Tangent map"),
+            self.tangent_map,
+            tr("An image of the grain's direction in anisotropic factored paints"),
+        )
+        form.add_row(tr("Strength"), self.normal_strength, tr(PARAMETERS["relief.normal_strength"].meaning))
+        form.add_row(tr("Tile width"), self.normal_width_mm, tr(PARAMETERS["relief.normal_width_mm"].meaning))
+        form.add_row(tr("Second paint"), self.paint, tr("Shown where the mask is white"))
+        form.add_row(tr("Mask"), self.mask_file, tr("An image: black is the first paint, white the second"))
+        form.add_row(tr("Mapping"), self.projection, tr("Mapping of the mask onto the surface"))
+        form.add_row(tr("Mask width"), self.mask_width_mm, tr(PARAMETERS["two_tone.mask_width_mm"].meaning))
         form.add_wide(self.two_tone_facts)
         self.add(form)
 
@@ -148,18 +156,18 @@ class ReliefSection(Section):
         self.mask_width_mm.setEnabled(two_tone.projection == "uv")
         missing = ""
         if two_tone.paint is not None and two_tone.mask is None:
-            missing = "Open a mask to see the second paint."
+            missing = tr("Open a mask to see the second paint.")
         elif two_tone.mask is not None and two_tone.paint is None:
-            missing = "Choose a second paint to see the mask."
+            missing = tr("Choose a second paint to see the mask.")
         set_note(self.two_tone_facts, missing)
 
     def _number(self, field: str, parameter: Parameter, step: float, decimals: int) -> NumberField:
-        made = NumberField(*(parameter.label, *_of(parameter, step, decimals)))
+        made = NumberField(*(tr(parameter.label), *_of(parameter, step, decimals)))
         made.edited.connect(lambda value: self.relief_edited.emit(field, value))
         return made
 
-    def _file(self, field: str, what: str, edited: SignalInstance) -> FileChoice:
-        made = FileChoice(what)
+    def _file(self, field: str, open_tip: str, clear_tip: str, edited: SignalInstance) -> FileChoice:
+        made = FileChoice(open_tip, clear_tip)
         made.setObjectName(f"relief_{field}")
         made.browse_requested.connect(lambda: self.browse_requested.emit(field))
         made.cleared.connect(lambda: edited.emit(field, None))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QPushButton, QWidget
@@ -15,13 +16,13 @@ from brdf_viewer.fields.source_chooser import SourceChooser
 from brdf_viewer.surface.parts_section import SurfaceParts
 
 UNIT_TITLES = {
-    "file": "From file",
-    "m": "Metres",
-    "cm": "Centimetres",
-    "mm": "Millimetres",
-    "in": "Inches",
+    "file": mark("From file"),
+    "m": mark("Metres"),
+    "cm": mark("Centimetres"),
+    "mm": mark("Millimetres"),
+    "in": mark("Inches"),
 }
-NORMALS_TITLES = {"file": "From file", "smooth": "Smooth, edges above 40°", "flat": "Flat"}
+NORMALS_TITLES = {"file": mark("From file"), "smooth": mark("Smooth, edges above 40°"), "flat": mark("Flat")}
 
 
 class SurfaceSection(Section):
@@ -30,42 +31,44 @@ class SurfaceSection(Section):
     edited = Signal(str, object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__("Surface", "surface", parent)
-        self.chooser = SourceChooser("Open a mesh (.glb, .gltf, .obj, .stl, .ply)")
+        super().__init__(tr("Surface"), "surface", parent)
+        self.chooser = SourceChooser(tr("Open a mesh (.glb, .gltf, .obj, .stl, .ply)"))
         self.facts = note()
-        self.occlusion = self._check("occlusion", "Occlusion")
-        self.occlusion.setToolTip("Darkens recesses; computed once per surface in the background")
-        self.ground = self._check("ground", "Ground with contact shadow")
+        self.occlusion = self._check("occlusion", tr("Occlusion"))
+        self.occlusion.setToolTip(tr("Darkens recesses; computed once per surface in the background"))
+        self.ground = self._check("ground", tr("Ground with contact shadow"))
         self.ground.setToolTip(
-            "Ground at the lowest point of the surface, with its shadow in the environment's light"
+            tr("Ground at the lowest point of the surface, with its shadow in the environment's light")
         )
         self.baking = note()
-        self.again = QPushButton("Compute")
-        self.again.setToolTip("Restart the cancelled computation")
+        self.again = QPushButton(tr("Compute"))
+        self.again.setToolTip(tr("Restart the cancelled computation"))
         self.again.hide()
         self.parts = SurfaceParts()
         self.unit = self._list("unit", UNIT_TITLES)
         scale = PARAMETERS["surface.scale"]
-        self.scale = NumberField("Scale", "", scale.low, scale.high, 0.1, 4, scale.default)
+        self.scale = NumberField(tr("Scale"), "", scale.low, scale.high, 0.1, 4, scale.default)
         self.scale.edited.connect(lambda value: self.edited.emit("scale", value))
-        self.recentre = self._check("recentre", "Centre on ground")
+        self.recentre = self._check("recentre", tr("Centre on ground"))
         self.normals = self._list("normals", NORMALS_TITLES)
-        self.flip_normals = self._check("flip_normals", "Flip normals")
+        self.flip_normals = self._check("flip_normals", tr("Flip normals"))
         form = Form()
-        form.add_row("Form", self.chooser, "Surface to which the paint is applied")
+        form.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
         form.add_wide(self.facts)
         form.add_row("", self.occlusion)
         form.add_row("", self.ground)
         form.add_wide(self.baking)
         form.add_wide(self.again)
         form.add_wide(self.parts)
-        form.add_row("Unit", self.unit, "Unit of length in the file")
-        form.add_row("Scale", self.scale, scale.meaning)
+        form.add_row(tr("Unit"), self.unit, tr("Unit of length in the file"))
+        form.add_row(tr("Scale"), self.scale, tr(scale.meaning))
         form.add_row(
-            "Place", self.recentre, "Moves the centre over the origin and the lowest point to height 0"
+            tr("Place"),
+            self.recentre,
+            tr("Moves the centre over the origin and the lowest point to height 0"),
         )
-        form.add_row("Normals", self.normals, "Read from the file, or recomputed")
-        form.add_row("", self.flip_normals, "For files whose triangles and normals point inwards")
+        form.add_row(tr("Normals"), self.normals, tr("Read from the file, or recomputed"))
+        form.add_row("", self.flip_normals, tr("For files whose triangles and normals point inwards"))
         self.add(form)
 
     def set_look(self, look: SurfaceLook) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from brdf_qt.program.monitor_profile import Monitor, monitor_of
 from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QImage, QScreen
@@ -117,7 +118,7 @@ class ToneControl(ViewerFeature):
         text = (
             monitor.description
             if used or not monitor.is_measured
-            else f"sRGB; {monitor.description} is not used"
+            else tr("sRGB; {profile} is not used").format(profile=monitor.description)
         )
         self._window.tone.set_profile(text, monitor.is_measured, used)
 

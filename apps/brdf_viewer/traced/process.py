@@ -102,11 +102,13 @@ class TraceProcess(ChildProcess):
         if what == "picture":
             self._take_picture(answer, generation)
         elif what == "opened":
-            self.opened.emit(generation, list(answer["notices"]), str(answer["no_denoiser"]))
+            self.opened.emit(
+                generation, [tr(text) for text in answer["notices"]], tr(str(answer["no_denoiser"]))
+            )
         elif what == "moved":
             self.moved.emit(generation, float(answer["fraction"]), str(answer["what"]))
         elif what == "failed":
-            self.failed.emit(generation, str(answer["text"]))
+            self.failed.emit(generation, tr(str(answer["text"])))
         elif what == "saved":
             self.saved.emit(str(answer["path"]))
         elif what == "not_saved":

@@ -17,6 +17,13 @@ RENDERER_TIPS = {
     "reference": mark("The paint itself, path-traced, as ground truth; refines while nothing changes"),
 }
 QUALITY_TITLES = {"fast": mark("Fast"), "medium": mark("Medium"), "high": mark("High")}
+FROM_THE_WORKER = (
+    mark("The ground shadow is that of the real-time picture."),
+    mark("The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here."),
+    mark("The ray tracer uses the same lights in each pixel: there is no noise to remove."),
+    mark("There is not enough memory for a picture of this size; make the window smaller."),
+)
+"""Texts of the tracing process, which loads no Qt; they are translated where they arrive."""
 
 
 def picture_words(renderer: str, quality: str, picture: TracedPicture) -> str:

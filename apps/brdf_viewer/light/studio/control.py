@@ -11,7 +11,7 @@ from typing import Any
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.recovery_offer import RecoveryOffer
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
 
@@ -80,7 +80,8 @@ class StudioControl(ViewerFeature):
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""
-        return self._take(TEMPLATES[template][1])
+        light = TEMPLATES[template][1]
+        return self._take(_renamed(light, tr(light.name)))
 
     def edit(self) -> bool:
         """Edit the light of the picture, where it has a description; otherwise say what can be done."""
@@ -91,8 +92,8 @@ class StudioControl(ViewerFeature):
             self._window.messages.show_message(
                 Message(
                     _BUSY,
-                    "The current light is an image, which has no lamps to edit.",
-                    todo="Create a studio with File ▸ Studio ▸ New, or choose the light booth.",
+                    tr("The current light is an image, which has no lamps to edit."),
+                    todo=tr("Create a studio with File ▸ Studio ▸ New, or choose the light booth."),
                     severity="error",
                 )
             )
@@ -178,7 +179,7 @@ class StudioControl(ViewerFeature):
         panel.undo_requested.connect(store.undo)
         panel.redo_requested.connect(store.redo)
         panel.relight.clicked.connect(lambda: self._live.show(store.value))
-        panel.name.edited.connect(lambda text: self._do("Rename", lambda light: _renamed(light, text)))
+        panel.name.edited.connect(lambda text: self._do(tr("Rename"), lambda light: _renamed(light, text)))
         panel.chosen.connect(self._choose)
         panel.add_requested.connect(self._add)
         panel.double.clicked.connect(self._double)
@@ -186,11 +187,11 @@ class StudioControl(ViewerFeature):
         panel.lamp.edits.changed.connect(self._edit_lamp)
         panel.around.edits.changed.connect(
             lambda name, value: self._do(
-                "Change Surroundings", lambda light: changed_surroundings(_studio(light), name, value)
+                tr("Change Surroundings"), lambda light: changed_surroundings(_studio(light), name, value)
             )
         )
         panel.sky.edits.changed.connect(
-            lambda name, value: self._do("Change Sky", lambda light: _changed(light, name, value))
+            lambda name, value: self._do(tr("Change Sky"), lambda light: _changed(light, name, value))
         )
         for source in (panel.lamp.edits, panel.around.edits, panel.sky.edits, panel.preview, panel.name):
             source.gesture_started.connect(lambda source=source: store.begin_gesture(_gesture(source)))
@@ -202,18 +203,21 @@ class StudioControl(ViewerFeature):
     def _add_commands(self) -> None:
         window, menu = self._window, self._window.commands.studio
         for key, (title, _) in TEMPLATES.items():
-            window.add_action(menu, f"New Studio: {title}", partial(self.new, key))
+            text = tr("New Studio: {template}").format(template=tr(title))
+            window.add_action(menu, f"New Studio: {title}", partial(self.new, key), tip=text).setText(text)
         menu.addSeparator()
-        window.add_action(menu, "&Edit Current Light", self.edit, icon="pencil-simple")
-        self._save = window.add_action(menu, "&Save Studio", self.files.save, icon="floppy-disk")
-        self._save_as = window.add_action(menu, "Save Studio &As…", self.files.save_as)
+        window.add_action(menu, mark("&Edit Current Light"), self.edit, icon="pencil-simple")
+        self._save = window.add_action(menu, mark("&Save Studio"), self.files.save, icon="floppy-disk")
+        self._save_as = window.add_action(menu, mark("Save Studio &As…"), self.files.save_as)
 
     def _do(self, name: str, edit: Callable[[LightDocument], LightDocument]) -> None:
         """Make an edit; an invalid edit is reported in the panel, and the fields go back to what is."""
         try:
             value = edit(self.store.value)
         except ValueRangeError as error:
-            self._panel.set_mistake(f"Not applied: {error.place}: {error.reason}")
+            self._panel.set_mistake(
+                tr("Not applied: {place}: {reason}").format(place=error.place, reason=error.reason)
+            )
             self._show()
             return
         self._panel.set_mistake("")
@@ -230,7 +234,7 @@ class StudioControl(ViewerFeature):
                 return edits.placed(studio, index, lamp.position_m)
             return edits.with_lamp(studio, index, lamp)
 
-        self._do("Change Lamp", edit)
+        self._do(tr("Change Lamp"), edit)
 
     def _drag(self, index: int, azimuth_deg: float, elevation_deg: float) -> None:
         def edit(light: LightDocument) -> LightDocument:
@@ -239,7 +243,7 @@ class StudioControl(ViewerFeature):
             distance = polar(light.lamps[index].position_m)[2]
             return edits.placed(light, index, point_at(azimuth_deg, elevation_deg, distance))
 
-        self._do("Move Lamp", edit)
+        self._do(tr("Move Lamp"), edit)
 
     def _scale(self, index: int, factor: float) -> None:
         def edit(light: LightDocument) -> LightDocument:
@@ -247,20 +251,20 @@ class StudioControl(ViewerFeature):
             return edits.with_lamp(studio, index, edits.scaled(studio.lamps[index], factor))
 
         self._choose(index)
-        self._do("Scale Lamp", edit)
+        self._do(tr("Scale Lamp"), edit)
 
     def _add(self, shape: str) -> None:
         self._index = edits.lamp_count(self.store.value)
-        self._do("Add Lamp", lambda light: edits.added(_studio(light), shape))
+        self._do(tr("Add Lamp"), lambda light: edits.added(_studio(light), shape))
 
     def _double(self) -> None:
         index = self._index
         self._index = index + 1
-        self._do("Duplicate Lamp", lambda light: edits.doubled(_studio(light), index))
+        self._do(tr("Duplicate Lamp"), lambda light: edits.doubled(_studio(light), index))
 
     def _remove(self) -> None:
         index = self._index
-        self._do("Remove Lamp", lambda light: edits.removed(_studio(light), index))
+        self._do(tr("Remove Lamp"), lambda light: edits.removed(_studio(light), index))
 
     def _choose(self, index: int) -> None:
         if index != self._index:
@@ -287,7 +291,7 @@ class StudioControl(ViewerFeature):
     def _not_drawn(self, error: Exception) -> None:
         if not isinstance(error, SuiteError):
             raise error
-        todo = "The picture shows the last valid light."
+        todo = tr("The picture shows the last valid light.")
         self._window.messages.show_message(message_of(error, _BUSY, todo=todo))
 
     def _cancelled(self, kind: str) -> None:
@@ -325,8 +329,8 @@ class StudioControl(ViewerFeature):
         self._show_state()
 
     def _show_state(self) -> None:
-        where = "Not saved to a file yet" if self.store.path is None else self.store.path.name
-        changed = "" if self.store.is_clean else ", changed" if self.store.path is not None else ""
+        where = tr("Not saved to a file yet") if self.store.path is None else self.store.path.name
+        changed = "" if self.store.is_clean else ", " + tr("changed") if self.store.path is not None else ""
         stack = self.store.stack
         self._panel.set_state(f"{where}{changed}", stack.canUndo(), stack.canRedo())
         for action in (self._save, self._save_as):
@@ -351,7 +355,7 @@ def _changed(light: LightDocument, name: str, value: Any) -> LightDocument:
 
 
 def _gesture(source: object) -> str:
-    return "Change Lamp" if isinstance(source, Edits) else "Move Lamp"
+    return tr("Change Lamp") if isinstance(source, Edits) else tr("Move Lamp")
 
 
 def _has_description(key: str) -> bool:

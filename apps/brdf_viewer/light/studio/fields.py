@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 
@@ -45,7 +46,7 @@ class Edits(QObject):
         """Return the number of a document's parameter, within its range."""
         known = PARAMETERS[parameter or name]
         unit = known.unit if unit is None else unit
-        return self.number(name, known.label, unit, known.low, known.high, step, decimals, known.default)
+        return self.number(name, tr(known.label), unit, known.low, known.high, step, decimals, known.default)
 
     def choice(self, name: str, titles: dict[str, str]) -> ChoiceBox:
         """Return a list whose choices are changes of ``name``."""
@@ -70,8 +71,8 @@ class TemperatureField(QWidget):
         super().__init__()
         self._edits, self._name = edits, name
         self.kelvin = edits.of_document(name, 50.0, 0, "colour_temperature_k")
-        self.neutral = QCheckBox("Neutral")
-        self.neutral.setToolTip("White of the picture, D65")
+        self.neutral = QCheckBox(tr("Neutral"))
+        self.neutral.setToolTip(tr("White of the picture, D65"))
         self.neutral.clicked.connect(self._clicked)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)

@@ -7,17 +7,18 @@ from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Point, Shape, StudioLamp
 from brdf_viewer.light.studio.fields import Edits, TemperatureField
 from brdf_viewer.light.studio.places import angle_of, facing_deg, moved, point_at, polar, size_at
 
-SHAPE_TITLES = {"box": "Box", "strip": "Strip", "ring": "Ring"}
+SHAPE_TITLES = {"box": mark("Box"), "strip": mark("Strip"), "ring": mark("Ring")}
 _SIZE_LABELS = {
-    "box": ("Width", "Height"),
-    "strip": ("Length", "Width"),
-    "ring": ("Diameter", "Band"),
+    "box": (mark("Width"), mark("Height")),
+    "strip": (mark("Length"), mark("Width")),
+    "ring": (mark("Diameter"), mark("Band")),
 }
 
 
@@ -28,39 +29,45 @@ class LampForm(QWidget):
         super().__init__(parent)
         self.edits = edits = Edits(self)
         self.shape = edits.choice("shape", SHAPE_TITLES)
-        self.azimuth = edits.number("azimuth", "Azimuth", "°", -180.0, 180.0, 1.0, 1, 0.0)
+        self.azimuth = edits.number("azimuth", tr("Azimuth"), "°", -180.0, 180.0, 1.0, 1, 0.0)
         self.azimuth.setWrapping(True)
-        self.elevation = edits.number("elevation", "Elevation", "°", -90.0, 90.0, 1.0, 1, 45.0)
-        self.distance = edits.number("distance", "Distance", "m", 0.1, 100.0, 0.1, 2, 3.0)
-        self.first = edits.number("first", "Width", "°", 0.05, 170.0, 1.0, 2, 30.0)
-        self.second = edits.number("second", "Height", "°", 0.05, 170.0, 1.0, 2, 30.0)
+        self.elevation = edits.number("elevation", tr("Elevation"), "°", -90.0, 90.0, 1.0, 1, 45.0)
+        self.distance = edits.number("distance", tr("Distance"), "m", 0.1, 100.0, 0.1, 2, 3.0)
+        self.first = edits.number("first", tr("Width"), "°", 0.05, 170.0, 1.0, 2, 30.0)
+        self.second = edits.number("second", tr("Height"), "°", 0.05, 170.0, 1.0, 2, 30.0)
         self.roll = edits.of_document("roll_deg", 1.0, 1)
-        self.aimed = edits.tick("aimed", "Face the centre", "Off: the direction is set by the two angles")
-        self.facing_azimuth = edits.number("facing_azimuth", "Facing", "°", -180.0, 180.0, 1.0, 1, 180.0)
+        self.aimed = edits.tick(
+            "aimed", tr("Face the centre"), tr("Off: the direction is set by the two angles")
+        )
+        self.facing_azimuth = edits.number("facing_azimuth", tr("Facing"), "°", -180.0, 180.0, 1.0, 1, 180.0)
         self.facing_azimuth.setWrapping(True)
-        self.facing_elevation = edits.number("facing_elevation", "Up", "°", -90.0, 90.0, 1.0, 1, -45.0)
+        self.facing_elevation = edits.number("facing_elevation", tr("Up"), "°", -90.0, 90.0, 1.0, 1, -45.0)
         self.luminance = edits.of_document("luminance", 0.1, 2)
         self.colour = TemperatureField(edits)
-        self.softness = edits.number("softness_cm", "Soft edge", "cm", 0.01, 1000.0, 0.5, 2, 6.0)
+        self.softness = edits.number("softness_cm", tr("Soft edge"), "cm", 0.01, 1000.0, 0.5, 2, 6.0)
         form = Form()
-        form.add_row("Shape", self.shape, "A box is brightest in its middle; strips and rings are even")
-        form.add_row("Azimuth", self.azimuth, "Position: from the front (+z) towards the right (+x)")
-        form.add_row("Elevation", self.elevation, "Above the horizon at the centre of the scene")
         form.add_row(
-            "Distance", self.distance, "Distance from the centre of the scene; the size in metres stays"
+            tr("Shape"), self.shape, tr("A box is brightest in its middle; strips and rings are even")
         )
-        size = "Angular size, seen face-on from the centre of the scene"
-        self._first_label = form.add_row("Width", self.first, size)
-        self._second_label = form.add_row("Height", self.second, size)
-        form.add_row("Roll", self.roll, PARAMETERS["roll_deg"].meaning)
+        form.add_row(tr("Azimuth"), self.azimuth, tr("Position: from the front (+z) towards the right (+x)"))
+        form.add_row(tr("Elevation"), self.elevation, tr("Above the horizon at the centre of the scene"))
+        form.add_row(
+            tr("Distance"),
+            self.distance,
+            tr("Distance from the centre of the scene; the size in metres stays"),
+        )
+        size = tr("Angular size, seen face-on from the centre of the scene")
+        self._first_label = form.add_row(tr("Width"), self.first, size)
+        self._second_label = form.add_row(tr("Height"), self.second, size)
+        form.add_row(tr("Roll"), self.roll, tr(PARAMETERS["roll_deg"].meaning))
         form.add_row("", self.aimed)
         self._facing_labels = [
-            form.add_row("Shines to", self.facing_azimuth, "Azimuth of the direction of emission"),
-            form.add_row("and up", self.facing_elevation, "Elevation of the direction of emission"),
+            form.add_row(tr("Shines to"), self.facing_azimuth, tr("Azimuth of the direction of emission")),
+            form.add_row(tr("and up"), self.facing_elevation, tr("Elevation of the direction of emission")),
         ]
-        self._luminance_label = form.add_row("Luminance", self.luminance, "At its centre")
-        form.add_row("Colour", self.colour, "Planckian below 4,000 K, daylight above")
-        form.add_row("Soft edge", self.softness, "Width of the fade at its edge")
+        self._luminance_label = form.add_row(tr("Luminance"), self.luminance, tr("At its centre"))
+        form.add_row(tr("Colour"), self.colour, tr("Planckian below 4,000 K, daylight above"))
+        form.add_row(tr("Soft edge"), self.softness, tr("Width of the fade at its edge"))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.addWidget(form)
@@ -80,9 +87,10 @@ class LampForm(QWidget):
             strict=True,
         ):
             field.set_value(angle_of(size, distance))
-            label.setText(text)
+            label.setText(tr(text))
             metres = f"{size:.3g} m"
-            field.setToolTip(plain_tip(f"{text}: {metres}; the angle is its face-on angular size"))
+            tip = tr("{side}: {metres}; the angle is its face-on angular size")
+            field.setToolTip(plain_tip(tip.format(side=tr(text), metres=metres)))
         self.roll.set_value(lamp.roll_deg)
         self.aimed.setChecked(lamp.facing is None)
         facing_azimuth, facing_elevation = facing_deg(lamp)

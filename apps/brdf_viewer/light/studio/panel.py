@@ -7,6 +7,7 @@ from functools import partial
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.text import TextLine
 from brdf_qt.program.icons import icon
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
@@ -60,29 +61,29 @@ class StudioPanel(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
-        self.name = TextLine("Name of the studio", 200)
+        self.name = TextLine(tr("Name of the studio"), 200)
         self.state, self.mistake = note(), note()
         self.preview = StudioPreview()
         self.list = QListWidget()
-        self.list.setAccessibleName("Lamps of the studio")
+        self.list.setAccessibleName(tr("Lamps of the studio"))
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.currentRowChanged.connect(self._row_changed)
         self.lamp, self.around, self.sky = LampForm(), SurroundingsForm(), SkyForm()
         self._quiet = False
         self._light: LightDocument | None = None
-        self.save = _tool("floppy-disk", "Save the studio (Ctrl+S in this panel)", self.save_requested)
-        self.save_as = _tool("copy", "Save the studio under another name", self.save_as_requested)
-        self.undo = _tool("arrow-counter-clockwise", "Undo (Ctrl+Z in this panel)", self.undo_requested)
-        self.redo = _tool("arrow-clockwise", "Redo", self.redo_requested)
-        self.add = _tool("plus", "Add a lamp")
+        self.save = _tool("floppy-disk", tr("Save the studio (Ctrl+S in this panel)"), self.save_requested)
+        self.save_as = _tool("copy", tr("Save the studio under another name"), self.save_as_requested)
+        self.undo = _tool("arrow-counter-clockwise", tr("Undo (Ctrl+Z in this panel)"), self.undo_requested)
+        self.redo = _tool("arrow-clockwise", tr("Redo"), self.redo_requested)
+        self.add = _tool("plus", tr("Add a lamp"))
         menu = QMenu(self.add)
         for shape, title in SHAPE_TITLES.items():
-            menu.addAction(title, partial(self.add_requested.emit, shape))
+            menu.addAction(tr(title), partial(self.add_requested.emit, shape))
         self.add.setMenu(menu)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.double = _tool("copy-simple", "Duplicate this lamp")
-        self.remove = _tool("trash", "Remove this lamp")
-        self.relight = QPushButton("Light the picture with this studio")
+        self.double = _tool("copy-simple", tr("Duplicate this lamp"))
+        self.remove = _tool("trash", tr("Remove this lamp"))
+        self.relight = QPushButton(tr("Light the picture with this studio"))
         self._lamps = self._lamp_part()
         self._begin, self._open = self._begin_part(), self._open_part()
         self._inside = inside = QWidget()
@@ -168,14 +169,14 @@ class StudioPanel(QScrollArea):
         part = QWidget()
         box = QVBoxLayout(part)
         box.setContentsMargins(0, 0, 0, 0)
-        text = PlainLabel("No studio is open. Create one, or edit the current light.")
+        text = PlainLabel(tr("No studio is open. Create one, or edit the current light."))
         text.setWordWrap(True)
         box.addWidget(text)
         for key, (title, _) in TEMPLATES.items():
-            button = QPushButton(title)
+            button = QPushButton(tr(title))
             button.clicked.connect(lambda _=False, key=key: self.new_requested.emit(key))
             box.addWidget(button)
-        edit = QPushButton("Edit current light")
+        edit = QPushButton(tr("Edit current light"))
         edit.clicked.connect(self.edit_requested)
         box.addWidget(edit)
         return part
@@ -185,7 +186,7 @@ class StudioPanel(QScrollArea):
         box = QVBoxLayout(part)
         box.setContentsMargins(0, 0, 0, 0)
         row = QHBoxLayout()
-        row.addWidget(PlainLabel("Lamps"), 1)
+        row.addWidget(PlainLabel(tr("Lamps")), 1)
         for button in (self.add, self.double, self.remove):
             row.addWidget(button)
         self.list.setFixedHeight(_LIST_ROWS * (self.fontMetrics().height() + 4) + 4)
@@ -246,14 +247,14 @@ class StudioPanel(QScrollArea):
 def lamp_line(index: int, lamp: StudioLamp) -> str:
     """Return a lamp's line in the list.
 
-    >>> lamp_line(0, Lamp("ring", (0.0, 2.0, 2.0), (1.0, 0.1), luminance=8.0, colour_temperature_k=3200.0))
+    >>> lamp_line(0, StudioLamp("ring", (0.0, 2.0, 2.0), (1.0, 0.1), luminance=8.0, colour_temperature_k=3200.0))
     '1  Ring, 0° and 45° up, 8, 3200 K'
     """
     azimuth, elevation, _ = polar(lamp.position_m)
     kelvin = lamp.colour_temperature_k
-    colour = "neutral" if kelvin is None else f"{kelvin:.0f} K"
-    place = f"{azimuth:.0f}° and {elevation:.0f}° up"
-    return f"{index + 1}  {SHAPE_TITLES[lamp.shape]}, {place}, {lamp.luminance:g}, {colour}"
+    colour = tr("neutral") if kelvin is None else f"{kelvin:.0f} K"
+    place = tr("{azimuth:.0f}° and {elevation:.0f}° up").format(azimuth=azimuth, elevation=elevation)
+    return f"{index + 1}  {tr(SHAPE_TITLES[lamp.shape])}, {place}, {lamp.luminance:g}, {colour}"
 
 
 def _tool(name: str, tip: str, signal: SignalInstance | None = None) -> QToolButton:

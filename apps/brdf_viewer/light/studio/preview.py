@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from brdf_qt.program.translation import tr
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
@@ -72,10 +73,12 @@ class StudioPreview(QWidget):
         self.setSizePolicy(policy)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setAccessibleName("Panorama of the studio")
+        self.setAccessibleName(tr("Panorama of the studio"))
         self.setToolTip(
-            "Full panorama, front at the centre. Click a lamp to select it, drag it to move it, turn the wheel "
-            "over it to resize it, arrow keys move it by 1°"
+            tr(
+                "Full panorama, front at the centre. Click a lamp to select it, drag it to move it, turn the wheel "
+                "over it to resize it, arrow keys move it by 1°"
+            )
         )
 
     def set_light(self, light: LightDocument) -> None:

@@ -7,27 +7,28 @@ from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_suite.documents.studio import PARAMETERS, Sky, Studio
 from brdf_viewer.light.studio.edits import with_room
 from brdf_viewer.light.studio.fields import Edits, TemperatureField
 
-AROUND_TITLES = {"backdrop": "Plain backdrop", "room": "Room"}
-UNIT_TITLES = {"kcd/m2": "kcd/m²", "relative": "Relative"}
+AROUND_TITLES = {"backdrop": mark("Plain backdrop"), "room": mark("Room")}
+UNIT_TITLES = {"kcd/m2": "kcd/m²", "relative": mark("Relative")}
 SKY_TITLES = {
-    "hosek_wilkie": "Clear (Hošek-Wilkie)",
-    "preetham": "Clear (Preetham)",
-    "overcast": "Overcast (CIE)",
+    "hosek_wilkie": mark("Clear (Hošek-Wilkie)"),
+    "preetham": mark("Clear (Preetham)"),
+    "overcast": mark("Overcast (CIE)"),
 }
 _ROOM = {
-    "width_m": ("Width", "size", 0.1),
-    "length_m": ("Length", "size", 0.1),
-    "height_m": ("Height", "size", 0.1),
-    "eye_height_m": ("Eye height", "eye_height_m", 0.05),
-    "floor_albedo": ("Floor", "albedo", 0.01),
-    "wall_albedo": ("Walls", "albedo", 0.01),
-    "ceiling_albedo": ("Ceiling", "albedo", 0.01),
+    "width_m": (mark("Width"), "size", 0.1),
+    "length_m": (mark("Length"), "size", 0.1),
+    "height_m": (mark("Height"), "size", 0.1),
+    "eye_height_m": (mark("Eye height"), "eye_height_m", 0.05),
+    "floor_albedo": (mark("Floor"), "albedo", 0.01),
+    "wall_albedo": (mark("Walls"), "albedo", 0.01),
+    "ceiling_albedo": (mark("Ceiling"), "albedo", 0.01),
 }
 
 
@@ -46,13 +47,13 @@ class SurroundingsForm(QWidget):
             for name, (_, parameter, step) in _ROOM.items()
         }
         form = Form()
-        form.add_row("Unit", self.unit, "Unit of luminances; the exposure is set for a white card")
-        form.add_row("Surroundings", self.around, "Visible where there is no lamp")
+        form.add_row(tr("Unit"), self.unit, tr("Unit of luminances; the exposure is set for a white card"))
+        form.add_row(tr("Surroundings"), self.around, tr("Visible where there is no lamp"))
         self._backdrop, self._room = Form(), Form()
-        self._backdrop.add_row("Luminance", self.backdrop_luminance, "Uniform; 0 is black")
-        self._backdrop.add_row("Colour", self.backdrop_colour, "Colour of the backdrop")
+        self._backdrop.add_row(tr("Luminance"), self.backdrop_luminance, tr("Uniform; 0 is black"))
+        self._backdrop.add_row(tr("Colour"), self.backdrop_colour, tr("Colour of the backdrop"))
         for name, (label, parameter, _) in _ROOM.items():
-            self._room.add_row(label, self.room[name], PARAMETERS[parameter].meaning)
+            self._room.add_row(tr(label), self.room[name], tr(PARAMETERS[parameter].meaning))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(8)
@@ -97,19 +98,19 @@ class SkyForm(QWidget):
         self.elevation = edits.of_document("sun_elevation_deg", 1.0, 1)
         self.azimuth = edits.of_document("sun_azimuth_deg", 1.0, 1)
         self.ground = edits.of_document("ground_albedo", 0.01, 2)
-        self.disc = edits.tick("sun_disc", "Sun in the picture", "The solar disc, 0.53° in diameter")
+        self.disc = edits.tick("sun_disc", tr("Sun in the picture"), tr("The solar disc, 0.53° in diameter"))
         form = Form()
-        form.add_row("Model", self.model, "Published sky model")
+        form.add_row(tr("Model"), self.model, tr("Published sky model"))
         self._clear = [
-            form.add_row("Turbidity", self.turbidity, PARAMETERS["turbidity"].meaning),
-            form.add_row("Elevation", self.elevation, PARAMETERS["sun_elevation_deg"].meaning),
-            form.add_row("Azimuth", self.azimuth, PARAMETERS["sun_azimuth_deg"].meaning),
+            form.add_row(tr("Turbidity"), self.turbidity, tr(PARAMETERS["turbidity"].meaning)),
+            form.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["sun_elevation_deg"].meaning)),
+            form.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["sun_azimuth_deg"].meaning)),
             self.turbidity,
             self.elevation,
             self.azimuth,
             self.disc,
         ]
-        form.add_row("Ground", self.ground, PARAMETERS["ground_albedo"].meaning)
+        form.add_row(tr("Ground"), self.ground, tr(PARAMETERS["ground_albedo"].meaning))
         form.add_row("", self.disc)
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)

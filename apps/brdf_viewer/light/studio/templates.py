@@ -6,6 +6,8 @@ import dataclasses
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from brdf_qt.program.translation import mark
+
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
 from brdf_suite.lighting.procedural.booth import BOOTH
@@ -13,11 +15,11 @@ from brdf_suite.lighting.procedural.example import EXAMPLE
 
 TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
     {
-        "three": ("Box, strip and ring", EXAMPLE),
+        "three": (mark("Box, strip and ring"), EXAMPLE),
         "tunnel": (
-            "Light tunnel",
+            mark("Light tunnel"),
             Studio(
-                "Light tunnel",
+                mark("Light tunnel"),
                 backdrop=Backdrop(luminance=0.08),
                 lamps=tuple(
                     StudioLamp(
@@ -27,16 +29,16 @@ TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
                 ),
             ),
         ),
-        "booth": ("Light booth", dataclasses.replace(BOOTH, name="My booth")),
+        "booth": (mark("Light booth"), dataclasses.replace(BOOTH, name=mark("My booth"))),
         "empty": (
-            "One box above",
+            mark("One box above"),
             Studio(
-                "My studio",
+                mark("My studio"),
                 backdrop=Backdrop(luminance=0.15),
                 lamps=(StudioLamp("box", (0.0, 3.0, 0.5), (2.5, 2.5), luminance=5.0, softness_m=0.2),),
             ),
         ),
-        "sky": ("Sky with sun", Sky("My sky")),
+        "sky": (mark("Sky with sun"), Sky(mark("My sky"))),
     }
 )
 """Title and document by key, in the order of the menu."""
