@@ -131,13 +131,8 @@ class ColorSwatch(Program):
             session.reveal(tuple(pane.model.id_at(int(number)) for number in value.split(",")))
         elif key == "section":
             self.window.section(value).set_open(True)
-        elif value:
-            return super().do(action)
         else:
-            command = self.window.command(key)
-            if command is None or not command.isEnabled():
-                return False
-            command.trigger()
+            return super().do(action)
         return True
 
     def close(self) -> None:

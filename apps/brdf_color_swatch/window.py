@@ -8,7 +8,7 @@ from pathlib import Path
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QKeySequence
+from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from brdf_color_swatch.grid.pane import Pane
@@ -115,8 +115,3 @@ class SwatchWindow(SuiteWindow):
         super().fit_inspector()
         wanted = max(160, min(240, round(0.18 * self.width())))
         self.resizeDocks([self.library_dock], [wanted], Qt.Orientation.Horizontal)
-
-
-def standard(key: QKeySequence.StandardKey) -> QKeySequence:
-    """Return the platform's shortcut of a kind."""
-    return QKeySequence(key)

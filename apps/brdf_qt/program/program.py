@@ -63,9 +63,18 @@ class Program(QObject):
             feature.start()
 
     def do(self, action: str) -> bool:
-        """Do what a run without a user asks for: ``KEY=VALUE`` sets an option; False where no feature has it."""
-        key, _, value = action.partition("=")
-        return any(feature.run_script(key, value) for feature in self.features)
+        """Do what a run without a user asks for: ``KEY=VALUE`` sets an option, another word is a command's key.
+
+        False where no feature has the option, or there is no such command that is enabled.
+        """
+        key, found, value = action.partition("=")
+        if found:
+            return any(feature.run_script(key, value) for feature in self.features)
+        command = self.window.command(key)
+        if command is None or not command.isEnabled():
+            return False
+        command.trigger()
+        return True
 
     def close(self) -> None:
         """End every feature, the last one first. The end of the application calls it too; only the first call acts."""
