@@ -48,7 +48,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/measured/control.py": "50 ms, when a file is opened",
     "apps/brdf_designer/measured/section.py": "20 ms, when a file is asked for",
     "apps/brdf_designer/preview/drawer.py": "80 ms, with the first picture",
-    "apps/brdf_designer/preview/preview.py": "moderngl, only on a screen with OpenGL: 6 ms",
+    "apps/brdf_designer/preview/control.py": "moderngl, only on a screen with OpenGL: 6 ms",
     "apps/brdf_designer/preview/scene.py": "30 ms, on a thread",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/fitting/lobes/angles/future_chain.py": "concurrent.futures loads logging: as background.py",

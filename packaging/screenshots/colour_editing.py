@@ -39,7 +39,7 @@ def outside() -> int:
 def inside() -> int:
     """Draw the pictures in one window."""
     from brdf_designer.assembly import Designer
-    from brdf_designer.colour.offer import KEY
+    from brdf_designer.colour.nearest_offer import KEY
     from brdf_qt.program import theme
     from brdf_qt.program.application import create_application
 

@@ -9,7 +9,7 @@ from brdf_qt.program.translation import mark
 from PySide6.QtCore import QObject
 
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.window.focus import focus_first_number
+from brdf_designer.window.focus_order import focus_first_number
 from brdf_designer.window.window import DesignerWindow
 
 _MODES = (

@@ -1,366 +1,62 @@
-"""The colour of every measurement: sliders that show the colours they would give, numbers, and a picker."""
+"""The section of the colours: what is edited, and in which terms; then the angles, or the handles of the flop."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
-import numpy as np
-from brdf_qt.fields.colour_slider import ColourSlider
-from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.number import NumberField
-from brdf_qt.program.icons import icon
-from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
-from brdf_designer.colour.display import component_tracks
-from brdf_designer.colour.head import ColourHead
-from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
-from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
+from brdf_designer.colour.angle_editor import AngleEditor, AngleEditors
+from brdf_designer.colour.edit_choices import ColourHead
+from brdf_designer.colour.flop_panel import FlopPanel
+from brdf_designer.session.edits import AddAngle, UseAngles, colour_edit
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.state import AngleColour, Colours
-from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
-from brdf_suite.appearance.flop.edits import GREY_CHROMA
-from brdf_suite.arrays import Bools, Bytes
-from brdf_suite.documents.paint import PARAMETERS, Lab
+from brdf_designer.session.state import Colours
+from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.paint_design.angle_sets import set_name
 
 
-@dataclass(frozen=True)
-class Row:
-    """One component: its name and unit, where its slider and its number reach, steps, decimals, an explanation."""
+class ColourEditors(QWidget):
+    """Edits the colours of the paint in ``session``; ``pick(index)`` opens the picker of a measurement."""
 
-    name: str
-    unit: str
-    slider: tuple[float, float]
-    number: tuple[float, float]
-    slider_step: float
-    step: float
-    decimals: int
-    wrapping: bool
-    tip: str
-
-
-def _limits(component: int) -> tuple[float, float]:
-    known = PARAMETERS[f"lab[{component}]"]
-    return known.low, known.high
-
-
-# Where the sliders reach; the numbers reach as far as the document. No paint known lies outside.
-_LIGHTNESS = Row(
-    COMPONENTS[0],
-    "",
-    (0.0, 150.0),
-    _limits(0),
-    0.1,
-    0.5,
-    2,
-    False,
-    mark(
-        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a "
-        "metallic can exceed it near the mirror direction."
-    ),
-)
-ROWS: dict[str, tuple[Row, Row, Row]] = {
-    "lab": (
-        _LIGHTNESS,
-        Row(
-            COMPONENTS[1],
-            "",
-            (-100.0, 100.0),
-            _limits(1),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark("a*: from green (negative) to red (positive)."),
-        ),
-        Row(
-            COMPONENTS[2],
-            "",
-            (-100.0, 100.0),
-            _limits(2),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark("b*: from blue (negative) to yellow (positive)."),
-        ),
-    ),
-    "lch": (
-        _LIGHTNESS,
-        Row(
-            LCH_COMPONENTS[1],
-            "",
-            (0.0, 140.0),
-            (0.0, _limits(1)[1]),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark(
-                "Chroma C*ab: how far the colour is from grey, the distance from 0 in the plane of a* and b*."
-            ),
-        ),
-        Row(
-            LCH_COMPONENTS[2],
-            "°",
-            (0.0, 360.0),
-            (0.0, 360.0),
-            0.5,
-            1.0,
-            1,
-            True,
-            mark(
-                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; "
-                "this value is used as soon as it has chroma."
-            ),
-        ),
-    ),
-}
-
-
-class Swatch(QAbstractButton):
-    """A small field of the colour that opens the picker."""
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._colour = QColor()
-        self._in_gamut = True
-        self._named: tuple[str, bool] | None = None
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setAutoFillBackground(True)
-
-    def show_colour(self, colour: AngleColour) -> None:
-        """Show the colour of a measurement."""
-        self._colour, self._in_gamut = QColor(*colour.rgb), colour.in_gamut
-        self.update()
-        if (colour.text, colour.in_gamut) == self._named:
-            return
-        self._named = (colour.text, colour.in_gamut)
-        tip = tr("Pick the colour at {angle}").format(angle=colour.text)
-        self.setAccessibleName(tip)
-        self.setToolTip(plain_tip(tip if colour.in_gamut else f"{tip}\n{tr(OUTSIDE_TIP)}"))
-
-    def sizeHint(self) -> QSize:
-        return QSize(56, 24)
-
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        rect = QRectF(self.rect()).adjusted(1, 1, -1, -1)
-        painter.fillRect(rect, self._colour)
-        if not self._in_gamut:
-            paint_corner(painter, rect, 10.0)
-        focus = self.hasFocus() or self.underMouse()
-        edge = self.palette().highlight().color() if focus else self.palette().dark().color()
-        painter.setPen(QPen(edge, 2.0 if focus else 1.0))
-        painter.drawRect(rect)
-
-
-class AngleEditor(QWidget):
-    """One measurement: its angle, its swatch and three rows of slider and number, in L*a*b* or LCh.
-
-    ``head`` has the colour space, and what an edit moves; ``pick(index)`` opens the colour picker.
-    """
-
-    def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:
+    def __init__(self, session: PaintSession, pick: Callable[[int], None]) -> None:
         super().__init__()
-        self._session, self._head = session, head
-        self.index = 0
-        self.space: Space = head.space
-        self.hue = 0.0
-        self._lab: Lab | None = None
-        self._text = ""
-        self._title = PlainLabel()
-        font = self._title.font()
-        font.setBold(True)
-        self._title.setFont(font)
-        self.swatch = Swatch()
-        self.swatch.clicked.connect(lambda: pick(self.index))
-        self.remove = QToolButton()
-        self.remove.setIcon(icon("x"))
-        self.remove.setAutoRaise(True)
-        self.remove.clicked.connect(lambda: session.edit(RemoveAngle(self.index)))
-        top = QHBoxLayout()
-        top.setContentsMargins(0, 0, 0, 0)
-        top.addWidget(self._title, 1)
-        top.addWidget(self.swatch)
-        top.addWidget(self.remove)
-        grid = QGridLayout()
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(4)
-        grid.setColumnMinimumWidth(0, 20)
-        grid.setColumnStretch(1, 1)
-        self.labels: list[QLabel] = []
-        self.sliders: list[ColourSlider] = []
-        self.fields: list[NumberField] = []
-        for component in range(3):
-            self._add_row(grid, component)
+        self._session = session
+        self.head, self.flop = ColourHead(), FlopPanel(session)
+        self.angles = AngleEditors(session, self.head, pick)
         box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 4)
+        box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(4)
-        box.addLayout(top)
-        box.addLayout(grid)
-        self._reach()
-
-    def _add_row(self, grid: QGridLayout, component: int) -> None:
-        slider, field, label = ColourSlider(""), NumberField(""), PlainLabel()
-        field.setFixedWidth(72)
-        # Tab goes from number to number, whose keys do what the slider's do.
-        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        for source in (slider, field):
-            source.edited.connect(lambda value, c=component: self._edited(c, value))
-            source.gesture_started.connect(self._session.begin_gesture)
-            source.gesture_finished.connect(self._session.end_gesture)
-        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        label.setBuddy(field)
-        grid.addWidget(label, component, 0)
-        grid.addWidget(slider, component, 1)
-        grid.addWidget(field, component, 2)
-        self.labels.append(label)
-        self.sliders.append(slider)
-        self.fields.append(field)
-
-    def _edited(self, component: int, value: float) -> None:
-        if self.space == "lch" and component == 2:
-            # Also of a grey, whose colour it does not change: it is the hue that chroma will bring out.
-            self.hue = value
-        at_all_angles = self._head.mode == "all"
-        self._session.edit(
-            colour_edit(self.space, self.index, component, value, self.hue, at_all_angles=at_all_angles)
-        )
-
-    def set_space(self, space: Space) -> None:
-        """Edit in ``lab`` or ``lch``; the colour, and the one that a double click goes back to, stay."""
-        if space == self.space:
-            return
-        opened = np.array([field.default for field in self.fields])
-        opened = lab_to_lch(opened) if space == "lch" else lch_to_lab(opened)
-        self.space = space
-        self._reach()
-        for field, value in zip(self.fields, opened.tolist(), strict=True):
-            field.set_default(value)
-        self._lab = None
-
-    def _reach(self) -> None:
-        for row, slider, field, label in zip(
-            ROWS[self.space], self.sliders, self.fields, self.labels, strict=True
-        ):
-            slider.set_reach(*row.slider, row.slider_step, wrapping=row.wrapping)
-            field.set_reach(row.name, row.unit, *row.number, row.step, row.decimals, wrapping=row.wrapping)
-            label.setText(row.name)
-            for widget in (slider, field, label):
-                widget.setToolTip(tr(row.tip))
-        self._name()
-
-    def _name(self) -> None:
-        for row, slider, field in zip(ROWS[self.space], self.sliders, self.fields, strict=True):
-            name = tr("{name} at {angle}").format(name=row.name, angle=self._text)
-            slider.setAccessibleName(name)
-            field.setAccessibleName(tr("{name}, number").format(name=name))
-
-    def needs(self, colour: AngleColour) -> bool:
-        """Return whether showing the colour would change anything but the title."""
-        return colour.lab != self._lab
-
-    def values(self, lab: Lab) -> tuple[float, float, float]:
-        """Return a colour in the editor's space, a grey with the hue that it had last."""
-        if self.space == "lab":
-            return lab
-        lightness, chroma, hue = (float(value) for value in lab_to_lch(lab))
-        if chroma >= GREY_CHROMA:
-            self.hue = hue
-        return lightness, chroma, self.hue
-
-    def show_place(self, colour: AngleColour) -> None:
-        """Show which measurement this is."""
-        if colour.index == self.index and colour.text == self._text:
-            return
-        self.index, self._text = colour.index, colour.text
-        self.setObjectName(f"angle_{colour.index}")
-        self._title.setText(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip())
-        self._title.setToolTip(
-            tr("Angle from the mirror direction of the light to the view: the aspecular angle.")
-        )
-        self.remove.setAccessibleName(tr("Remove the reading at {angle}").format(angle=colour.text))
-        self.remove.setToolTip(plain_tip(tr("Remove the reading at {angle}").format(angle=colour.text)))
-        self._name()
-
-    def show_colour(
-        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Bytes, Bools]]
-    ) -> None:
-        """Show a measurement: its ``values`` in the editor's space and the tracks of its sliders."""
-        self._lab = colour.lab
-        self.swatch.show_colour(colour)
-        for value, slider, field, track in zip(values, self.sliders, self.fields, tracks, strict=True):
-            slider.set_amount(value)
-            slider.set_track(*track)
-            field.set_value(value)
-
-
-class AngleEditors(QWidget):
-    """An :class:`AngleEditor` for each measurement, in the order in which they are shown."""
-
-    def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:
-        super().__init__()
-        self._session, self._head, self._pick = session, head, pick
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(8)
-        self.editors: list[AngleEditor] = []
+        for part in (self.head, self.flop, self.angles):
+            box.addWidget(part)
         self._colours: Colours | None = None
-        head.space_chosen.connect(self._set_space)
+        self._show_mode()
+        self.head.set_chosen.connect(lambda name: session.edit(UseAngles(name)))
+        self.head.angle_added.connect(
+            lambda angle: session.edit(AddAngle(Geometry(session.paint.main_light_deg, angle)))
+        )
+        self.head.mode_chosen.connect(self._show_mode)
 
-    def focus_order(self) -> list[QWidget]:
-        """Return what Tab stops at: the numbers of all angles, then the buttons that pick a colour or remove one."""
-        numbers = [field for editor in self.editors for field in editor.fields]
-        return [*numbers, *(button for editor in self.editors for button in (editor.swatch, editor.remove))]
-
-    def _set_space(self, space: Space) -> None:
-        for editor in self.editors:
-            editor.set_space(space)
-        if self._colours is not None:
-            self.show_colours(self._colours)
-
-    def hue_of(self, index: int) -> float:
-        """Return the hue, degrees, that a grey at that measurement would get."""
-        return next((editor.hue for editor in self.editors if editor.index == index), 0.0)
+    @property
+    def editors(self) -> list[AngleEditor]:
+        """The editors of the angles, in the order in which they are shown."""
+        return self.angles.editors
 
     def show_colours(self, colours: Colours) -> None:
-        """Show every measurement; only what is another is worked out and drawn."""
+        """Show every measurement."""
         self._colours = colours
-        self._make(len(colours.angles))
-        rows: list[tuple[AngleEditor, AngleColour, tuple[float, float, float]]] = []
-        for editor, colour in zip(self.editors, colours.angles, strict=True):
-            editor.show_place(colour)
-            editor.remove.setEnabled(len(colours.angles) > 3)
-            if editor.needs(colour):
-                rows.append((editor, colour, editor.values(colour.lab)))
-        if not rows:
-            return
-        positions = [slider.positions() for slider in self.editors[0].sliders]
-        values = np.array([row for _, _, row in rows])
-        tracks = component_tracks(values, positions, in_lch=self._head.space == "lch")
-        for (editor, colour, row), of_editor in zip(rows, tracks, strict=True):
-            editor.show_colour(colour, row, of_editor)
+        self.head.show_set(set_name(colours.paint), colours.paint.main_light_deg)
+        self.angles.show_colours(colours)
+        if self.head.mode == "flop":
+            self.flop.show_colours(colours)
 
-    def _make(self, count: int) -> None:
-        while len(self.editors) > count:
-            editor = self.editors.pop()
-            self._box.removeWidget(editor)
-            editor.hide()
-            editor.deleteLater()
-        while len(self.editors) < count:
-            editor = AngleEditor(self._session, self._head, self._pick)
-            self._box.addWidget(editor)
-            self.editors.append(editor)
+    def edit_in_lch(self, index: int, component: int, value: float) -> None:
+        """Set L*, C* or h at an angle, or move all angles with it."""
+        hue, at_all_angles = self.angles.hue_of(index), self.head.mode == "all"
+        self._session.edit(colour_edit("lch", index, component, value, hue, at_all_angles=at_all_angles))
+
+    def _show_mode(self) -> None:
+        self.flop.setVisible(self.head.mode == "flop")
+        self.angles.setVisible(self.head.mode != "flop")
+        if self._colours is not None:
+            self.show_colours(self._colours)

@@ -14,11 +14,12 @@ from collections.abc import Sequence
 from typing import Any
 
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QCoreApplication, QObject, QProcess, QTimer, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QCoreApplication, QObject, QProcess, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter
 
-from brdf_designer.preview.thumbnail_placeholder import placeholder
+from brdf_designer.colour.display import lab_to_codes
 from brdf_designer.preview.thumbnail_scene import SIZE, USUAL_SCENE, ThumbnailScene, paint_key
+from brdf_designer.session.state import by_angle
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.processes import child_command
@@ -30,6 +31,7 @@ MOST_KEPT = 600
 IDLE_MS = 120_000
 """A process that has had nothing to draw for so long is ended: it holds some 250 MB."""
 
+_GROUND = QColor(119, 119, 119)
 _PATIENCE_MS = 3_000
 _MOST_DEATHS = 2
 _MODULE = "brdf_designer.preview.thumbnails_process"
@@ -218,6 +220,28 @@ class Thumbnails(QObject):
         if self._process.state() != QProcess.ProcessState.NotRunning:
             self._ending = True
             self._process.closeWriteChannel()
+
+
+def placeholder(paint: Paint, size: int) -> QImage:
+    """Return a disc, lit from the upper left, whose colours are the readings in the order of their angles."""
+    order = by_angle(paint)
+    codes, _inside = lab_to_codes([paint.measurements[index].lab for index in order])
+    image = QImage(size, size, QImage.Format.Format_RGB32)
+    image.fill(_GROUND)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    edge = 0.08 * size
+    disc = QRectF(edge, edge, size - 2 * edge, size - 2 * edge)
+    ramp = QLinearGradient(disc.topLeft(), disc.bottomRight())
+    last = max(1, len(order) - 1)
+    for place, code in enumerate(codes.tolist()):
+        # The middle of the ramp: at its ends nothing of the disc is left.
+        ramp.setColorAt(0.2 + 0.6 * place / last, QColor(*code))
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(ramp)
+    painter.drawEllipse(disc)
+    painter.end()
+    return image
 
 
 def _trim(kept: OrderedDict[str, QImage]) -> None:

@@ -16,13 +16,12 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.keeping import StandardKeeping
-from brdf_designer.standard.kept import Kept, Request, Swap, load_request
-from brdf_designer.standard.memory import Record
+from brdf_designer.standard.document_standards import DocumentStandards, Request, Swap, load_request
+from brdf_designer.standard.record_keeping import StandardKeeping
+from brdf_designer.standard.records import Record
 from brdf_designer.standard.section import StandardSection
 from brdf_designer.standard.settings import ToleranceSettings, load, save
-from brdf_designer.standard.state import state_of, verdict_word
-from brdf_designer.standard.words import say
+from brdf_designer.standard.state import say, state_of, verdict_word
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.documents.paint import Paint
@@ -42,7 +41,7 @@ class StandardControl(Feature, QObject):
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._session, self._window = session, window
-        self._kept: dict[int, Kept] = {}
+        self._kept: dict[int, DocumentStandards] = {}
         self._settings = load()
         self._tasks = TaskRunner(self)
         self._shown = False
@@ -191,8 +190,8 @@ class StandardControl(Feature, QObject):
         return [self._session.paint, *others, *self._of_front.batches]
 
     @property
-    def _of_front(self) -> Kept:
-        return self._kept.setdefault(self._session.document_key, Kept())
+    def _of_front(self) -> DocumentStandards:
+        return self._kept.setdefault(self._session.document_key, DocumentStandards())
 
     def _switched(self) -> None:
         self._angles: list[float] | None = None
@@ -226,7 +225,9 @@ class StandardControl(Feature, QObject):
 
     def restore(self, key: int, record: Record) -> None:
         """Give a document the standard that was kept for it; the rest of its file is read where it comes in front."""
-        self._kept[key] = Kept((record.standard,), 0, record.source, record if record.source else None)
+        self._kept[key] = DocumentStandards(
+            (record.standard,), 0, record.source, record if record.source else None
+        )
 
     def _read_again(self) -> None:
         """Read the file of a standard that was kept: what else is in it, and a reflectance that was measured."""

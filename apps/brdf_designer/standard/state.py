@@ -8,7 +8,6 @@ from brdf_qt.program.translation import mark, tr
 
 from brdf_designer.colour.display import lab_to_codes
 from brdf_designer.session.state import by_angle
-from brdf_designer.standard.words import say
 from brdf_suite.appearance.difference.tolerance import difference_title
 from brdf_suite.appearance.difference.words import words_text
 from brdf_suite.documents.paint import Paint
@@ -31,6 +30,34 @@ _COLUMNS = {
     "ellipsoid": (2, 3, 4),
 }
 """Where in a line of the table the parts stand."""
+
+
+MARKED = (
+    mark("lighter"),
+    mark("darker"),
+    mark("cleaner"),
+    mark("dirtier"),
+    mark("redder"),
+    mark("yellower"),
+    mark("greener"),
+    mark("bluer"),
+    mark("more flop"),
+    mark("less flop"),
+    mark("slightly {word}"),
+    mark("much {word}"),
+    mark("{first} and {second}"),
+    mark("{first}, {second}"),
+    mark("{first}; {second}"),
+    mark("{words} at {angles}"),
+    mark("{words} at every angle"),
+    mark("no visible difference"),
+)
+"""The words of differences: all of ``WORDS`` and ``PATTERNS`` of :mod:`brdf_suite.appearance.difference.words`."""
+
+
+def say(text: str) -> str:
+    """Return one of :data:`MARKED` in the user's language."""
+    return tr(text)
 
 
 @dataclass(frozen=True)

@@ -9,11 +9,11 @@ from brdf_qt.program.feature import Feature
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.coat_flakes.control import CoatControl
 from brdf_designer.colour.commands import ColourCommands
-from brdf_designer.colour.offer import NearestOffer
+from brdf_designer.colour.nearest_offer import NearestOffer
 from brdf_designer.export.control import HandoverControl
 from brdf_designer.history.control import HistoryControl
 from brdf_designer.measured.control import MeasuredControl
-from brdf_designer.preview.preview import PreviewControl
+from brdf_designer.preview.control import PreviewControl
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.variations.control import VariationsControl

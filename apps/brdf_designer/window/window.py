@@ -16,15 +16,15 @@ from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
 from brdf_designer.colour.angle_plot import AnglePlot
-from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_strip import FlopStrip
 from brdf_designer.colour.patches import PatchRow
+from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs_bar import DocumentTabs
 from brdf_designer.session.edits import MakeSolid
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
-from brdf_designer.window.focus import order_focus
-from brdf_designer.window.letters import give_letters
+from brdf_designer.window.focus_order import order_focus
+from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus

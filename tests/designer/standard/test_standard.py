@@ -7,8 +7,7 @@ from dataclasses import replace
 import pytest
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.standard.settings import ToleranceSettings, load, save
-from brdf_designer.standard.state import state_of
-from brdf_designer.standard.words import MARKED
+from brdf_designer.standard.state import MARKED, state_of
 from PySide6.QtGui import QAction
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000, delta_e_cmc

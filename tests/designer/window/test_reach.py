@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from brdf_designer.assembly import Designer
 from brdf_designer.preview import thumbnails
-from brdf_designer.window.letters import with_letters
+from brdf_designer.window.menu_letters import with_letters
 from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QKeySequence

@@ -12,13 +12,13 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QSplitter
 
-from brdf_designer.acquire.page import AcquirePage, Facts, wrapped
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.pictures.marks import Area, draw_mark
 from brdf_designer.acquire.pictures.tone import Tones, area_of, drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import Series, Shot
+from brdf_designer.acquire.step_page import AcquirePage, Facts, wrapped
 from brdf_designer.standard.tables import WholeTable
 
 THUMB = 84

@@ -9,9 +9,9 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox
 
-from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
 from brdf_designer.acquire.states import FitState
+from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
 from brdf_designer.standard.tables import WholeTable
 
 _LUMINANCE = np.array([0.2627, 0.6780, 0.0593])

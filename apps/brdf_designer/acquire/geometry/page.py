@@ -9,12 +9,12 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QSplitter
 
-from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
 from brdf_designer.acquire.pictures.marks import Area, Differences, Outline, Points
 from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.states import GeometryState
+from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
 
 _HALF = 0.5
 """From pixels whose centres lie at whole numbers to those of a picture's corner."""

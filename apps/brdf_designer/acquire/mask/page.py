@@ -13,9 +13,9 @@ from PySide6.QtWidgets import QButtonGroup, QSizePolicy
 
 from brdf_designer.acquire.exposures.page import percent
 from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
-from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, drawn
+from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
 from brdf_suite.arrays import Bools
 
 

@@ -8,9 +8,9 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter
 
-from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.states import ResponseState
+from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
 
 
 class ResponsePage(AcquirePage):

@@ -12,9 +12,9 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem
 
-from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.states import Problem, SessionState
+from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
 
 NUMBERS = (
     (

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox
 
-from brdf_designer.acquire.page import AcquirePage, Facts, button, wrapped
 from brdf_designer.acquire.pictures.map_plot import AngleMap, MapPlot
 from brdf_designer.acquire.states import CoverageState
+from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
 
 What = Literal["share", "pixels", "error"]
 _TICKS_DEG = (0.0, 2.0, 10.0, 30.0, 60.0, 90.0)

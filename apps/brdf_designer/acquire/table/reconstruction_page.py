@@ -11,10 +11,10 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QApplication, QProgressBar
 
-from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
 from brdf_designer.acquire.pictures.map_plot import MapPlot
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import CoverageState, Problem
+from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
 from brdf_designer.acquire.table.coverage_page import coverage_map
 
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject
 
 from brdf_designer.documents.tabs import OpenDocument
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.memory import Record, keep, kept, record_from_json
+from brdf_designer.standard.records import Record, keep, kept, record_from_json
 from brdf_suite.errors import FileError
 
 _KEY = "standard kept"

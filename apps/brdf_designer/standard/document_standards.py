@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from brdf_designer.standard.memory import Record
+from brdf_designer.standard.records import Record
 from brdf_suite.documents.paint import Paint
 from brdf_suite.paint_design.standard import Standard
 from brdf_suite.paint_design.standard_files import load_standards
@@ -32,7 +32,7 @@ class Request:
 
 
 @dataclass
-class Kept:
+class DocumentStandards:
     """What is kept for one document; ``awaited`` is of an earlier run, and its ``source`` not read again yet."""
 
     standards: tuple[Standard, ...] = ()

@@ -8,8 +8,8 @@ from unittest.mock import create_autospec
 import numpy as np
 import pytest
 from brdf_designer.assembly import paint_format
-from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_panel import HANDLES
+from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import RemoveAngle, SetFlop
 from brdf_designer.session.paint_session import Fitter, Messages, PaintSession

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import pytest
 from brdf_designer.standard.control import StandardControl
-from brdf_designer.standard.memory import Record, kept, record_from_json
+from brdf_designer.standard.records import Record, kept, record_from_json
 from brdf_qt.program.settings import state_folder
 
 from brdf_suite.documents.palette import Entry, Palette
