@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMainWindow
 
 LAB = np.array([[20.0, 0.0, 0.0], [50.0, 60.0, 0.0], [50.0, -60.0, 0.0], [90.0, 0.0, 50.0]])
 IDS = ("dark", "red", "green", "yellow")
@@ -29,6 +30,19 @@ def view(qtbot):
     return made
 
 
+def drawn(view, place: int) -> int:
+    """Pixels about a point that have its colour."""
+    image, (at, _) = view.grabFramebuffer(), view.pixels()
+    scale = image.width() / view.width()
+    wanted = CODES[place].astype(int)
+    found = 0
+    for dx in range(-9, 10):
+        for dy in range(-9, 10):
+            colour = image.pixelColor(round((at[place, 0] + dx) * scale), round((at[place, 1] + dy) * scale))
+            found += abs(np.array(colour.getRgb()[:3]) - wanted).max() < 12
+    return found
+
+
 def test_points_are_drawn_in_their_colours_and_those_selected_larger(view) -> None:
     at, depth = view.pixels()
     assert np.isfinite(at).all()
@@ -37,20 +51,7 @@ def test_points_are_drawn_in_their_colours_and_those_selected_larger(view) -> No
     assert ((at > 0) & (at < [400, 300])).all()
     assert (depth > 0).all()
 
-    def drawn(place: int) -> int:
-        image = view.grabFramebuffer()
-        scale = image.width() / view.width()
-        wanted = CODES[place].astype(int)
-        found = 0
-        for dx in range(-9, 10):
-            for dy in range(-9, 10):
-                colour = image.pixelColor(
-                    round((at[place, 0] + dx) * scale), round((at[place, 1] + dy) * scale)
-                )
-                found += abs(np.array(colour.getRgb()[:3]) - wanted).max() < 12
-        return found
-
-    assert drawn(1) > 20
+    assert drawn(view, 1) > 20
     accent = view.palette().highlight().color()
 
     def ringed(place: int) -> bool:
@@ -101,3 +102,18 @@ def test_a_lasso_selects_what_it_is_drawn_around(view) -> None:
     ((ids, mode),) = view.heard
     assert (set(ids), mode) == (wanted, "drop")
     assert view.opts["azimuth"] == before
+
+
+def test_points_are_drawn_in_another_window_too(view, qtbot) -> None:
+    """A panel that is floated or docked gets another context, in which nothing of the first one is valid."""
+    before = view.context()
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    window.setCentralWidget(view)
+    window.resize(500, 400)
+    with qtbot.waitExposed(window):
+        window.show()
+    qtbot.waitUntil(lambda: view.isValid() and view.context() is not before)
+    assert drawn(view, 1) > 20
+    assert drawn(view, 3) > 20
+    window.takeCentralWidget()

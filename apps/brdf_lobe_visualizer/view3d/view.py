@@ -16,7 +16,6 @@ from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
 from brdf_qt.gl.segments import Rgba
 from brdf_qt.gl.space import Region, SpaceView, project
 from brdf_qt.program.translation import tr
-from OpenGL import GL
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QVector3D
 from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat
@@ -241,7 +240,6 @@ class LobeView(SpaceView):
             x0, y0 = max(left, 0), max(bottom, 0)
             x1, y1 = min(left + wide, region[2]), min(bottom + high, region[3])
             if x0 < x1 and y0 < y1:
-                GL.glViewport(x0, y0, x1 - x0, y1 - y0)
                 self.draw_items(
                     [*own, samples, *shared], (x0, y0, x1 - x0, y1 - y0), (left, bottom, wide, high)
                 )

@@ -140,5 +140,6 @@ class DiscItem(GLScatterPlotItem):  # type: ignore[misc]  # pyqtgraph has no typ
     def _paint(self, opacity: float) -> None:
         program = self.getShaderProgram()
         with program:
-            set_uniforms(program, rim=self.rim, opacity=opacity, ratio=self.view().ratio)
+            view = self.view()
+            set_uniforms(program, rim=self.rim, opacity=opacity, ratio=view.ratio, viewport=view.viewport)
         super().paint()

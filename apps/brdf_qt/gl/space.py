@@ -48,8 +48,8 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self.setMouseTracking(True)
         self.ratio = 1.0
         """Device pixels a logical one, in the picture that is drawn now."""
-        self.viewport = (1.0, 1.0)
-        """Its width and height in device pixels, or those of the part of it that is drawn now."""
+        self.viewport = (0.0, 0.0, 1.0, 1.0)
+        """Left, bottom, width and height in device pixels of what is drawn now, in the frame buffer."""
         self._programs: dict[tuple[Path, str], Any] = {}
         self._has_context = False
         self._failure = ""
@@ -112,7 +112,6 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         for state in (GL.GL_SCISSOR_TEST, GL.GL_CULL_FACE, GL.GL_STENCIL_TEST):
             GL.glDisable(state)
         GL.glEnable(GL.GL_MULTISAMPLE)
-        GL.glViewport(0, 0, region[2], region[3])
         GL.glClearColor(*self.opts["bgcolor"])
         GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
         self.draw_picture(region, viewport)
@@ -130,11 +129,17 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def draw_picture(self, region: Region, viewport: Region) -> None:
         """Draw all items, from one camera."""
-        self.draw_items(self.items, region, viewport)
+        (x, y, wide, high), (left, bottom, width, height) = region, viewport
+        self.draw_items(self.items, (0, 0, wide, high), (left - x, bottom - y, width, height))
 
     def draw_items(self, items: Iterable[Any], region: Region, viewport: Region) -> None:
-        """Draw items in the order of their depth values; what goes wrong is raised, not printed as pyqtgraph does."""
-        self.viewport = float(region[2]), float(region[3])
+        """Draw items into ``region`` of the frame buffer, of a picture that would cover ``viewport`` of it.
+
+        The order is that of their depth values. What goes wrong is raised, not printed as pyqtgraph does.
+        """
+        GL.glViewport(*region)
+        x, y, wide, high = region
+        self.viewport = float(x), float(y), float(wide), float(high)
         self.setProjection(region, viewport)
         self.setModelview()
         for item in sorted(items, key=lambda item: float(item.depthValue())):

@@ -4,6 +4,7 @@
 
 in vec4 disc_colour;
 in float size;
+in vec2 middle;
 
 uniform vec4 rim;
 uniform float opacity;
@@ -11,7 +12,7 @@ uniform float opacity;
 out vec4 result;
 
 void main() {
-    float away = length(gl_PointCoord - 0.5) * (size + 2.0);
+    float away = length(gl_FragCoord.xy - middle);
     float cover = clamp(0.5 * size + 0.5 - away, 0.0, 1.0);
     if (cover <= 0.0) discard;
     float inner = mix(1.0, clamp(0.5 * size - 0.8 - away, 0.0, 1.0), rim.a);

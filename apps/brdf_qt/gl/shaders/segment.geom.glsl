@@ -8,7 +8,7 @@ layout(triangle_strip, max_vertices = 4) out;
 in vec4 end_colour[];
 in float end_width[];
 
-uniform vec2 viewport; // device pixels
+uniform vec4 viewport; // left, bottom, width, height, device pixels
 
 out vec4 segment_colour;
 out float across;      // device pixels from the middle
@@ -23,7 +23,7 @@ void main() {
     if (a.w < NEAR && b.w < NEAR) return;
     if (a.w < NEAR) a = mix(a, b, (NEAR - a.w) / (b.w - a.w));
     if (b.w < NEAR) b = mix(b, a, (NEAR - b.w) / (a.w - b.w));
-    vec2 along = 0.5 * viewport * (b.xy / b.w - a.xy / a.w);
+    vec2 along = 0.5 * viewport.zw * (b.xy / b.w - a.xy / a.w);
     float reach = length(along);
     along = reach > 1e-6 ? along / reach : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x);
@@ -31,7 +31,7 @@ void main() {
         vec4 here = corner < 2 ? a : b;
         half_width = 0.5 * end_width[corner / 2];
         across = (float(corner % 2) * 2.0 - 1.0) * (half_width + 1.0);
-        here.xy += side * across * 2.0 / viewport * here.w;
+        here.xy += side * across * 2.0 / viewport.zw * here.w;
         gl_Position = here;
         segment_colour = end_colour[corner / 2];
         EmitVertex();
