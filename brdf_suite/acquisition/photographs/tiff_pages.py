@@ -7,14 +7,11 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tifffile import TiffFile
+from tifffile import TiffFile, TiffPage
 
 from brdf_suite.errors import FileError
-
-if TYPE_CHECKING:
-    from tifffile import TiffPage
 
 _Path = str | os.PathLike[str]
 
