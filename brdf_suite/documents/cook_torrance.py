@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Literal, get_args
 
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe, set_numbers
 from brdf_suite.errors import ValueRangeError
 
 DistributionNorm = Literal["full", "quarter"]
@@ -44,8 +44,7 @@ class CookTorranceLobe:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "ks", check_rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
-        for name in ("m", "r"):
-            object.__setattr__(self, name, PARAMETERS[f"lobes[].{name}"].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "m", "r", group="lobes[].")
 
 
 @dataclass(frozen=True)
@@ -56,9 +55,7 @@ class Clearcoat:
     roughness: float = 0.002
 
     def __post_init__(self) -> None:
-        for name in ("ior", "roughness"):
-            checked = PARAMETERS[f"clearcoat.{name}"].check(getattr(self, name), name)
-            object.__setattr__(self, name, checked)
+        set_numbers(self, PARAMETERS, "ior", "roughness", group="clearcoat.")
 
 
 @dataclass(frozen=True)

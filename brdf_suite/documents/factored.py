@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 from brdf_suite.documents.cook_torrance import Clearcoat, Rgb, check_rgb
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.documents.parameter import Parameter, check_text, describe
+from brdf_suite.documents.parameter import Parameter, check_text, describe, set_number
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import Factor, parse_factors
 
@@ -73,8 +73,7 @@ class FactoredPaint:
         object.__setattr__(self, "alpha", check_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
         if not isinstance(self.logarithmic, bool):
             raise ValueRangeError("logarithmic", f"expected true or false, not {describe(self.logarithmic)}")
-        largest = Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, "").check(self.largest, "largest")
-        object.__setattr__(self, "largest", largest)
+        set_number(self, Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, ""), "largest")
         if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
             raise ValueRangeError(
                 "clearcoat", f"expected a clearcoat or nothing, not {describe(self.clearcoat)}"

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe, set_numbers
 from brdf_suite.errors import ValueRangeError
 
 Interpolation = Literal["flake", "monotone", "polynomial"]
@@ -84,8 +84,7 @@ class Measurement:
     lab: Lab
 
     def __post_init__(self) -> None:
-        for name in ("illumination_deg", "aspecular_deg"):
-            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "illumination_deg", "aspecular_deg")
         view_deg = self.illumination_deg - self.aspecular_deg
         if abs(view_deg) >= 90.0:
             raise ValueRangeError(
@@ -104,9 +103,8 @@ class Gloss:
     gu_60: float | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "gu_20", PARAMETERS["gloss.gu_20"].check(self.gu_20, "gu_20"))
-        if self.gu_60 is not None:
-            object.__setattr__(self, "gu_60", PARAMETERS["gloss.gu_60"].check(self.gu_60, "gu_60"))
+        names = ("gu_20",) if self.gu_60 is None else ("gu_20", "gu_60")
+        set_numbers(self, PARAMETERS, *names, group="gloss.")
 
 
 @dataclass(frozen=True)
@@ -120,8 +118,7 @@ class OrangePeel:
     wavelength_mm: float = 4.0
 
     def __post_init__(self) -> None:
-        for name in ("amplitude_um", "wavelength_mm"):
-            object.__setattr__(self, name, PARAMETERS[f"orange_peel.{name}"].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "amplitude_um", "wavelength_mm", group="orange_peel.")
         if self.slope_deg > STEEPEST_PEEL_DEG:
             most = math.tan(math.radians(STEEPEST_PEEL_DEG)) * self.wavelength_mm * 1e3 / (2.0 * math.pi)
             raise ValueRangeError(
@@ -150,8 +147,9 @@ class Flakes:
     colour_spread: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("density_per_mm2", "size_um", "roughness", "colour_spread"):
-            object.__setattr__(self, name, PARAMETERS[f"flakes.{name}"].check(getattr(self, name), name))
+        set_numbers(
+            self, PARAMETERS, "density_per_mm2", "size_um", "roughness", "colour_spread", group="flakes."
+        )
 
 
 @dataclass(frozen=True)
@@ -194,8 +192,7 @@ class Paint:
             )
         check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
         check_choice(self.out_of_plane, "out_of_plane", OUT_OF_PLANE)
-        near = PARAMETERS["near_specular"].check(self.near_specular, "near_specular")
-        object.__setattr__(self, "near_specular", near)
+        set_numbers(self, PARAMETERS, "near_specular")
         check_choice(self.illuminant, "illuminant", ("D65",))
         if self.observer_deg != 10 or isinstance(self.observer_deg, bool):
             raise ValueRangeError(

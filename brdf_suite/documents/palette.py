@@ -12,13 +12,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cached_property
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.parameter import check_choice, check_text, describe
+from brdf_suite.documents.parameter import check_choice, check_items, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
 MOST_ENTRIES = 100_000
@@ -94,7 +94,7 @@ class Entry:
             _set(self, "foreign", _checked_foreign(self.foreign))
 
     def _checked_tags(self) -> tuple[str, ...]:
-        tags: tuple[str, ...] = _items(self.tags, "tags", str, MOST_TAGS)
+        tags: tuple[str, ...] = check_items(self.tags, "tags", str, MOST_TAGS)
         for index, tag in enumerate(tags):
             check_text(tag, f"tags[{index}]", longest=50, lines=False, empty=False)
             if tag in tags[:index]:
@@ -158,9 +158,11 @@ class Palette:
 
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=_LONGEST_NAME, lines=False, empty=False)
-        entries = _items(self.entries, "entries", Entry, MOST_ENTRIES)
+        entries = check_items(self.entries, "entries", Entry, MOST_ENTRIES)
         _set(self, "entries", _with_ids(entries))
-        _set(self, "groups", _all_groups(_items(self.groups, "groups", Group, MOST_GROUPS), self.entries))
+        _set(
+            self, "groups", _all_groups(check_items(self.groups, "groups", Group, MOST_GROUPS), self.entries)
+        )
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         _check_colour(self.colour)
         if (
@@ -244,7 +246,7 @@ def new_id() -> str:
 
 def check_path(value: object, place: str) -> GroupPath:
     """Return the path of a group, checked."""
-    names = _items(value, place, str, DEEPEST_GROUP)
+    names = check_items(value, place, str, DEEPEST_GROUP)
     for index, name in enumerate(names):
         check_text(name, f"{place}[{index}]", longest=_LONGEST_NAME, lines=False, empty=True)
     return names
@@ -296,7 +298,7 @@ def _all_groups(groups: tuple[Group, ...], entries: tuple[Entry, ...]) -> tuple[
 
 
 def _checked_foreign(value: object) -> Foreign:
-    pairs = _items(value, "foreign", (tuple, list), 64)
+    pairs = check_items(value, "foreign", (tuple, list), 64)
     found = []
     for index, pair in enumerate(pairs):
         if len(pair) != 2:
@@ -321,15 +323,3 @@ def _check_date(value: object) -> None:
         else:
             return
     raise ValueRangeError("date", f"expected a date as in 2024-05-31, not {describe(value)}")
-
-
-def _items(value: object, place: str, kind: type | tuple[type, ...], most: int) -> tuple[Any, ...]:
-    if not isinstance(value, (tuple, list)):
-        raise ValueRangeError(place, f"expected a list, not {describe(value)}")
-    if len(value) > most:
-        raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
-    for index, item in enumerate(value):
-        if not isinstance(item, kind):
-            word = "list" if isinstance(kind, tuple) else "text" if kind is str else kind.__name__.lower()
-            raise ValueRangeError(f"{place}[{index}]", f"expected a {word}, not {describe(item)}")
-    return tuple(value)

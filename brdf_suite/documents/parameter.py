@@ -9,6 +9,7 @@ import math
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from brdf_suite.errors import ValueRangeError
 
@@ -44,6 +45,38 @@ class Parameter:
                 place, f"{number:g}{unit} is outside the range {self.low:g} to {self.high:g}{unit}"
             )
         return number
+
+
+def set_number(owner: object, parameter: Parameter, *names: str) -> None:
+    """Check fields of a frozen value by one declaration, and store them as floats."""
+    for name in names:
+        object.__setattr__(owner, name, parameter.check(getattr(owner, name), name))
+
+
+def set_numbers(owner: object, parameters: Mapping[str, Parameter], *names: str, group: str = "") -> None:
+    """Check fields of a frozen value by the declarations of ``group`` + their names, and store them as floats."""
+    for name in names:
+        set_number(owner, parameters[group + name], name)
+
+
+def check_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
+    """Return ``count`` numbers in the parameter's range; the error names the one that is not."""
+    if not isinstance(value, (tuple, list)) or len(value) != count:
+        raise ValueRangeError(place, f"expected a list of {count} numbers, not {describe(value)}")
+    return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
+
+
+def check_items(value: object, place: str, kind: type | tuple[type, ...], most: int) -> tuple[Any, ...]:
+    """Return a list's items as a tuple where each is of ``kind`` and they are not more than ``most``."""
+    if not isinstance(value, (tuple, list)):
+        raise ValueRangeError(place, f"expected a list, not {describe(value)}")
+    if len(value) > most:
+        raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
+    for index, item in enumerate(value):
+        if not isinstance(item, kind):
+            word = "list" if isinstance(kind, tuple) else "text" if kind is str else kind.__name__.lower()
+            raise ValueRangeError(f"{place}[{index}]", f"expected a {word}, not {describe(item)}")
+    return tuple(value)
 
 
 def describe(value: object) -> str:

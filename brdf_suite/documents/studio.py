@@ -12,7 +12,15 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_choice,
+    check_numbers,
+    check_text,
+    describe,
+    set_number,
+    set_numbers,
+)
 from brdf_suite.errors import ValueRangeError
 
 Shape = Literal["box", "strip", "ring"]
@@ -50,22 +58,13 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 )
 
 
-def _number(owner: object, name: str, parameter: str | None = None) -> None:
-    checked = PARAMETERS[parameter or name].check(getattr(owner, name), name)
-    object.__setattr__(owner, name, checked)
-
-
 def _temperature(owner: object, name: str = "colour_temperature_k") -> None:
     if getattr(owner, name) is not None:
-        _number(owner, name)
+        set_numbers(owner, PARAMETERS, name)
 
 
-def _numbers(owner: object, name: str, count: int) -> None:
-    value = getattr(owner, name)
-    if not isinstance(value, (tuple, list)) or len(value) != count:
-        raise ValueRangeError(name, f"expected a list of {count} numbers, not {describe(value)}")
-    checked = tuple(PARAMETERS[name].check(item, f"{name}[{i}]") for i, item in enumerate(value))
-    object.__setattr__(owner, name, checked)
+def _vector(owner: object, name: str, count: int) -> None:
+    object.__setattr__(owner, name, check_numbers(getattr(owner, name), name, PARAMETERS[name], count))
 
 
 @dataclass(frozen=True)
@@ -82,10 +81,10 @@ class BoothRoom:
 
     def __post_init__(self) -> None:
         for name in ("width_m", "length_m", "height_m"):
-            _number(self, name, "size")
+            set_number(self, PARAMETERS["size"], name)
         for name in ("floor_albedo", "wall_albedo", "ceiling_albedo"):
-            _number(self, name, "albedo")
-        _number(self, "eye_height_m")
+            set_number(self, PARAMETERS["albedo"], name)
+        set_numbers(self, PARAMETERS, "eye_height_m")
         if self.eye_height_m >= self.height_m:
             raise ValueRangeError("eye_height_m", f"must lie below the ceiling, {self.height_m:g} m")
 
@@ -104,7 +103,7 @@ class Backdrop:
     colour_temperature_k: float | None = None
 
     def __post_init__(self) -> None:
-        _number(self, "luminance")
+        set_numbers(self, PARAMETERS, "luminance")
         _temperature(self)
 
 
@@ -144,13 +143,13 @@ class StudioLamp:
 
     def __post_init__(self) -> None:
         check_choice(self.shape, "shape", SHAPES)
-        _numbers(self, "position_m", 3)
-        _numbers(self, "size_m", 2)
+        _vector(self, "position_m", 3)
+        _vector(self, "size_m", 2)
         for name in ("roll_deg", "luminance", "softness_m"):
-            _number(self, name)
+            set_numbers(self, PARAMETERS, name)
         _temperature(self)
         if self.facing is not None:
-            _numbers(self, "facing", 3)
+            _vector(self, "facing", 3)
             if sum(value * value for value in self.facing) < 1e-12:
                 raise ValueRangeError("facing", "a vector of length 0 has no direction")
         if sum(value * value for value in self.position_m) < _NEAREST_M**2:
@@ -227,7 +226,7 @@ class Sky:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         check_choice(self.model, "model", SKY_MODELS)
         for name in ("turbidity", "sun_elevation_deg", "sun_azimuth_deg", "ground_albedo"):
-            _number(self, name)
+            set_numbers(self, PARAMETERS, name)
         if self.model == "preetham" and self.turbidity < 1.9:
             raise ValueRangeError("turbidity", "Preetham's model holds from 1.9 on; take hosek_wilkie below")
         if not isinstance(self.sun_disc, bool):

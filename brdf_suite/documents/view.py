@@ -9,7 +9,14 @@ from pathlib import PurePosixPath, PureWindowsPath
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_choice,
+    check_numbers,
+    check_text,
+    describe,
+    set_numbers,
+)
 from brdf_suite.documents.view_settings import (
     Compare,
     Lamp,
@@ -92,16 +99,11 @@ class Camera:
     focal_length_mm: float = 50.0
 
     def __post_init__(self) -> None:
-        for name in ("azimuth_deg", "elevation_deg", "focal_length_mm"):
-            object.__setattr__(self, name, PARAMETERS[f"camera.{name}"].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "azimuth_deg", "elevation_deg", "focal_length_mm", group="camera.")
         if self.distance is not None:
-            distance = PARAMETERS["camera.distance"].check(self.distance, "distance")
-            object.__setattr__(self, "distance", distance)
+            set_numbers(self, PARAMETERS, "distance", group="camera.")
         if self.target is not None:
-            if not isinstance(self.target, (tuple, list)) or len(self.target) != 3:
-                raise ValueRangeError("target", f"expected three numbers, not {describe(self.target)}")
-            check = PARAMETERS["camera.target"].check
-            target = tuple(check(value, f"target[{i}]") for i, value in enumerate(self.target))
+            target = check_numbers(self.target, "target", PARAMETERS["camera.target"], 3)
             object.__setattr__(self, "target", target)
 
 
@@ -153,8 +155,7 @@ class View:
                 raise ValueRangeError(name, f"expected a {words}, not {describe(getattr(self, name))}")
         for name in ("environment", "surface"):
             _check_name_or_path(getattr(self, name), name)
-        for name in ("rotation_deg", "exposure_ev", "turntable_deg_s"):
-            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "rotation_deg", "exposure_ev", "turntable_deg_s")
         check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
         check_choice(self.background, "background", BACKGROUNDS)
         check_choice(self.environment_layout, "environment_layout", ENVIRONMENT_LAYOUTS)

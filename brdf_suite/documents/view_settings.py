@@ -11,7 +11,15 @@ from pathlib import PurePosixPath, PureWindowsPath
 from types import MappingProxyType
 from typing import Literal, TypeAlias, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_choice,
+    check_items,
+    check_numbers,
+    check_text,
+    describe,
+    set_numbers,
+)
 from brdf_suite.errors import ValueRangeError
 
 Illuminant = Literal["environment", "D65", "D50", "A", "TL84", "CWF", "LED"]
@@ -110,7 +118,7 @@ class LightColour:
     def __post_init__(self) -> None:
         check_choice(self.illuminant, "illuminant", ILLUMINANTS)
         _check_flag(self.adapted, "adapted")
-        _check_numbers(self, "light_colour", ("brightness",))
+        set_numbers(self, PARAMETERS, "brightness", group="light_colour.")
 
 
 @dataclass(frozen=True)
@@ -126,8 +134,11 @@ class Lamp:
 
     def __post_init__(self) -> None:
         check_choice(self.kind, "kind", LAMP_KINDS)
-        object.__setattr__(self, "position", _three(self.position, "position", PARAMETERS["lamp.position"]))
-        _check_numbers(self, "lamp", ("azimuth_deg", "elevation_deg", "strength", "temperature_k"))
+        position = check_numbers(self.position, "position", PARAMETERS["lamp.position"], 3)
+        object.__setattr__(self, "position", position)
+        set_numbers(
+            self, PARAMETERS, "azimuth_deg", "elevation_deg", "strength", "temperature_k", group="lamp."
+        )
 
 
 @dataclass(frozen=True)
@@ -147,7 +158,7 @@ class Sparkle:
         if count != int(count):
             raise ValueRangeError("light_count", f"expected a whole number, not {count:g}")
         object.__setattr__(self, "light_count", int(count))
-        _check_numbers(self, "sparkle", ("strength",))
+        set_numbers(self, PARAMETERS, "strength", group="sparkle.")
 
 
 @dataclass(frozen=True)
@@ -184,8 +195,8 @@ class SurfaceLook:
         check_choice(self.normals, "normals", NORMALS_MODES)
         for name in ("recentre", "flip_normals", "occlusion", "ground"):
             _check_flag(getattr(self, name), name)
-        _check_numbers(self, "surface", ("scale",))
-        object.__setattr__(self, "materials", _items(self.materials, "materials", PartMaterial, 10_000))
+        set_numbers(self, PARAMETERS, "scale", group="surface.")
+        object.__setattr__(self, "materials", check_items(self.materials, "materials", PartMaterial, 10_000))
         names = [item.part for item in self.materials]
         if len(set(names)) != len(names):
             raise ValueRangeError("materials", "a part is named twice")
@@ -210,7 +221,7 @@ class Relief:
         check_path(self.normal_map, "normal_map")
         check_path(self.tangent_map, "tangent_map")
         numbers = ("normal_strength", "normal_width_mm", "orange_peel", "orange_peel_mm")
-        _check_numbers(self, "relief", numbers)
+        set_numbers(self, PARAMETERS, *numbers, group="relief.")
 
 
 @dataclass(frozen=True)
@@ -229,7 +240,7 @@ class TwoTone:
     def __post_init__(self) -> None:
         _check_paint(self.paint, "paint")
         check_path(self.mask, "mask")
-        _check_numbers(self, "two_tone", ("mask_width_mm",))
+        set_numbers(self, PARAMETERS, "mask_width_mm", group="two_tone.")
         check_choice(self.projection, "projection", MASK_PROJECTIONS)
 
 
@@ -253,7 +264,7 @@ class Compare:
         check_choice(self.mode, "mode", COMPARE_MODES)
         _check_paint(self.paint, "paint")
         check_choice(self.basis, "basis", COMPARE_BASES)
-        _check_numbers(self, "compare", ("divider", "rate_hz", "scale_delta_e"))
+        set_numbers(self, PARAMETERS, "divider", "rate_hz", "scale_delta_e", group="compare.")
 
 
 def check_path(value: object, place: str) -> None:
@@ -276,32 +287,12 @@ def _check_flag(value: object, place: str) -> None:
         raise ValueRangeError(place, f"expected true or false, not {describe(value)}")
 
 
-def _check_numbers(owner: object, group: str, names: tuple[str, ...]) -> None:
-    for name in names:
-        number = PARAMETERS[f"{group}.{name}"].check(getattr(owner, name), name)
-        object.__setattr__(owner, name, number)
-
-
-def _three(value: object, place: str, parameter: Parameter) -> tuple[float, float, float]:
-    if not isinstance(value, (tuple, list)) or len(value) != 3:
-        raise ValueRangeError(place, f"expected three numbers, not {describe(value)}")
-    x, y, z = (parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
-    return (x, y, z)
-
-
-def _items(value: object, place: str, kind: type, most: int) -> tuple[object, ...]:
-    if not isinstance(value, (tuple, list)) or not all(isinstance(item, kind) for item in value):
-        raise ValueRangeError(place, f"expected a list, not {describe(value)}")
-    if len(value) > most:
-        raise ValueRangeError(place, f"{len(value)} are more than the {most} allowed")
-    return tuple(value)
-
-
 def check_lamps(value: object, place: str) -> tuple[Lamp, ...]:
     """Return lamps as a tuple, or raise :class:`ValueRangeError`."""
-    return tuple(item for item in _items(value, place, Lamp, MOST_LAMPS) if isinstance(item, Lamp))
+    return check_items(value, place, Lamp, MOST_LAMPS)
 
 
 def check_colour(value: object, place: str) -> tuple[float, float, float]:
     """Return three numbers of 0 to 1, encoded sRGB, or raise :class:`ValueRangeError`."""
-    return _three(value, place, Parameter("Colour", "", 0.0, 1.0, 0.5, "Encoded sRGB"))
+    red, green, blue = check_numbers(value, place, Parameter("Colour", "", 0.0, 1.0, 0.5, "Encoded sRGB"), 3)
+    return red, green, blue

@@ -7,15 +7,11 @@ import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from tifffile import TiffFile
+from tifffile import TiffFile, TiffPage
 
 from brdf_suite.errors import FileError, PathLike
-
-if TYPE_CHECKING:
-    from tifffile import TiffPage
-
 
 _EXPOSURE_TIME, _SHUTTER_SPEED, _EXIF = 33434, 37377, 34665
 

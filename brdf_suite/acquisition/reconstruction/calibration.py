@@ -10,14 +10,12 @@ import numpy as np
 
 from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-from brdf_suite.acquisition.radiance.dark_frame import dark_model
+from brdf_suite.acquisition.radiance.dark_frame import Dark, dark_model
 from brdf_suite.acquisition.radiance.flat_field import flat_field
-from brdf_suite.acquisition.radiance.merge import merge
+from brdf_suite.acquisition.radiance.merge import MergedRadiance, merge
 from brdf_suite.acquisition.response.response import Response
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.radiance.dark_frame import Dark
-    from brdf_suite.acquisition.radiance.merge import MergedRadiance
     from brdf_suite.acquisition.reconstruction.source import SeriesKind, Stack
     from brdf_suite.arrays import Bools
 

@@ -9,20 +9,21 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry, format_movement_notice
+from brdf_suite.acquisition.geometry.refinement.refinement import (
+    Refinement,
+    calibrate_geometry,
+    format_movement_notice,
+)
 from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
-from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+from brdf_suite.acquisition.geometry.sphere.highlight import Highlight, find_highlight
 from brdf_suite.acquisition.geometry.sphere.nominal_geometry import nominal_geometry
-from brdf_suite.acquisition.geometry.sphere.outline import find_outline
+from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline, find_outline
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.refinement.refinement import Refinement
-    from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
-    from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
     from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
 

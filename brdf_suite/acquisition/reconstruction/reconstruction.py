@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.intrinsics import calibrate_intrinsics
+from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration, calibrate_intrinsics
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
 from brdf_suite.acquisition.reconstruction.calibration import Calibration
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
@@ -23,12 +23,11 @@ from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.acquisition.reconstruction.response import find_response
 from brdf_suite.acquisition.reconstruction.source import FolderSource, PhotographSource, Stack
 from brdf_suite.acquisition.session.store import read_session, session_path
-from brdf_suite.acquisition.table.samples import SphereSampler
+from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
 if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
     from brdf_suite.acquisition.geometry.refinement.refinement import Refinement
     from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
     from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
@@ -36,7 +35,6 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
     from brdf_suite.acquisition.response.fit import ResponseFit
     from brdf_suite.acquisition.response.response import Response
-    from brdf_suite.acquisition.table.samples import PositionSamples
 
 
 class Acquisition(SessionPhotographs):

@@ -5,21 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from brdf_suite.acquisition.radiance.dark_frame import black_codes
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.acquisition.reconstruction.source import first_readable
-from brdf_suite.acquisition.response.fit import calibrate_response
-from brdf_suite.acquisition.response.response import srgb_response
+from brdf_suite.acquisition.response.fit import ResponseFit, calibrate_response
+from brdf_suite.acquisition.response.response import Response, srgb_response
 from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.progress import Progress, report, subrange
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.response.fit import ResponseFit
-    from brdf_suite.acquisition.response.response import Response
 
 POSITIONS = 8
 """Spread over the arc; each holds millions of pixels, and all codes are seen in a few."""

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -16,17 +16,13 @@ import numpy.typing as npt
 from brdf_suite.acquisition.photographs.reading import read_photograph
 from brdf_suite.acquisition.session import series as photograph_series
 from brdf_suite.acquisition.session.check import check_session
-from brdf_suite.acquisition.session.finding import exposures_lost
-from brdf_suite.acquisition.session.series import read_mask, read_position
+from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
+from brdf_suite.acquisition.session.series import PhotographSeries, read_mask, read_position
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.session.store import session_to_json
 from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.session.finding import SessionFinding
-    from brdf_suite.acquisition.session.series import PhotographSeries
 
 SeriesKind = Literal["dark", "white", "flat_field"]
 

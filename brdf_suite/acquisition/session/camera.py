@@ -8,12 +8,10 @@ from typing import Literal, get_args
 from brdf_suite.acquisition.session.values import (
     PARAMETERS,
     Matrix,
-    check_numbers,
     check_series,
     check_whole,
-    set_numbers,
 )
-from brdf_suite.documents.parameter import check_choice, describe
+from brdf_suite.documents.parameter import check_choice, check_numbers, describe, set_number
 from brdf_suite.errors import ValueRangeError
 
 ResponseKind = Literal["unknown", "linear", "srgb"]
@@ -42,9 +40,9 @@ class Lens:
     k3: float = 0.0
 
     def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["focal"], "fx", "fy")
-        set_numbers(self, PARAMETERS["principal"], "cx", "cy")
-        set_numbers(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
+        set_number(self, PARAMETERS["focal"], "fx", "fy")
+        set_number(self, PARAMETERS["principal"], "cx", "cy")
+        set_number(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
 
     def to_json(self) -> dict[str, float]:
         """Return the nine numbers under their names."""
@@ -63,7 +61,7 @@ class Board:
     def __post_init__(self) -> None:
         for name in ("columns", "rows"):
             check_whole(getattr(self, name), name, 3, 100)
-        set_numbers(self, PARAMETERS["board.square_m"], "square_m")
+        set_number(self, PARAMETERS["board.square_m"], "square_m")
         files = check_series(self.photographs, "photographs", 1, _MOST_BOARDS)
         object.__setattr__(self, "photographs", files)
 
@@ -99,9 +97,9 @@ class SessionCamera:
     board: Board | None = None
 
     def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["camera.distance_m"], "distance_m")
-        set_numbers(self, PARAMETERS["height_m"], "height_m")
-        set_numbers(self, PARAMETERS["tilt_deg"], "tilt_deg")
+        set_number(self, PARAMETERS["camera.distance_m"], "distance_m")
+        set_number(self, PARAMETERS["height_m"], "height_m")
+        set_number(self, PARAMETERS["tilt_deg"], "tilt_deg")
         check_whole(self.bit_depth, "bit_depth", 8, 16)
         check_choice(self.response, "response", RESPONSES)
         if self.to_working is not None:

@@ -25,10 +25,9 @@ from brdf_suite.acquisition.session.values import (
     check_times,
     check_whole,
     refuse_twice,
-    set_numbers,
     set_vector,
 )
-from brdf_suite.documents.parameter import check_text, describe
+from brdf_suite.documents.parameter import check_text, describe, set_number
 from brdf_suite.errors import ValueRangeError
 
 __all__ = [
@@ -65,7 +64,7 @@ class Sphere:
     centre_m: Point | None = None
 
     def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["sphere.radius_m"], "radius_m")
+        set_number(self, PARAMETERS["sphere.radius_m"], "radius_m")
         if self.centre_m is not None:
             set_vector(self, PARAMETERS["coordinate_m"], "centre_m")
 
@@ -98,10 +97,10 @@ class Light:
     post_radius_m: float = 0.0
 
     def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["light.distance_m"], "distance_m")
-        set_numbers(self, PARAMETERS["height_m"], "height_m")
-        set_numbers(self, PARAMETERS["angle_offset_deg"], "angle_offset_deg")
-        set_numbers(self, PARAMETERS["width_m"], "housing_radius_m", "post_radius_m")
+        set_number(self, PARAMETERS["light.distance_m"], "distance_m")
+        set_number(self, PARAMETERS["height_m"], "height_m")
+        set_number(self, PARAMETERS["angle_offset_deg"], "angle_offset_deg")
+        set_number(self, PARAMETERS["width_m"], "housing_radius_m", "post_radius_m")
         if self.irradiance_rgb is not None:
             set_vector(self, PARAMETERS["irradiance"], "irradiance_rgb")
         self._set_profile()
@@ -157,7 +156,7 @@ class WhiteReference:
         region = tuple(check_whole(v, f"region[{i}]", lowest[i], 65_535) for i, v in enumerate(self.region))
         object.__setattr__(self, "region", region)
         set_vector(self, PARAMETERS["reflectance"], "reflectance")
-        set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
+        set_number(self, PARAMETERS["angle_deg"], "angle_deg")
         set_vector(self, PARAMETERS["coordinate_m"], "centre_m")
         set_vector(self, PARAMETERS["normal"], "normal")
         if math.hypot(*self.normal) < 1e-9:
@@ -190,7 +189,7 @@ class Position:
     mask: str | None = None
 
     def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["angle_deg"], "angle_deg")
+        set_number(self, PARAMETERS["angle_deg"], "angle_deg")
         files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
         object.__setattr__(self, "photographs", files)
         if self.mask is not None:

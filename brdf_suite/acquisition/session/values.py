@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from types import MappingProxyType
 
-from brdf_suite.documents.parameter import Parameter, check_text, describe
+from brdf_suite.documents.parameter import Parameter, check_numbers, check_text, describe
 from brdf_suite.errors import ValueRangeError
 
 Rgb = tuple[float, float, float]
@@ -43,22 +43,9 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 SECONDS = Parameter("Exposure time", "s", 1e-7, 36_000.0, 0.01, "Of a photograph")
 
 
-def set_numbers(owner: object, parameter: Parameter, *names: str) -> None:
-    """Check fields of a frozen value and store them as floats."""
-    for name in names:
-        object.__setattr__(owner, name, parameter.check(getattr(owner, name), name))
-
-
 def set_vector(owner: object, parameter: Parameter, name: str) -> None:
     """Check a field of three numbers and store it as a tuple of floats."""
     object.__setattr__(owner, name, check_numbers(getattr(owner, name), name, parameter, 3))
-
-
-def check_numbers(value: object, place: str, parameter: Parameter, count: int) -> tuple[float, ...]:
-    """Return ``count`` numbers in the parameter's range; the error names the one that is not."""
-    if not isinstance(value, (tuple, list)) or len(value) != count:
-        raise ValueRangeError(place, f"expected a list of {count} numbers, not {describe(value)}")
-    return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
 
 
 def check_whole(value: object, place: str, low: int, high: int) -> int:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, describe
+from brdf_suite.documents.parameter import Parameter, check_choice, describe, set_numbers
 from brdf_suite.errors import ValueRangeError
 
 Curve = Literal["film", "linear", "srgb"]
@@ -115,8 +115,7 @@ class SimulatorSettings:
     file_kind: FileKind = "png"
 
     def __post_init__(self) -> None:
-        for name, parameter in PARAMETERS.items():
-            object.__setattr__(self, name, parameter.check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, *PARAMETERS)
         for i, side in enumerate(self.size):
             if not 16 <= side <= 16_384:
                 raise ValueRangeError(f"size[{i}]", f"{side} is outside the range 16 to 16384")

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -19,9 +18,6 @@ from brdf_suite.fitting.cook_torrance.shapes import Terms
 from brdf_suite.fitting.cook_torrance.solve import FitProblem
 from brdf_suite.fitting.cook_torrance.uncertainty import StandardErrors
 from brdf_suite.reflectance.blocks import in_blocks
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.cook_torrance import CookTorrancePaint
 
 # Relative standard errors above this are reported.
 _POORLY_DETERMINED = 0.5

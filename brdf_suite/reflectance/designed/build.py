@@ -40,8 +40,6 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
     from brdf_suite.reflectance.factored.model import Factored
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
 _CHANNELS = ("red", "green", "blue")
 # Gloss units: far finer than any reading. A glossy coat settles in one turn, a satin one in a few.

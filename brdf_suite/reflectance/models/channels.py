@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
@@ -25,6 +27,12 @@ def rgb(value: object, place: str, parameter: Parameter) -> Floats:
     channels = np.array(check_rgb(value, place, parameter))
     channels.setflags(write=False)
     return channels
+
+
+def set_rgb(owner: object, parameters: Mapping[str, Parameter], *names: str, group: str = "") -> None:
+    """Check colours of a frozen value by the declarations of ``group`` + their names, and store them as arrays."""
+    for name in names:
+        object.__setattr__(owner, name, rgb(getattr(owner, name), name, parameters[group + name]))
 
 
 def luminance(value: Floats) -> float:

@@ -29,7 +29,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter
+from brdf_suite.documents.parameter import Parameter, set_numbers
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
@@ -60,8 +60,7 @@ class Coated:
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
 
     def __post_init__(self) -> None:
-        for name in ("ior", "roughness", "spread"):
-            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        set_numbers(self, PARAMETERS, "ior", "roughness", "spread")
 
     @property
     def reciprocal(self) -> bool:

@@ -21,11 +21,11 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter
+from brdf_suite.documents.parameter import Parameter, set_numbers
 from brdf_suite.geometry.directions import mirror_cosine
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, set_rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -51,10 +51,8 @@ class CoatedPhong:
     reciprocal: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
-        object.__setattr__(self, "ks", rgb(self.ks, "ks", PARAMETERS["ks"]))
-        for name in ("exponent", "ior", "coat_exponent"):
-            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        set_rgb(self, PARAMETERS, "kd", "ks")
+        set_numbers(self, PARAMETERS, "exponent", "ior", "coat_exponent")
 
     @property
     def energy_conserving(self) -> bool:

@@ -22,7 +22,7 @@ from brdf_suite.documents.parameter import Parameter, describe
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, rgb, set_rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -52,7 +52,7 @@ class CosineLobes:
     energy_conserving: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
+        set_rgb(self, PARAMETERS, "kd")
         exponents = np.atleast_1d(np.asarray(self.exponents, float)).tolist()
         check = PARAMETERS["exponents[]"].check
         checked = np.array([check(e, f"exponents[{i}]") for i, e in enumerate(exponents)])

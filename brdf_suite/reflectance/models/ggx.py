@@ -20,10 +20,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter
+from brdf_suite.documents.parameter import Parameter, set_numbers
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, set_rgb
 from brdf_suite.reflectance.models.half_vector_terms import HalfVectorTerms
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
@@ -47,9 +47,8 @@ class Ggx:
     energy_conserving: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
-        object.__setattr__(self, "f0", rgb(self.f0, "f0", PARAMETERS["f0"]))
-        object.__setattr__(self, "alpha", PARAMETERS["alpha"].check(self.alpha, "alpha"))
+        set_rgb(self, PARAMETERS, "kd", "f0")
+        set_numbers(self, PARAMETERS, "alpha")
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""

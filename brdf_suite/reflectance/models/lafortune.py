@@ -19,11 +19,11 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter, describe
+from brdf_suite.documents.parameter import Parameter, describe, set_numbers
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, set_rgb
 
 _SIZE = "Weight of the product of the {} parts of light and view"
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
@@ -51,9 +51,8 @@ class LafortuneLobe:
     exponent: float = 20.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "ks", rgb(self.ks, "ks", PARAMETERS["lobes[].ks"]))
-        for name in ("cx", "cy", "cz", "exponent"):
-            object.__setattr__(self, name, PARAMETERS[f"lobes[].{name}"].check(getattr(self, name), name))
+        set_rgb(self, PARAMETERS, "ks", group="lobes[].")
+        set_numbers(self, PARAMETERS, "cx", "cy", "cz", "exponent", group="lobes[].")
 
     @property
     def direction(self) -> Floats:
@@ -88,7 +87,7 @@ class Lafortune:
     reciprocal: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
+        set_rgb(self, PARAMETERS, "kd")
         if not isinstance(self.lobes, (tuple, list)):
             raise ValueRangeError("lobes", f"expected a list, not {describe(self.lobes)}")
         for index, lobe in enumerate(self.lobes):

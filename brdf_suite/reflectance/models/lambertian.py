@@ -14,7 +14,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import rgb
+from brdf_suite.reflectance.models.channels import set_rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {"albedo": Parameter("Albedo", "", 0.0, 1.0, 0.5, "Share of the light reflected, linear Rec. 2020")}
@@ -31,7 +31,7 @@ class Lambertian:
     energy_conserving: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "albedo", rgb(self.albedo, "albedo", PARAMETERS["albedo"]))
+        set_rgb(self, PARAMETERS, "albedo")
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""

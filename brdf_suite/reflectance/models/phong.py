@@ -20,10 +20,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter, check_choice
+from brdf_suite.documents.parameter import Parameter, check_choice, set_numbers
 from brdf_suite.geometry.directions import mirror_cosine
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, set_rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -47,9 +47,8 @@ class Phong:
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
-        object.__setattr__(self, "ks", rgb(self.ks, "ks", PARAMETERS["ks"]))
-        object.__setattr__(self, "exponent", PARAMETERS["exponent"].check(self.exponent, "exponent"))
+        set_rgb(self, PARAMETERS, "kd", "ks")
+        set_numbers(self, PARAMETERS, "exponent")
         check_choice(self.form, "form", ("modified", "original"))
 
     @property

@@ -34,12 +34,12 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.parameter import Parameter
+from brdf_suite.documents.parameter import Parameter, set_numbers
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.models import mixture
-from brdf_suite.reflectance.models.channels import luminance, rgb
+from brdf_suite.reflectance.models.channels import luminance, set_rgb
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -77,10 +77,8 @@ class PoulinFournier:
     reciprocal: ClassVar[bool] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "kd", rgb(self.kd, "kd", PARAMETERS["kd"]))
-        object.__setattr__(self, "ks", rgb(self.ks, "ks", PARAMETERS["ks"]))
-        for name in ("exponent", "spacing", "floor"):
-            object.__setattr__(self, name, PARAMETERS[name].check(getattr(self, name), name))
+        set_rgb(self, PARAMETERS, "kd", "ks")
+        set_numbers(self, PARAMETERS, "exponent", "spacing", "floor")
         least = 2.0 * math.sin(self.steepest)
         if self.spacing < least - 1e-12:
             raise ValueRangeError(

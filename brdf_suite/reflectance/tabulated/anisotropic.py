@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import product
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -20,9 +20,6 @@ from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -22,9 +22,6 @@ from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.holes import fill_holes
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 from brdf_suite.reflectance.tabulated.trilinear import trilinear
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 
 @dataclass(frozen=True, eq=False)

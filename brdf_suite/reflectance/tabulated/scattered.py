@@ -26,7 +26,6 @@ from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
 
-    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
 NEIGHBOURS = 8
 # Below this distance in feature space (1 is 90°) a query is on the sample.

@@ -20,7 +20,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy as np
 import numpy.typing as npt
@@ -34,10 +34,6 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_weights, cells
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
 
 # Directions are worked through in pieces: the interpolation holds a few dozen numbers for each.
 _PIECE = 1 << 14

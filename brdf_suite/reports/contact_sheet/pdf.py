@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +13,6 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reports.contact_sheet.pictures import SheetItem
 from brdf_suite.reports.pdf_pen import Pen
-
-if TYPE_CHECKING:
-    from reportlab.pdfgen.canvas import Canvas
 
 Size = tuple[int, int]
 Draw = Callable[[SheetItem], tuple[NDArray[np.uint8], list[str]]]
@@ -47,8 +43,6 @@ def pdf_sheet(
     ``cell`` is the size of a picture in pixels, drawn as wide as a column is; ``problems`` gets those of paints that
     cannot be drawn, whose reason stands in the picture's place.
     """
-    # Much to import, and only this form draws with it.
-
     packed = io.BytesIO()
     canvas = Canvas(packed, pagesize=(WIDTH, HEIGHT), pageCompression=1)
     canvas.setTitle(title)

@@ -26,7 +26,6 @@ from brdf_suite.progress import Progress
 from brdf_suite.realtime.pictures.display import Display
 
 if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.realtime.pictures.captured import CapturedForm
 
 Size = tuple[int, int]

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,11 +31,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reports.paint_report.pictures import draw_pictures
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
-    from brdf_suite.reports.paint_report.pictures import ReportPicture
+from brdf_suite.reports.paint_report.pictures import ReportPicture, draw_pictures
 
 _STEP_DEG = 1.0
 _SAME_DEG = 1e-6

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from PIL import Image
 
@@ -12,12 +11,9 @@ from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.lobe_fit import refit_under
+from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 _HERO, _SMALL = (1040, 640), (520, 640)
 _SAMPLES = 4
