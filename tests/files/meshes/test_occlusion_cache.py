@@ -108,6 +108,21 @@ def test_old_entries_make_room(facet: Mesh, folder: Path, monkeypatch: pytest.Mo
     assert len(kept(folder)) == 1
 
 
+def test_entries_of_all_kinds_share_one_limit(
+    facet: Mesh, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    maps = folder.parent / "lobe_maps"
+    maps.mkdir(parents=True)
+    old, other = maps / f"{'0' * 64}.v4.lobemaps", maps / "a letter.lobemaps"
+    for path in (old, other):
+        path.write_bytes(bytes(4_000_000))
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "4")
+    baked_occlusion(facet)
+    assert not old.exists()
+    assert other.exists()  # no entry
+    assert len(kept(folder)) == 1
+
+
 def test_the_key_is_of_the_shape_alone(facet: Mesh) -> None:
     (part,) = facet.parts
     renamed = Mesh("other", (replace(part, name="g", material="glass"),))

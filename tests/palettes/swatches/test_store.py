@@ -44,6 +44,14 @@ def test_pictures_come_back_and_stay(store: SwatchStore, tmp_path: Path) -> None
     assert store.notices == []
 
 
+def test_pictures_take_a_quarter_of_the_limit_of_the_cache(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert SwatchStore(tmp_path).limit_bytes == 512 * 1024**2
+    monkeypatch.setenv("BRDF_SUITE_CACHE_MB", "400")
+    assert SwatchStore(tmp_path).limit_bytes == 100_000_000
+
+
 @pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="open files are read from /proc")
 def test_the_file_is_closed_with_its_store(tmp_path: Path) -> None:
     store = SwatchStore(tmp_path)
