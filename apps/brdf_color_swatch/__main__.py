@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_qt.program.application import create_application, process_age_s, run
-from brdf_qt.program.arguments import window_size
+from brdf_qt.program.arguments import add_language, window_size
 from brdf_qt.program.theme import THEMES
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -25,7 +25,7 @@ _LONGEST_WAIT_S = 180.0
 def main(argv: Sequence[str] | None = None) -> int:
     """Run Color Swatch; return the exit status."""
     options = _parser().parse_args(argv)
-    app = create_application("Color Swatch", theme_name=options.theme)
+    app = create_application("Color Swatch", theme_name=options.theme, language=options.language)
     program = ColorSwatch()
     if options.size is not None:
         program.window.resize(*options.size)
@@ -109,6 +109,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument(
         "--theme", choices=THEMES, help="window theme of this run (default: the last one used)"
     )
+    add_language(parser)
     parser.add_argument("--size", type=window_size, metavar="WxH", help="window size in pixels")
     parser.add_argument("--form", choices=FORMS, help="form of the swatches")
     parser.add_argument("--swatch-size", type=int, metavar="PX", help="size of the swatches in pixels")

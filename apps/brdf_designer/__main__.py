@@ -9,9 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_qt.program.application import create_application, process_age_s, run
-from brdf_qt.program.arguments import window_size
+from brdf_qt.program.arguments import add_language, window_size
 from brdf_qt.program.theme import THEMES
-from brdf_qt.program.translation import languages
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
@@ -89,9 +88,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     parser.add_argument("paint", nargs="?", help="a .brdfpaint file, or the name of a shipped paint")
     parser.add_argument("--theme", choices=THEMES, help="surround of this run (default: the one chosen last)")
-    parser.add_argument(
-        "--language", choices=languages(), help="language of this run (default: the one chosen last)"
-    )
+    add_language(parser)
     parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
     parser.add_argument(
         "--screenshot", type=Path, metavar="FILE", help="save a picture of the window, and end"

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from brdf_qt.program.application import create_application, process_age_s, run
-from brdf_qt.program.arguments import window_size
+from brdf_qt.program.arguments import add_language, window_size
 from brdf_qt.program.theme import THEMES
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
@@ -25,7 +25,7 @@ _LONGEST_WAIT_S = 90.0
 def main(argv: Sequence[str] | None = None) -> int:
     """Run Lobe Visualizer; return the exit status."""
     options = parser().parse_args(argv)
-    app = create_application("Lobe Visualizer", theme_name=options.theme)
+    app = create_application("Lobe Visualizer", theme_name=options.theme, language=options.language)
     program = LobeVisualizer()
     if options.size is not None:
         program.window.resize(*options.size)
@@ -51,6 +51,7 @@ def parser() -> argparse.ArgumentParser:
         "model; any number",
     )
     parser.add_argument("--theme", choices=THEMES, help="theme of this run (default: the last one chosen)")
+    add_language(parser)
     parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
     parser.add_argument(
         "--screenshot",

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.program.application import create_application, process_age_s, run
-from brdf_qt.program.arguments import window_size
+from brdf_qt.program.arguments import add_language, window_size
 from brdf_qt.program.settings import settings
 from brdf_qt.program.theme import THEMES
 from PySide6.QtCore import Qt, QTimer
@@ -73,6 +73,7 @@ def parser() -> argparse.ArgumentParser:
         "--spp", metavar="N", type=int, help="samples per pixel at which the path tracer stops; remembered"
     )
     parser.add_argument("--theme", choices=THEMES, help="grey of the window, for this run")
+    add_language(parser)
     parser.add_argument("--size", metavar="WxH", type=window_size, help="size of the window in pixels")
     parser.add_argument("--screenshot", metavar="FILE", help="save the window as PNG once complete, and end")
     parser.add_argument("--quit-after", metavar="SECONDS", type=float, help="end after so many seconds")
@@ -89,7 +90,7 @@ def parser() -> argparse.ArgumentParser:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the Viewer; return the exit status."""
     options = parser().parse_args(arguments)
-    app = create_application("Viewer", theme_name=options.theme)
+    app = create_application("Viewer", theme_name=options.theme, language=options.language)
     from brdf_viewer.controller import ViewerController
 
     follow = options.follow or options.paint is None

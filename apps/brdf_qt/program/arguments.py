@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import argparse
 
+from brdf_qt.program.translation import languages
+
 _LARGEST = 20_000
+
+
+def add_language(parser: argparse.ArgumentParser) -> None:
+    """Add the option that sets the language for one run."""
+    parser.add_argument(
+        "--language", choices=languages(), help="language of this run (default: the one chosen last)"
+    )
 
 
 def window_size(text: str) -> tuple[int, int]:
