@@ -51,6 +51,16 @@ def drawn_as_html() -> tuple[list[str], int]:
     return wrong, seen
 
 
+def all_texts() -> list[tuple[str, str]]:
+    """Return the texts of all widgets that there are, each with its place."""
+    return [
+        (f"{type(widget).__name__} {widget.objectName()!r}, {what}", text)
+        for widget in QApplication.allWidgets()
+        for what, text, _ in _texts(widget)
+        if text
+    ]
+
+
 def _texts(widget: QWidget) -> Iterator[tuple[str, str, bool]]:
     """Yield what kind of text it is, the text, and whether it is drawn as HTML."""
     if isinstance(widget, QLabel):

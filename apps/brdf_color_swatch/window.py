@@ -38,10 +38,10 @@ class SwatchWindow(SuiteWindow):
         self.add_section("filters", tr("Filters"), self.filters, is_open=False)
         self.add_section("palette", tr("Palette or Group"), self.palette_panel, is_open=False)
         cells = self.status
-        self.count_cell = cells.cell("Swatches", tr("Swatches shown and selected"))
-        self.picture_cell = cells.cell("Pictures", tr("Visible pictures still pending"))
-        self.note_cell = cells.cell("Note", tr("Notes on the colours shown"), elastic=True)
-        self.link_cell = cells.cell("Link", tr("Connected programs of the suite"), right=True)
+        self.count_cell = cells.cell(mark("Swatches"), tr("Swatches shown and selected"))
+        self.picture_cell = cells.cell(mark("Pictures"), tr("Visible pictures still pending"))
+        self.note_cell = cells.cell(mark("Note"), tr("Notes on the colours shown"), elastic=True)
+        self.link_cell = cells.cell(mark("Link"), tr("Connected programs of the suite"), right=True)
 
     def _picture(self, pane: int, row: int) -> object:
         return self.picture_of(pane, row)

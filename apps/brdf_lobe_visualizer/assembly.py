@@ -121,7 +121,7 @@ class LobeVisualizer(Program):
     def ask_files(self) -> None:
         """Ask which files to open, and open them."""
         folder = str(settings().value(_FOLDER_KEY, ""))
-        filters = f"{tr('Paints, palettes and measured files')} ({_ENDINGS});;{tr('All files')} (*)"
+        filters = tr("Paints, palettes and measured files") + f" ({_ENDINGS});;" + tr("All files (*)")
         paths = self._ask_files(self.window, folder, filters)
         if paths:
             settings().setValue(_FOLDER_KEY, str(Path(paths[0]).parent))

@@ -26,11 +26,11 @@ class Status(QObject):
         super().__init__(window)
         self._session = session
         line: StatusLine = window.status
-        self._subject = line.cell("subject", tr("Selected reflectance"), elastic=True)
-        self._fit = line.cell("fit", tr("Fitted lobes and fitting time"))
-        self._notes = line.cell("notes", tr("Notes on the reflectance"), elastic=True)
-        self._light = line.cell("incidence", tr("Direction of the light"), right=True)
-        self._link = line.cell("link", tr("Connected programs of the suite"), right=True)
+        self._subject = line.cell(mark("subject"), tr("Selected reflectance"), elastic=True)
+        self._fit = line.cell(mark("fit"), tr("Fitted lobes and fitting time"))
+        self._notes = line.cell(mark("notes"), tr("Notes on the reflectance"), elastic=True)
+        self._light = line.cell(mark("incidence"), tr("Direction of the light"), right=True)
+        self._link = line.cell(mark("link"), tr("Connected programs of the suite"), right=True)
         session.subjects_changed.connect(self._show_front)
         session.front_changed.connect(self._show_front)
         session.incidence_changed.connect(lambda _theta, _phi: self._show_light())

@@ -12,8 +12,8 @@
         <translation>Systemvorgabe</translation>
     </message>
     <message>
-        <source>Takes effect at the next start</source>
-        <translation>Gilt ab dem nächsten Start</translation>
+        <source>For all programs, from their next start on</source>
+        <translation>Für alle Programme, ab ihrem nächsten Start</translation>
     </message>
     <message>
         <source>Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped.</source>
@@ -2235,7 +2235,7 @@ angegeben {stated}</translation>
     </message>
     <message>
         <source>This State</source>
-        <translation>Dieser Zustand</translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Use the current state as the standard</source>
@@ -2534,8 +2534,16 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Ob dieser Bildschirm, als sRGB angenommen, die gemessenen Farben zeigen kann.</translation>
     </message>
     <message>
+        <source>Gamut</source>
+        <translation>Farbraum</translation>
+    </message>
+    <message>
         <source>Programs that follow the edits of this paint.</source>
         <translation>Programme, die den Änderungen dieses Lacks folgen.</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>Outside sRGB: {angles}</source>
@@ -3684,6 +3692,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Reflexionen</translation>
     </message>
     <message>
+        <source>Paints, palettes and measured files</source>
+        <translation>Lacke, Paletten und Messdateien</translation>
+    </message>
+    <message>
         <source>Add from &amp;Library…</source>
         <translation>Aus der &amp;Bibliothek hinzufügen …</translation>
     </message>
@@ -3846,6 +3858,14 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>{count} lobes</source>
         <translation>{count} Keulen</translation>
+    </message>
+    <message>
+        <source>(filled in)</source>
+        <translation>(aufgefüllt)</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source>and {count} more</source>
@@ -4209,7 +4229,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>perceptual</source>
-        <translation>empfindungsgemäß</translation>
+        <translation>visuell</translation>
     </message>
     <message>
         <source>logarithmic</source>
@@ -4668,6 +4688,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Gewählte Reflexion</translation>
     </message>
     <message>
+        <source>subject</source>
+        <translation>Reflexion</translation>
+    </message>
+    <message>
         <source>Fitted lobes and fitting time</source>
         <translation>Angepasste Keulen und Zeit der Anpassung</translation>
     </message>
@@ -4676,12 +4700,24 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Hinweise zur Reflexion</translation>
     </message>
     <message>
+        <source>notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
         <source>Direction of the light</source>
         <translation>Richtung des Lichts</translation>
     </message>
     <message>
+        <source>incidence</source>
+        <translation>Einfall</translation>
+    </message>
+    <message>
         <source>Connected programs of the suite</source>
         <translation>Verbundene Programme der Suite</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>Connected: {names}</source>
@@ -4818,6 +4854,10 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>E = {exponent}</source>
         <translation>E = {exponent}</translation>
+    </message>
+    <message>
+        <source>Weight (linear Rec. 2020 red, green, blue)</source>
+        <translation>Gewicht (lineares Rec. 2020, Rot, Grün, Blau)</translation>
     </message>
     <message>
         <source>is a palette without a paint</source>
@@ -6242,6 +6282,10 @@ Ungespeicherte Änderungen.</translation>
         <translation>{name}, bis</translation>
     </message>
     <message>
+        <source>Space switches the handle; double-click clears the filter.</source>
+        <translation>Die Leertaste wechselt den Griff; ein Doppelklick hebt den Filter auf.</translation>
+    </message>
+    <message>
         <source>Measured colours</source>
         <translation>Gemessene Farben</translation>
     </message>
@@ -6263,7 +6307,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Palette order</source>
-        <translation>Reihenfolge der Palette</translation>
+        <translation>Palettenfolge</translation>
     </message>
     <message>
         <source>Hue path</source>
@@ -6299,7 +6343,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Search names, codes, tags, notes</source>
-        <translation>Namen, Codes, Stichwörter, Notizen durchsuchen</translation>
+        <translation>Muster durchsuchen</translation>
     </message>
     <message>
         <source>Search names, codes, tags and notes</source>
@@ -6315,7 +6359,7 @@ Ungespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Order of the swatches. Swatches can be moved by hand in palette order</source>
-        <translation>Reihenfolge der Muster. In der Reihenfolge der Palette lassen sie sich von Hand verschieben</translation>
+        <translation>Reihenfolge der Muster. In der Palettenfolge lassen sie sich von Hand verschieben</translation>
     </message>
     <message>
         <source>Light for all swatches</source>
@@ -6390,12 +6434,2532 @@ Ungespeicherte Änderungen.</translation>
         <translation>Noch ausstehende sichtbare Bilder</translation>
     </message>
     <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
         <source>Notes on the colours shown</source>
         <translation>Hinweise zu den gezeigten Farben</translation>
     </message>
     <message>
         <source>Library</source>
         <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>¾ view</source>
+        <translation>¾-Ansicht</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>View: {view} ({key})</source>
+        <translation>Ansicht: {view} ({key})</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Brennweite</translation>
+    </message>
+    <message>
+        <source>{meaning}; negative reverses. Space on the picture starts and stops it</source>
+        <translation>{meaning}; negativ kehrt um. Die Leertaste auf dem Bild startet und hält an</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the picture to the clipboard at full resolution</source>
+        <translation>Das Bild in voller Auflösung in die Zwischenablage kopieren</translation>
+    </message>
+    <message>
+        <source>Open &amp;Designer</source>
+        <translation>&amp;Designer öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open Paint…</source>
+        <translation>&amp;Lack öffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;Environment…</source>
+        <translation>&amp;Umgebung öffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;Surface…</source>
+        <translation>&amp;Oberfläche öffnen …</translation>
+    </message>
+    <message>
+        <source>Open Pa&amp;lette…</source>
+        <translation>&amp;Palette öffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;View…</source>
+        <translation>&amp;Ansicht öffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save View</source>
+        <translation>&amp;Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Camera, light and all settings</source>
+        <translation>Kamera, Licht und alle Einstellungen</translation>
+    </message>
+    <message>
+        <source>Save View &amp;As…</source>
+        <translation>Ansicht speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>&amp;Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save the picture as PNG at full resolution, with paint and settings as metadata</source>
+        <translation>Das Bild als PNG in voller Auflösung speichern, mit Lack und Einstellungen als Metadaten</translation>
+    </message>
+    <message>
+        <source>Save T&amp;raced Picture…</source>
+        <translation>&amp;Verfolgtes Bild speichern …</translation>
+    </message>
+    <message>
+        <source>Save the traced picture as EXR with the variance of each pixel</source>
+        <translation>Das strahlverfolgte Bild als EXR mit der Varianz jedes Pixels speichern</translation>
+    </message>
+    <message>
+        <source>E&amp;xport Picture…</source>
+        <translation>Bild e&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>A picture of any size, as PNG or EXR</source>
+        <translation>Ein Bild beliebiger Größe, als PNG oder EXR</translation>
+    </message>
+    <message>
+        <source>Export &amp;Turntable…</source>
+        <translation>&amp;Drehteller exportieren …</translation>
+    </message>
+    <message>
+        <source>One turn of the object, as a video or a folder of pictures</source>
+        <translation>Eine Umdrehung des Objekts, als Video oder als Ordner mit Bildern</translation>
+    </message>
+    <message>
+        <source>Export &amp;Contact Sheet…</source>
+        <translation>&amp;Kontaktbogen exportieren …</translation>
+    </message>
+    <message>
+        <source>All paints of a palette or a folder in this light</source>
+        <translation>Alle Lacke einer Palette oder eines Ordners in diesem Licht</translation>
+    </message>
+    <message>
+        <source>S&amp;tudio</source>
+        <translation>S&amp;tudio</translation>
+    </message>
+    <message>
+        <source>Recent &amp;Paints</source>
+        <translation>Zuletzt geöffnete &amp;Lacke</translation>
+    </message>
+    <message>
+        <source>Recent Pale&amp;ttes</source>
+        <translation>Zuletzt geöffnete &amp;Paletten</translation>
+    </message>
+    <message>
+        <source>Recent Vie&amp;ws</source>
+        <translation>Zuletzt geöffnete &amp;Ansichten</translation>
+    </message>
+    <message>
+        <source>Recent E&amp;nvironments</source>
+        <translation>Zuletzt geöffnete &amp;Umgebungen</translation>
+    </message>
+    <message>
+        <source>Recent S&amp;urfaces</source>
+        <translation>Zuletzt geöffnete &amp;Oberflächen</translation>
+    </message>
+    <message>
+        <source>View: {view}, framing the surface</source>
+        <translation>Ansicht: {view}, Oberfläche eingerahmt</translation>
+    </message>
+    <message>
+        <source>View: {view}</source>
+        <translation>Ansicht: {view}</translation>
+    </message>
+    <message>
+        <source>&amp;Frame Surface</source>
+        <translation>Oberfläche &amp;einrahmen</translation>
+    </message>
+    <message>
+        <source>Fill the picture with the surface</source>
+        <translation>Das Bild mit der Oberfläche füllen</translation>
+    </message>
+    <message>
+        <source>&amp;Turntable</source>
+        <translation>&amp;Drehteller</translation>
+    </message>
+    <message>
+        <source>Rotate the surface in front of camera and light</source>
+        <translation>Die Oberfläche vor Kamera und Licht drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Environment</source>
+        <translation>&amp;Umgebung</translation>
+    </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>T&amp;one Curve</source>
+        <translation>Tonwertk&amp;urve</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>Figures over the &amp;Picture</source>
+        <translation>Zahlen über dem &amp;Bild</translation>
+    </message>
+    <message>
+        <source>Frame time, lobes, tone curve and readout</source>
+        <translation>Bildzeit, Keulen, Tonwertkurve und Messwerte am Zeiger</translation>
+    </message>
+    <message>
+        <source>Fres&amp;nel</source>
+        <translation>Fres&amp;nel</translation>
+    </message>
+    <message>
+        <source>&amp;Look-up</source>
+        <translation>&amp;Nachschlagen</translation>
+    </message>
+    <message>
+        <source>Spar&amp;kle</source>
+        <translation>&amp;Glitzern</translation>
+    </message>
+    <message>
+        <source>&amp;Renderer</source>
+        <translation>&amp;Renderer</translation>
+    </message>
+    <message>
+        <source>Ray-traced: {quality}</source>
+        <translation>Strahlverfolgt: {quality}</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Refining</source>
+        <translation>Verfeinern an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Keep the picture as it is</source>
+        <translation>Das Bild lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>&amp;Resume Refining</source>
+        <translation>Verfeinern &amp;fortsetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Start or Stop &amp;Blinking</source>
+        <translation>&amp;Blinken starten oder anhalten</translation>
+    </message>
+    <message>
+        <source>Alternate between A and B; again to return to the previous mode</source>
+        <translation>Zwischen A und B wechseln; noch einmal führt zur vorigen Art zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Switch and Stay</source>
+        <translation>&amp;Umschalten und bleiben</translation>
+    </message>
+    <message>
+        <source>Switch between A and B manually</source>
+        <translation>Von Hand zwischen A und B umschalten</translation>
+    </message>
+    <message>
+        <source>&amp;Freeze A as B</source>
+        <translation>A als B &amp;festhalten</translation>
+    </message>
+    <message>
+        <source>Keep the current paint as B</source>
+        <translation>Den jetzigen Lack als B behalten</translation>
+    </message>
+    <message>
+        <source>Show the paint that is being edited in Designer</source>
+        <translation>Den Lack zeigen, der in Designer bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Next Paint</source>
+        <translation>&amp;Nächster Lack</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Paint</source>
+        <translation>&amp;Voriger Lack</translation>
+    </message>
+    <message>
+        <source>In the open palette or the shipped paints</source>
+        <translation>In der offenen Palette oder den Beispiellacken</translation>
+    </message>
+    <message>
+        <source>Open &amp;Shipped Paint</source>
+        <translation>&amp;Beispiellack öffnen</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Einrahmen</translation>
+    </message>
+    <message>
+        <source>of the light, before the tone curve</source>
+        <translation>des Lichts, vor der Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>of the picture, as shown</source>
+        <translation>des Bildes, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Choose another paint as B, or freeze the current one.</source>
+        <translation>Einen anderen Lack als B wählen oder den jetzigen festhalten.</translation>
+    </message>
+    <message>
+        <source>No second paint is selected.</source>
+        <translation>Kein zweiter Lack ist gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose one under Compare in the inspector, or freeze the current paint as B.</source>
+        <translation>Im Inspektor unter „Vergleichen“ einen wählen oder den jetzigen Lack als B festhalten.</translation>
+    </message>
+    <message>
+        <source>Freeze A as B</source>
+        <translation>A als B festhalten</translation>
+    </message>
+    <message>
+        <source>This paint in real time</source>
+        <translation>Dieser Lack in Echtzeit</translation>
+    </message>
+    <message>
+        <source>B is the same paint in real time: all differences come from the renderer</source>
+        <translation>B ist derselbe Lack in Echtzeit: Alle Unterschiede kommen vom Renderer</translation>
+    </message>
+    <message>
+        <source>light (linear)</source>
+        <translation>Licht (linear)</translation>
+    </message>
+    <message>
+        <source>display colours, with its own tone curve</source>
+        <translation>Anzeigefarben, mit eigener Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>B is a picture of {columns} × {rows} pixels, {what}; it fits by its width</source>
+        <translation>B ist ein Bild von {columns} × {rows} Pixeln, {what}; es wird in der Breite eingepasst</translation>
+    </message>
+    <message>
+        <source>B: fit: maximum ΔE00 {worst:.2f} at the measured angles</source>
+        <translation>B: Anpassung: größtes ΔE00 {worst:.2f} an den gemessenen Winkeln</translation>
+    </message>
+    <message>
+        <source>{name} (frozen)</source>
+        <translation>{name} (festgehalten)</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Swipe</source>
+        <translation>Wischen</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>Blinken</translation>
+    </message>
+    <message>
+        <source>Difference (ΔE00)</source>
+        <translation>Differenz (ΔE00)</translation>
+    </message>
+    <message>
+        <source>Only the current paint</source>
+        <translation>Nur der jetzige Lack</translation>
+    </message>
+    <message>
+        <source>Each has half the picture with its own framing</source>
+        <translation>Jeder hat die halbe Breite mit eigenem Bildausschnitt</translation>
+    </message>
+    <message>
+        <source>One picture: A left of the line, B right of it; drag the line</source>
+        <translation>Ein Bild: A links der Linie, B rechts davon; die Linie lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>Alternately in the same place</source>
+        <translation>Abwechselnd an derselben Stelle</translation>
+    </message>
+    <message>
+        <source>Colour difference of each pixel on a colour scale</source>
+        <translation>Farbabstand jedes Pixels auf einer Farbskala</translation>
+    </message>
+    <message>
+        <source>Exposed radiance before the tone curve; radiance 1 has L* = 100</source>
+        <translation>Belichtete Strahldichte vor der Tonwertkurve; Strahldichte 1 hat L* = 100</translation>
+    </message>
+    <message>
+        <source>Displayed colours after the tone curve</source>
+        <translation>Angezeigte Farben nach der Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>Open a paint, a measured file or a picture (.exr, .png) as B</source>
+        <translation>Einen Lack, eine Messdatei oder ein Bild (.exr, .png) als B öffnen</translation>
+    </message>
+    <message>
+        <source>Keep the current paint as B while A changes (Ctrl+B)</source>
+        <translation>Den jetzigen Lack als B behalten, während A sich ändert (Strg+B)</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <translation>Trennlinie</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Comparison of A and B; press B to blink</source>
+        <translation>Vergleich von A und B; B drücken zum Blinken</translation>
+    </message>
+    <message>
+        <source>Second (B)</source>
+        <translation>Zweiter (B)</translation>
+    </message>
+    <message>
+        <source>Paint or picture that the current paint is compared with</source>
+        <translation>Lack oder Bild, mit dem der jetzige Lack verglichen wird</translation>
+    </message>
+    <message>
+        <source>Colours whose difference is shown</source>
+        <translation>Farben, deren Differenz gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Designer could not be started.</source>
+        <translation>Designer konnte nicht gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Paint or Measured File</source>
+        <translation>Lack oder Messdatei</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Second Paint or Picture</source>
+        <translation>Zweiter Lack oder Bild</translation>
+    </message>
+    <message>
+        <source>Normal Map</source>
+        <translation>Normal-Map</translation>
+    </message>
+    <message>
+        <source>Tangent Map</source>
+        <translation>Tangenten-Map</translation>
+    </message>
+    <message>
+        <source>Open: {what}</source>
+        <translation>Öffnen: {what}</translation>
+    </message>
+    <message>
+        <source>Save Picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>The picture is unchanged. Choose another view.</source>
+        <translation>Das Bild ist unverändert. Eine andere Ansicht wählen.</translation>
+    </message>
+    <message>
+        <source>Choose another name or folder.</source>
+        <translation>Einen anderen Namen oder Ordner wählen.</translation>
+    </message>
+    <message>
+        <source>{file} refers to the light without its unsaved edits.</source>
+        <translation>{file} verweist auf das Licht ohne dessen ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save the studio, then the view again.</source>
+        <translation>Zuerst das Studio speichern, dann die Ansicht erneut.</translation>
+    </message>
+    <message>
+        <source>Move Camera</source>
+        <translation>Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>Turn Light</source>
+        <translation>Licht drehen</translation>
+    </message>
+    <message>
+        <source>Change Exposure</source>
+        <translation>Belichtung ändern</translation>
+    </message>
+    <message>
+        <source>Change Lamps</source>
+        <translation>Lampen ändern</translation>
+    </message>
+    <message>
+        <source>Change Turntable</source>
+        <translation>Drehteller ändern</translation>
+    </message>
+    <message>
+        <source>Move Divider</source>
+        <translation>Trennlinie verschieben</translation>
+    </message>
+    <message>
+        <source>Change Background</source>
+        <translation>Hintergrund ändern</translation>
+    </message>
+    <message>
+        <source>Change Background Colour</source>
+        <translation>Hintergrundfarbe ändern</translation>
+    </message>
+    <message>
+        <source>Change Clipping Marks</source>
+        <translation>Übersteuerungsmarken ändern</translation>
+    </message>
+    <message>
+        <source>Change Compare</source>
+        <translation>Vergleich ändern</translation>
+    </message>
+    <message>
+        <source>Change Environment</source>
+        <translation>Umgebung ändern</translation>
+    </message>
+    <message>
+        <source>Change Environment Layout</source>
+        <translation>Projektion der Umgebung ändern</translation>
+    </message>
+    <message>
+        <source>Change Exposure Mode</source>
+        <translation>Art der Belichtung ändern</translation>
+    </message>
+    <message>
+        <source>Change Fresnel</source>
+        <translation>Fresnel ändern</translation>
+    </message>
+    <message>
+        <source>Change Gamut Marks</source>
+        <translation>Farbraummarken ändern</translation>
+    </message>
+    <message>
+        <source>Change Lamp Shading</source>
+        <translation>Lampenschattierung ändern</translation>
+    </message>
+    <message>
+        <source>Change Light Colour</source>
+        <translation>Lichtfarbe ändern</translation>
+    </message>
+    <message>
+        <source>Change Look Up</source>
+        <translation>Nachschlagen ändern</translation>
+    </message>
+    <message>
+        <source>Change Mark Style</source>
+        <translation>Stil der Marken ändern</translation>
+    </message>
+    <message>
+        <source>Change Relief</source>
+        <translation>Relief ändern</translation>
+    </message>
+    <message>
+        <source>Change Sparkle</source>
+        <translation>Glitzern ändern</translation>
+    </message>
+    <message>
+        <source>Change Surface</source>
+        <translation>Oberfläche ändern</translation>
+    </message>
+    <message>
+        <source>Change Surface Look</source>
+        <translation>Einstellungen der Oberfläche ändern</translation>
+    </message>
+    <message>
+        <source>Change Tone Curve</source>
+        <translation>Tonwertkurve ändern</translation>
+    </message>
+    <message>
+        <source>Change Two Tone</source>
+        <translation>Zweifarbigkeit ändern</translation>
+    </message>
+    <message>
+        <source>New folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>Palettes</source>
+        <translation>Paletten</translation>
+    </message>
+    <message>
+        <source>A paint: all paints of its folder (*.brdfpaint)</source>
+        <translation>Ein Lack: alle Lacke seines Ordners (*.brdfpaint)</translation>
+    </message>
+    <message>
+        <source>Paints of the Sheet</source>
+        <translation>Lacke des Bogens</translation>
+    </message>
+    <message>
+        <source>Wait until paint, surface and environment are loaded, then export.</source>
+        <translation>Warten, bis Lack, Oberfläche und Umgebung geladen sind, dann exportieren.</translation>
+    </message>
+    <message>
+        <source>There is no picture yet.</source>
+        <translation>Noch gibt es kein Bild.</translation>
+    </message>
+    <message>
+        <source>Save it with File ▸ Studio ▸ Save Studio, then export.</source>
+        <translation>Mit Datei ▸ Studio ▸ Studio speichern sichern, dann exportieren.</translation>
+    </message>
+    <message>
+        <source>The light has unsaved changes, which an export would not include.</source>
+        <translation>Das Licht hat ungespeicherte Änderungen, die ein Export nicht enthielte.</translation>
+    </message>
+    <message>
+        <source>Export of {file} cancelled</source>
+        <translation>Export von {file} abgebrochen</translation>
+    </message>
+    <message>
+        <source>{file}: starting</source>
+        <translation>{file}: wird begonnen</translation>
+    </message>
+    <message>
+        <source>{file} was exported without {count} of its paints.</source>
+        <translation>{file} wurde ohne {count} der Lacke exportiert.</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Durchsichtiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>A palette, or a folder of paints</source>
+        <translation>Eine Palette oder ein Ordner mit Lacken</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Paints</source>
+        <translation>Lacke</translation>
+    </message>
+    <message>
+        <source>Colour space; the ICC profile is embedded in the file</source>
+        <translation>Farbraum; das ICC-Profil wird in die Datei eingebettet</translation>
+    </message>
+    <message>
+        <source>Per pixel, limited by the graphics card</source>
+        <translation>Je Pixel, durch die Grafikkarte begrenzt</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Frames per turn</source>
+        <translation>Bilder je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Frames per second of a video</source>
+        <translation>Bilder je Sekunde eines Videos</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>As on screen</source>
+        <translation>Wie auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Radiance before exposure and tone curve, in the primaries stated in the file</source>
+        <translation>Strahldichte vor Belichtung und Tonwertkurve, in den Primärfarben, die in der Datei stehen</translation>
+    </message>
+    <message>
+        <source>sRGB; an even width and height</source>
+        <translation>sRGB; gerade Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>Contact sheet</source>
+        <translation>Kontaktbogen</translation>
+    </message>
+    <message>
+        <source>PNG, 8 bits</source>
+        <translation>PNG, 8 Bit</translation>
+    </message>
+    <message>
+        <source>PNG, 16 bits</source>
+        <translation>PNG, 16 Bit</translation>
+    </message>
+    <message>
+        <source>EXR, radiance, 32 bits</source>
+        <translation>EXR, Strahldichte, 32 Bit</translation>
+    </message>
+    <message>
+        <source>EXR, radiance, 16 bits</source>
+        <translation>EXR, Strahldichte, 16 Bit</translation>
+    </message>
+    <message>
+        <source>MP4 video</source>
+        <translation>MP4-Video</translation>
+    </message>
+    <message>
+        <source>WebM video</source>
+        <translation>WebM-Video</translation>
+    </message>
+    <message>
+        <source>Folder of PNG, 8 bits</source>
+        <translation>Ordner mit PNG, 8 Bit</translation>
+    </message>
+    <message>
+        <source>Folder of PNG, 16 bits</source>
+        <translation>Ordner mit PNG, 16 Bit</translation>
+    </message>
+    <message>
+        <source>Wait until paint, surface and environment are loaded, then save.</source>
+        <translation>Warten, bis Lack, Oberfläche und Umgebung geladen sind, dann speichern.</translation>
+    </message>
+    <message>
+        <source>pictures are written as PNG; give a name that ends in {ending}</source>
+        <translation>Bilder werden als PNG geschrieben; der Name muss auf {ending} enden</translation>
+    </message>
+    <message>
+        <source>Pick a colour</source>
+        <translation>Farbe wählen</translation>
+    </message>
+    <message>
+        <source>Above the horizontal plane</source>
+        <translation>Über der waagerechten Ebene</translation>
+    </message>
+    <message>
+        <source>About the direction in which the lamp shines</source>
+        <translation>Um die Richtung, in die die Lampe leuchtet</translation>
+    </message>
+    <message>
+        <source>Around the y axis, 0 on +z</source>
+        <translation>Um die y-Achse, 0 auf +z</translation>
+    </message>
+    <message>
+        <source>Each step doubles the light</source>
+        <translation>Jede Stufe verdoppelt das Licht</translation>
+    </message>
+    <message>
+        <source>Factor on all lengths of the mesh</source>
+        <translation>Faktor auf alle Längen des Netzes</translation>
+    </message>
+    <message>
+        <source>Factor on the environment&apos;s light; 0: the lamps alone</source>
+        <translation>Faktor auf das Licht der Umgebung; 0: die Lampen allein</translation>
+    </message>
+    <message>
+        <source>Factor on the light of single flakes; 1: as density and size say</source>
+        <translation>Faktor auf das Licht einzelner Flakes; 1: wie aus Dichte und Größe folgt</translation>
+    </message>
+    <message>
+        <source>Factor on the normal map&apos;s slopes</source>
+        <translation>Faktor auf die Neigungen der Normal-Map</translation>
+    </message>
+    <message>
+        <source>Haze: 2 very clear, 3 clear, 6 hazy</source>
+        <translation>Trübung der Luft: 2 sehr klar, 3 klar, 6 dunstig</translation>
+    </message>
+    <message>
+        <source>How often a second a blink changes over</source>
+        <translation>Wie oft in der Sekunde das Blinken wechselt</translation>
+    </message>
+    <message>
+        <source>Illuminance over π, in the units of the environment: a white surface that faces the lamp, at 1 m from a point lamp, gets this radiance</source>
+        <translation>Beleuchtungsstärke durch π, in den Einheiten der Umgebung: Eine weiße Fläche, die zur Lampe zeigt, bei einer Punktlampe in 1 m Abstand, erhält diese Strahldichte</translation>
+    </message>
+    <message>
+        <source>Of the lamp&apos;s light, on the locus of daylight</source>
+        <translation>Des Lampenlichts, auf der Kurve des Tageslichts</translation>
+    </message>
+    <message>
+        <source>Of the middle of the scene</source>
+        <translation>Der Mitte der Szene</translation>
+    </message>
+    <message>
+        <source>Of the room, from wall to wall</source>
+        <translation>Des Raums, von Wand zu Wand</translation>
+    </message>
+    <message>
+        <source>Of the sun above the horizon</source>
+        <translation>Der Sonne über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Of the sun, from +z towards +x</source>
+        <translation>Der Sonne, von +z nach +x</translation>
+    </message>
+    <message>
+        <source>On a 36 mm sensor</source>
+        <translation>Auf einem Sensor von 36 mm</translation>
+    </message>
+    <message>
+        <source>Root mean square slope of the coat&apos;s waviness</source>
+        <translation>Quadratisches Mittel der Neigung der Klarlackwellen</translation>
+    </message>
+    <message>
+        <source>Share of the light that is given back</source>
+        <translation>Anteil des Lichts, der zurückgegeben wird</translation>
+    </message>
+    <message>
+        <source>Share of the light that the ground gives back</source>
+        <translation>Anteil des Lichts, den der Boden zurückgibt</translation>
+    </message>
+    <message>
+        <source>Share of the width that shows the first</source>
+        <translation>Anteil der Breite, der den ersten zeigt</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Weichheit</translation>
+    </message>
+    <message>
+        <source>Speed of the turntable, counter-clockwise seen from above</source>
+        <translation>Geschwindigkeit des Drehtellers, gegen den Uhrzeigersinn von oben gesehen</translation>
+    </message>
+    <message>
+        <source>The brightest lights of the environment, in which flakes glint</source>
+        <translation>Die hellsten Lichter der Umgebung, in denen Flakes glitzern</translation>
+    </message>
+    <message>
+        <source>The colour difference at the end of the colour scale</source>
+        <translation>Der Farbabstand am Ende der Farbskala</translation>
+    </message>
+    <message>
+        <source>Turns the light counter-clockwise, seen from above</source>
+        <translation>Dreht das Licht gegen den Uhrzeigersinn, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Typical distance from crest to crest of the orange peel</source>
+        <translation>Üblicher Abstand von Kamm zu Kamm der Orangenhaut</translation>
+    </message>
+    <message>
+        <source>What one tile of the map covers</source>
+        <translation>Was eine Kachel der Karte bedeckt</translation>
+    </message>
+    <message>
+        <source>What one tile of the mask covers</source>
+        <translation>Was eine Kachel der Maske bedeckt</translation>
+    </message>
+    <message>
+        <source>Move Lamps</source>
+        <translation>Lampen bewegen</translation>
+    </message>
+    <message>
+        <source>Exposure, locked</source>
+        <translation>Belichtung, fest</translation>
+    </message>
+    <message>
+        <source>{total:+.1f} EV automatic</source>
+        <translation>{total:+.1f} EV automatisch</translation>
+    </message>
+    <message>
+        <source>Exposure: automatic value plus {value:+.1f} EV</source>
+        <translation>Belichtung: automatischer Wert plus {value:+.1f} EV</translation>
+    </message>
+    <message>
+        <source>point lamp {number}</source>
+        <translation>Punktlampe {number}</translation>
+    </message>
+    <message>
+        <source>lamp {number}, elevation {elevation:.0f}°</source>
+        <translation>Lampe {number}, Höhenwinkel {elevation:.0f}°</translation>
+    </message>
+    <message>
+        <source>the main light, elevation {elevation:.0f}°, azimuth {azimuth:.0f}° ({share:.0f} % of the environment)</source>
+        <translation>dem Hauptlicht, Höhenwinkel {elevation:.0f}°, Azimut {azimuth:.0f}° ({share:.0f} % der Umgebung)</translation>
+    </message>
+    <message>
+        <source>Histogram of the light</source>
+        <translation>Histogramm des Lichts</translation>
+    </message>
+    <message>
+        <source>Share of the sphere by log2 of luminance; {shares}</source>
+        <translation>Anteil der Kugel nach log2 der Leuchtdichte; {shares}</translation>
+    </message>
+    <message>
+        <source>luminance, by stops</source>
+        <translation>Leuchtdichte, in Blenden</translation>
+    </message>
+    <message>
+        <source>Luminance {low:.3g} to {high:.3g}: {share:.3g} % of the sphere</source>
+        <translation>Leuchtdichte {low:.3g} bis {high:.3g}: {share:.3g} % der Kugel</translation>
+    </message>
+    <message>
+        <source>partly black</source>
+        <translation>teilweise schwarz</translation>
+    </message>
+    <message>
+        <source>{stops:.1f} stops</source>
+        <translation>{stops:.1f} Blenden</translation>
+    </message>
+    <message>
+        <source>No dominant light source</source>
+        <translation>Keine vorherrschende Lichtquelle</translation>
+    </message>
+    <message>
+        <source>Main light: elevation {elevation:.0f}°, azimuth {azimuth:.0f}°, {share:.0f} % of total</source>
+        <translation>Hauptlicht: Höhenwinkel {elevation:.0f}°, Azimut {azimuth:.0f}°, {share:.0f} % des Ganzen</translation>
+    </message>
+    <message>
+        <source>Luminance: mean {mean:.3g}, maximum {largest:.3g}</source>
+        <translation>Leuchtdichte: Mittel {mean:.3g}, Maximum {largest:.3g}</translation>
+    </message>
+    <message>
+        <source>Dynamic range {reach}</source>
+        <translation>Dynamikumfang {reach}</translation>
+    </message>
+    <message>
+        <source>Horizontal illuminance {value:.3g}</source>
+        <translation>Horizontale Beleuchtungsstärke {value:.3g}</translation>
+    </message>
+    <message>
+        <source>{columns} × {rows} pixels</source>
+        <translation>{columns} × {rows} Pixel</translation>
+    </message>
+    <message>
+        <source>Draft; full quality follows after editing.</source>
+        <translation>Entwurf; volle Güte folgt nach der Bearbeitung.</translation>
+    </message>
+    <message>
+        <source>Refining reflections {what}</source>
+        <translation>Spiegelungen werden verfeinert {what}</translation>
+    </message>
+    <message>
+        <source>Reflections incomplete {what}. Select the light again to finish.</source>
+        <translation>Spiegelungen unvollständig {what}. Das Licht erneut wählen, um sie fertigzustellen.</translation>
+    </message>
+    <message>
+        <source>Auto</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Latitude-longitude</source>
+        <translation>Länge und Breite</translation>
+    </message>
+    <message>
+        <source>Cube, horizontal cross</source>
+        <translation>Würfel, waagerechtes Kreuz</translation>
+    </message>
+    <message>
+        <source>Cube, vertical cross</source>
+        <translation>Würfel, senkrechtes Kreuz</translation>
+    </message>
+    <message>
+        <source>Cube, faces side by side</source>
+        <translation>Würfel, Seiten nebeneinander</translation>
+    </message>
+    <message>
+        <source>Cube, faces one below another</source>
+        <translation>Würfel, Seiten untereinander</translation>
+    </message>
+    <message>
+        <source>Cube of OpenEXR</source>
+        <translation>Würfel von OpenEXR</translation>
+    </message>
+    <message>
+        <source>Angular probe</source>
+        <translation>Winkelsonde</translation>
+    </message>
+    <message>
+        <source>Mirror ball</source>
+        <translation>Spiegelkugel</translation>
+    </message>
+    <message>
+        <source>Dome, upper half</source>
+        <translation>Kuppel, obere Hälfte</translation>
+    </message>
+    <message>
+        <source>Environment, blurred</source>
+        <translation>Umgebung, unscharf</translation>
+    </message>
+    <message>
+        <source>Neutral grey</source>
+        <translation>Neutralgrau</translation>
+    </message>
+    <message>
+        <source>Plain colour</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Open an environment file (.exr, .hdr, .brdfstudio)</source>
+        <translation>Eine Umgebungsdatei öffnen (.exr, .hdr, .brdfstudio)</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Colour of the background</source>
+        <translation>Farbe des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>Edit Light</source>
+        <translation>Licht bearbeiten</translation>
+    </message>
+    <message>
+        <source>Edit this studio or sky in its own panel</source>
+        <translation>Dieses Studio oder diesen Himmel in einer eigenen Tafel bearbeiten</translation>
+    </message>
+    <message>
+        <source>{meaning} (Alt + drag)</source>
+        <translation>{meaning} (Alt + Ziehen)</translation>
+    </message>
+    <message>
+        <source>High-dynamic-range panorama or studio that lights the surface</source>
+        <translation>HDR-Panorama oder Studio, das die Oberfläche beleuchtet</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Projection of the image; choose it where detection fails</source>
+        <translation>Projektion des Bildes; wählen, wo die Erkennung versagt</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>Visible background; the light does not change</source>
+        <translation>Sichtbarer Hintergrund; das Licht ändert sich nicht</translation>
+    </message>
+    <message>
+        <source>Exact, per pixel</source>
+        <translation>Genau, je Pixel</translation>
+    </message>
+    <message>
+        <source>Together, by a ball</source>
+        <translation>Gemeinsam, über eine Kugel</translation>
+    </message>
+    <message>
+        <source>Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain</source>
+        <translation>Jede Lampe wird an jedem Pixel in den Karten ausgewertet: richtig für Punktlampen und Körnung</translation>
+    </message>
+    <message>
+        <source>A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any number of lamps, as if they and the viewer were far away</source>
+        <translation>Eine Kugel des Lacks wird im Licht aller Lampen gezeichnet und nach der Normalen nachgeschlagen: einmal für beliebig viele Lampen, als wären sie und der Betrachter weit entfernt</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Directional</source>
+        <translation>Gerichtet</translation>
+    </message>
+    <message>
+        <source>Lamps</source>
+        <translation>Lampen</translation>
+    </message>
+    <message>
+        <source>Add a lamp to the environment</source>
+        <translation>Eine Lampe zur Umgebung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove this lamp</source>
+        <translation>Diese Lampe entfernen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Moves round</source>
+        <translation>Kreisen</translation>
+    </message>
+    <message>
+        <source>Rotate the lamps around the surface to see flakes and highlights move</source>
+        <translation>Die Lampen um die Oberfläche drehen, um Flakes und Glanzlichter wandern zu sehen</translation>
+    </message>
+    <message>
+        <source>Small lamps in addition to the environment; flakes sparkle in their light</source>
+        <translation>Kleine Lampen zusätzlich zur Umgebung; Flakes glitzern in ihrem Licht</translation>
+    </message>
+    <message>
+        <source>From the centre of the scene</source>
+        <translation>Von der Mitte der Szene</translation>
+    </message>
+    <message>
+        <source>Factored</source>
+        <translation>Faktorisiert</translation>
+    </message>
+    <message>
+        <source>Shading of factored paints by the lamps</source>
+        <translation>Schattierung faktorisierter Lacke durch die Lampen</translation>
+    </message>
+    <message>
+        <source>Light booth, average daylight</source>
+        <translation>Lichtkabine, mittleres Tageslicht</translation>
+    </message>
+    <message>
+        <source>Light booth, warm daylight (graphic arts)</source>
+        <translation>Lichtkabine, warmes Tageslicht (Druckgewerbe)</translation>
+    </message>
+    <message>
+        <source>Light booth, incandescent lamps of 2,856 K</source>
+        <translation>Lichtkabine, Glühlampen von 2856 K</translation>
+    </message>
+    <message>
+        <source>Light booth, three-band fluorescent lamps (CIE F11)</source>
+        <translation>Lichtkabine, Dreibanden-Leuchtstofflampen (CIE F11)</translation>
+    </message>
+    <message>
+        <source>Light booth, cool white fluorescent lamps (CIE F2)</source>
+        <translation>Lichtkabine, kaltweiße Leuchtstofflampen (CIE F2)</translation>
+    </message>
+    <message>
+        <source>Light booth, white LEDs of 4,100 K (CIE LED-B3)</source>
+        <translation>Lichtkabine, weiße LEDs von 4100 K (CIE LED-B3)</translation>
+    </message>
+    <message>
+        <source>Sun and sky</source>
+        <translation>Sonnenhimmel</translation>
+    </message>
+    <message>
+        <source>Clear sky with the sun</source>
+        <translation>Klarer Himmel mit der Sonne</translation>
+    </message>
+    <message>
+        <source>Even, cloudy sky, no sun</source>
+        <translation>Gleichmäßig bewölkter Himmel, keine Sonne</translation>
+    </message>
+    <message>
+        <source>Point source</source>
+        <translation>Punktlicht</translation>
+    </message>
+    <message>
+        <source>Light booth with one small movable lamp, for sparkle</source>
+        <translation>Lichtkabine mit einer kleinen beweglichen Lampe, für Glitzern</translation>
+    </message>
+    <message>
+        <source>Three lamps</source>
+        <translation>Drei Lampen</translation>
+    </message>
+    <message>
+        <source>Three movable lamps, no environment – best for factored paints</source>
+        <translation>Drei bewegliche Lampen, keine Umgebung – am besten für faktorisierte Lacke</translation>
+    </message>
+    <message>
+        <source>From environment</source>
+        <translation>Aus der Umgebung</translation>
+    </message>
+    <message>
+        <source>D65, daylight</source>
+        <translation>D65, Tageslicht</translation>
+    </message>
+    <message>
+        <source>D50, warm daylight</source>
+        <translation>D50, warmes Tageslicht</translation>
+    </message>
+    <message>
+        <source>A, incandescent</source>
+        <translation>A, Glühlampe</translation>
+    </message>
+    <message>
+        <source>TL84 (CIE F11)</source>
+        <translation>TL84 (CIE F11)</translation>
+    </message>
+    <message>
+        <source>Cool white (CIE F2)</source>
+        <translation>Kaltweiß (CIE F2)</translation>
+    </message>
+    <message>
+        <source>LED (CIE LED-B3)</source>
+        <translation>LED (CIE LED-B3)</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Lighting</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Chromatic adaptation</source>
+        <translation>Chromatische Adaptation</translation>
+    </message>
+    <message>
+        <source>On: white looks white, as to an eye adapted to this light. Off: the tint that a daylight-adapted eye sees</source>
+        <translation>Ein: Weiß sieht weiß aus, wie für ein an dieses Licht adaptiertes Auge. Aus: der Farbstich, den ein an Tageslicht adaptiertes Auge sieht</translation>
+    </message>
+    <message>
+        <source>Illuminant</source>
+        <translation>Lichtart</translation>
+    </message>
+    <message>
+        <source>Illuminant assumed for the environment&apos;s white</source>
+        <translation>Lichtart, die für das Weiß der Umgebung angenommen wird</translation>
+    </message>
+    <message>
+        <source>Exposure mode</source>
+        <translation>Belichtungsart</translation>
+    </message>
+    <message>
+        <source>Locked: the exposure is the same in every light. Automatic: the object&apos;s median luminance becomes 18 %, and the exposure value is added</source>
+        <translation>Fest: Die Belichtung ist in jedem Licht gleich. Automatisch: Die mittlere Leuchtdichte (Median) des Objekts wird 18 %, und der Belichtungswert kommt hinzu</translation>
+    </message>
+    <message>
+        <source>Colours are being computed from the paint&apos;s spectra.</source>
+        <translation>Die Farben werden aus den Spektren des Lacks berechnet.</translation>
+    </message>
+    <message>
+        <source>Colours were computed from the paint&apos;s spectra.</source>
+        <translation>Die Farben wurden aus den Spektren des Lacks berechnet.</translation>
+    </message>
+    <message>
+        <source>No metamerism: the paint&apos;s spectrum is unknown. Assuming chromatic adaptation, it is shown as in D65.</source>
+        <translation>Keine Metamerie: Das Spektrum des Lacks ist unbekannt. Unter Annahme chromatischer Adaptation wird er wie bei D65 gezeigt.</translation>
+    </message>
+    <message>
+        <source>No metamerism: the paint&apos;s spectrum is unknown. Its colours are tinted by the light (CAT16).</source>
+        <translation>Keine Metamerie: Das Spektrum des Lacks ist unbekannt. Seine Farben erhalten den Stich des Lichts (CAT16).</translation>
+    </message>
+    <message>
+        <source>Viewer closed unexpectedly. Recover your unsaved work on the studio “{name}” of {when}?</source>
+        <translation>Viewer wurde unerwartet beendet. Ungespeicherte Arbeit am Studio „{name}“ von {when} wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>The current light is an image, which has no lamps to edit.</source>
+        <translation>Das jetzige Licht ist ein Bild, das keine Lampen zum Bearbeiten hat.</translation>
+    </message>
+    <message>
+        <source>Create a studio with File ▸ Studio ▸ New, or choose the light booth.</source>
+        <translation>Mit Datei ▸ Studio ▸ Neues Studio eines anlegen oder die Lichtkabine wählen.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Change Surroundings</source>
+        <translation>Umfeld ändern</translation>
+    </message>
+    <message>
+        <source>Change Sky</source>
+        <translation>Himmel ändern</translation>
+    </message>
+    <message>
+        <source>New Studio: {template}</source>
+        <translation>Neues Studio: {template}</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Current Light</source>
+        <translation>Jetziges Licht &amp;bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Save Studio</source>
+        <translation>Studio &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save Studio &amp;As…</source>
+        <translation>Studio speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Not applied: {place}: {reason}</source>
+        <translation>Nicht angewandt: {place}: {reason}</translation>
+    </message>
+    <message>
+        <source>Change Lamp</source>
+        <translation>Lampe ändern</translation>
+    </message>
+    <message>
+        <source>Move Lamp</source>
+        <translation>Lampe verschieben</translation>
+    </message>
+    <message>
+        <source>Scale Lamp</source>
+        <translation>Lampengröße ändern</translation>
+    </message>
+    <message>
+        <source>Add Lamp</source>
+        <translation>Lampe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate Lamp</source>
+        <translation>Lampe duplizieren</translation>
+    </message>
+    <message>
+        <source>Remove Lamp</source>
+        <translation>Lampe entfernen</translation>
+    </message>
+    <message>
+        <source>The picture shows the last valid light.</source>
+        <translation>Das Bild zeigt das letzte gültige Licht.</translation>
+    </message>
+    <message>
+        <source>Not saved to a file yet</source>
+        <translation>Noch in keiner Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>changed</source>
+        <translation>geändert</translation>
+    </message>
+    <message>
+        <source>Neutral</source>
+        <translation>Neutral</translation>
+    </message>
+    <message>
+        <source>White of the picture, D65</source>
+        <translation>Weiß des Bildes, D65</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Kasten</translation>
+    </message>
+    <message>
+        <source>Strip</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Ring</source>
+        <translation>Ring</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Band</source>
+        <translation>Band</translation>
+    </message>
+    <message>
+        <source>Face the centre</source>
+        <translation>Zur Mitte gerichtet</translation>
+    </message>
+    <message>
+        <source>Off: the direction is set by the two angles</source>
+        <translation>Aus: Die zwei Winkel bestimmen die Richtung</translation>
+    </message>
+    <message>
+        <source>Facing</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Soft edge</source>
+        <translation>Weicher Rand</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>A box is brightest in its middle; strips and rings are even</source>
+        <translation>Ein Kasten ist in der Mitte am hellsten; Streifen und Ringe sind gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Position: from the front (+z) towards the right (+x)</source>
+        <translation>Lage: von vorn (+z) nach rechts (+x)</translation>
+    </message>
+    <message>
+        <source>Above the horizon at the centre of the scene</source>
+        <translation>Über dem Horizont in der Mitte der Szene</translation>
+    </message>
+    <message>
+        <source>Distance from the centre of the scene; the size in metres stays</source>
+        <translation>Abstand von der Mitte der Szene; die Größe in Metern bleibt</translation>
+    </message>
+    <message>
+        <source>Angular size, seen face-on from the centre of the scene</source>
+        <translation>Winkelgröße, von der Mitte der Szene frontal gesehen</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollwinkel</translation>
+    </message>
+    <message>
+        <source>Shines to</source>
+        <translation>Leuchtet nach</translation>
+    </message>
+    <message>
+        <source>Azimuth of the direction of emission</source>
+        <translation>Azimut der Abstrahlrichtung</translation>
+    </message>
+    <message>
+        <source>and up</source>
+        <translation>und hoch</translation>
+    </message>
+    <message>
+        <source>Elevation of the direction of emission</source>
+        <translation>Höhenwinkel der Abstrahlrichtung</translation>
+    </message>
+    <message>
+        <source>At its centre</source>
+        <translation>In ihrer Mitte</translation>
+    </message>
+    <message>
+        <source>Planckian below 4,000 K, daylight above</source>
+        <translation>Unter 4000 K Planckscher Strahler, darüber Tageslicht</translation>
+    </message>
+    <message>
+        <source>Width of the fade at its edge</source>
+        <translation>Breite des Verlaufs am Rand</translation>
+    </message>
+    <message>
+        <source>{side}: {metres}; the angle is its face-on angular size</source>
+        <translation>{side}: {metres}; der Winkel ist die Größe bei frontalem Blick</translation>
+    </message>
+    <message>
+        <source>Name of the studio</source>
+        <translation>Name des Studios</translation>
+    </message>
+    <message>
+        <source>Lamps of the studio</source>
+        <translation>Lampen des Studios</translation>
+    </message>
+    <message>
+        <source>Save the studio (Ctrl+S in this panel)</source>
+        <translation>Das Studio speichern (Strg+S in dieser Tafel)</translation>
+    </message>
+    <message>
+        <source>Save the studio under another name</source>
+        <translation>Das Studio unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Undo (Ctrl+Z in this panel)</source>
+        <translation>Rückgängig (Strg+Z in dieser Tafel)</translation>
+    </message>
+    <message>
+        <source>Add a lamp</source>
+        <translation>Eine Lampe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate this lamp</source>
+        <translation>Diese Lampe duplizieren</translation>
+    </message>
+    <message>
+        <source>Light the picture with this studio</source>
+        <translation>Das Bild mit diesem Studio beleuchten</translation>
+    </message>
+    <message>
+        <source>No studio is open. Create one, or edit the current light.</source>
+        <translation>Kein Studio ist offen. Eines anlegen oder das jetzige Licht bearbeiten.</translation>
+    </message>
+    <message>
+        <source>Edit current light</source>
+        <translation>Jetziges Licht bearbeiten</translation>
+    </message>
+    <message>
+        <source>neutral</source>
+        <translation>neutral</translation>
+    </message>
+    <message>
+        <source>{azimuth:.0f}° and {elevation:.0f}° up</source>
+        <translation>{azimuth:.0f}° und {elevation:.0f}° hoch</translation>
+    </message>
+    <message>
+        <source>Panorama of the studio</source>
+        <translation>Panorama des Studios</translation>
+    </message>
+    <message>
+        <source>Full panorama, front at the centre. Click a lamp to select it, drag it to move it, turn the wheel over it to resize it, arrow keys move it by 1°</source>
+        <translation>Ganzes Panorama, vorn in der Mitte. Klick auf eine Lampe wählt sie, Ziehen verschiebt sie, das Mausrad darüber ändert ihre Größe, Pfeiltasten verschieben sie um 1°</translation>
+    </message>
+    <message>
+        <source>Plain backdrop</source>
+        <translation>Einfarbiger Hintergrund</translation>
+    </message>
+    <message>
+        <source>Room</source>
+        <translation>Raum</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relativ</translation>
+    </message>
+    <message>
+        <source>Clear (Hošek-Wilkie)</source>
+        <translation>Klar (Hošek-Wilkie)</translation>
+    </message>
+    <message>
+        <source>Clear (Preetham)</source>
+        <translation>Klar (Preetham)</translation>
+    </message>
+    <message>
+        <source>Overcast (CIE)</source>
+        <translation>Bedeckt (CIE)</translation>
+    </message>
+    <message>
+        <source>Eye height</source>
+        <translation>Augenhöhe</translation>
+    </message>
+    <message>
+        <source>Floor</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Walls</source>
+        <translation>Wände</translation>
+    </message>
+    <message>
+        <source>Ceiling</source>
+        <translation>Decke</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Unit of luminances; the exposure is set for a white card</source>
+        <translation>Einheit der Leuchtdichten; die Belichtung ist auf eine weiße Karte eingestellt</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>Umfeld</translation>
+    </message>
+    <message>
+        <source>Visible where there is no lamp</source>
+        <translation>Sichtbar, wo keine Lampe ist</translation>
+    </message>
+    <message>
+        <source>Uniform; 0 is black</source>
+        <translation>Gleichmäßig; 0 ist schwarz</translation>
+    </message>
+    <message>
+        <source>Colour of the backdrop</source>
+        <translation>Farbe des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>Sun in the picture</source>
+        <translation>Sonne im Bild</translation>
+    </message>
+    <message>
+        <source>The solar disc, 0.53° in diameter</source>
+        <translation>Die Sonnenscheibe, 0,53° im Durchmesser</translation>
+    </message>
+    <message>
+        <source>Published sky model</source>
+        <translation>Veröffentlichtes Himmelsmodell</translation>
+    </message>
+    <message>
+        <source>Turbidity</source>
+        <translation>Trübung</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Box, strip and ring</source>
+        <translation>Kasten, Streifen und Ring</translation>
+    </message>
+    <message>
+        <source>Light tunnel</source>
+        <translation>Lichttunnel</translation>
+    </message>
+    <message>
+        <source>My booth</source>
+        <translation>Meine Lichtkabine</translation>
+    </message>
+    <message>
+        <source>One box above</source>
+        <translation>Ein Kasten oben</translation>
+    </message>
+    <message>
+        <source>My studio</source>
+        <translation>Mein Studio</translation>
+    </message>
+    <message>
+        <source>Sky with sun</source>
+        <translation>Himmel mit Sonne</translation>
+    </message>
+    <message>
+        <source>My sky</source>
+        <translation>Mein Himmel</translation>
+    </message>
+    <message>
+        <source>no sparkle</source>
+        <translation>kein Glitzern</translation>
+    </message>
+    <message>
+        <source>flake texture</source>
+        <translation>Flake-Textur</translation>
+    </message>
+    <message>
+        <source>glints</source>
+        <translation>Glitzerpunkte</translation>
+    </message>
+    <message>
+        <source>no Fresnel</source>
+        <translation>kein Fresnel</translation>
+    </message>
+    <message>
+        <source>Fresnel raised</source>
+        <translation>Fresnel angehoben</translation>
+    </message>
+    <message>
+        <source>Fresnel by angle</source>
+        <translation>Fresnel nach Winkel</translation>
+    </message>
+    <message>
+        <source>{sparkle}, {count} lights</source>
+        <translation>{sparkle}, {count} Lichter</translation>
+    </message>
+    <message>
+        <source>Frame time: median of the last {count}; slowest {slowest:.1f} ms</source>
+        <translation>Bildzeit: Median der letzten {count}; längste {slowest:.1f} ms</translation>
+    </message>
+    <message>
+        <source>{words}  view {view:.0f}°</source>
+        <translation>{words}  Blick {view:.0f}°</translation>
+    </message>
+    <message>
+        <source>{words}  view {view:.0f}°  aspecular {aspecular:.0f}°</source>
+        <translation>{words}  Blick {view:.0f}°  aspekular {aspecular:.0f}°</translation>
+    </message>
+    <message>
+        <source>radiance</source>
+        <translation>Strahldichte</translation>
+    </message>
+    <message>
+        <source>background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>view {view:.1f}°</source>
+        <translation>Blick {view:.1f}°</translation>
+    </message>
+    <message>
+        <source>view {view:.1f}°   aspecular {aspecular:.1f}°</source>
+        <translation>Blick {view:.1f}°   aspekular {aspecular:.1f}°</translation>
+    </message>
+    <message>
+        <source>no aspecular angle: no dominant light source</source>
+        <translation>kein Aspekularwinkel: keine vorherrschende Lichtquelle</translation>
+    </message>
+    <message>
+        <source>facing away from {light}</source>
+        <translation>abgewandt von {light}</translation>
+    </message>
+    <message>
+        <source>from {light}</source>
+        <translation>von {light}</translation>
+    </message>
+    <message>
+        <source>x {x:.1f}  y {y:.1f}  z {z:.1f} mm on {part} ({material})</source>
+        <translation>x {x:.1f}  y {y:.1f}  z {z:.1f} mm auf {part} ({material})</translation>
+    </message>
+    <message>
+        <source>The pixel under the cursor. L*a*b*: exposed light before the tone curve, D65 and 10°, a white of radiance 1 has L* 100. View: angle to the surface&apos;s normal. Aspecular: angle from the mirror direction of {light}.</source>
+        <translation>Das Pixel unter dem Zeiger. L*a*b*: belichtetes Licht vor der Tonwertkurve, D65 und 10°, ein Weiß der Strahldichte 1 hat L* 100. Blick: Winkel zur Normalen der Oberfläche. Aspekular: Winkel von der Spiegelrichtung zu {light}.</translation>
+    </message>
+    <message>
+        <source>no dominant light source</source>
+        <translation>keine vorherrschende Lichtquelle</translation>
+    </message>
+    <message>
+        <source>The picture shows {shown}. Choose another paint, or correct this one.</source>
+        <translation>Das Bild zeigt {shown}. Einen anderen Lack wählen oder diesen berichtigen.</translation>
+    </message>
+    <message>
+        <source>Cosine lobes of the fit</source>
+        <translation>Kosinuskeulen der Anpassung</translation>
+    </message>
+    <message>
+        <source>Duration of the lobe fit, and its maximum ΔE00 at the measured angles</source>
+        <translation>Dauer der Keulenanpassung und ihr größtes ΔE00 an den gemessenen Winkeln</translation>
+    </message>
+    <message>
+        <source>Duration of the lobe fit; no measured angles to compare with</source>
+        <translation>Dauer der Keulenanpassung; keine gemessenen Winkel zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>Open palette; the arrow keys select its paints</source>
+        <translation>Offene Palette; die Pfeiltasten wählen ihre Lacke</translation>
+    </message>
+    <message>
+        <source>{name} (closed)</source>
+        <translation>{name} (geschlossen)</translation>
+    </message>
+    <message>
+        <source>Designer not open</source>
+        <translation>Designer nicht offen</translation>
+    </message>
+    <message>
+        <source>Designer connected</source>
+        <translation>Designer verbunden</translation>
+    </message>
+    <message>
+        <source>Designer connected (not following)</source>
+        <translation>Designer verbunden (folgt nicht)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Other programs on the link: {programs}</source>
+        <translation>Andere Programme der Verbindung: {programs}</translation>
+    </message>
+    <message>
+        <source>Designer is open. Follow it to see its paint at every change.</source>
+        <translation>Designer ist offen. Ihm folgen, um den Lack bei jeder Änderung zu sehen.</translation>
+    </message>
+    <message>
+        <source>Until then Viewer shows the paint that it was started with.</source>
+        <translation>Bis dahin zeigt Viewer den Lack, mit dem er gestartet wurde.</translation>
+    </message>
+    <message>
+        <source>Follow Designer</source>
+        <translation>Designer folgen</translation>
+    </message>
+    <message>
+        <source>Factored paint: lamps use its maps, the environment uses fitted lobes.</source>
+        <translation>Faktorisierter Lack: Lampen verwenden seine Karten, die Umgebung angepasste Keulen.</translation>
+    </message>
+    <message>
+        <source>Raised</source>
+        <translation>Angehoben</translation>
+    </message>
+    <message>
+        <source>Several angles</source>
+        <translation>Mehrere Winkel</translation>
+    </message>
+    <message>
+        <source>The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations</source>
+        <translation>Die bei 45° angepassten Keulen, durch die genauen Fresnel-Gleichungen der Klarlack aufgehellt und die Basis gedämpft</translation>
+    </message>
+    <message>
+        <source>Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, which have no separate coat, are raised</source>
+        <translation>An 16 Einfallswinkeln angepasste Keulen, auch in der Form interpoliert; Messdateien ohne getrennten Klarlack werden angehoben</translation>
+    </message>
+    <message>
+        <source>The lobes of 45° at every angle</source>
+        <translation>Die Keulen von 45° an jedem Winkel</translation>
+    </message>
+    <message>
+        <source>Shifted (exact horizon)</source>
+        <translation>Verschoben (genauer Horizont)</translation>
+    </message>
+    <message>
+        <source>Mirror direction (paper)</source>
+        <translation>Spiegelrichtung (Veröffentlichung)</translation>
+    </message>
+    <message>
+        <source>Each lobe is looked up between mirror direction and normal: only light above the surface counts</source>
+        <translation>Jede Keule wird zwischen Spiegelrichtung und Normale nachgeschlagen: Nur Licht über der Oberfläche zählt</translation>
+    </message>
+    <message>
+        <source>Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and Meyer: broad lobes take light from below the surface, towards grazing angles</source>
+        <translation>Jede Keule wird in der Spiegelrichtung nachgeschlagen und mit ihrem Kosinus gedämpft, wie von Westlund und Meyer veröffentlicht: Breite Keulen nehmen bei streifenden Winkeln Licht von unterhalb der Oberfläche auf</translation>
+    </message>
+    <message>
+        <source>Fresnel</source>
+        <translation>Fresnel</translation>
+    </message>
+    <message>
+        <source>Coat and base</source>
+        <translation>Klarlack, Basis</translation>
+    </message>
+    <message>
+        <source>Dependence on the viewing angle</source>
+        <translation>Abhängigkeit vom Blickwinkel</translation>
+    </message>
+    <message>
+        <source>Look-up</source>
+        <translation>Nachschlagen</translation>
+    </message>
+    <message>
+        <source>Direction in which a lobe is looked up in the filtered light</source>
+        <translation>Richtung, in der eine Keule im gefilterten Licht nachgeschlagen wird</translation>
+    </message>
+    <message>
+        <source>Colours at the measured angles</source>
+        <translation>Farben an den gemessenen Winkeln</translation>
+    </message>
+    <message>
+        <source>Outside this screen&apos;s colours: shown clipped</source>
+        <translation>Außerhalb der Farben dieses Bildschirms: beschnitten gezeigt</translation>
+    </message>
+    <message>
+        <source>Light {light:g}°, aspecular {aspecular:g}°</source>
+        <translation>Licht {light:g}°, aspekular {aspecular:g}°</translation>
+    </message>
+    <message>
+        <source>Show the paint that is being edited in Designer, at every change</source>
+        <translation>Den Lack, der in Designer bearbeitet wird, bei jeder Änderung zeigen</translation>
+    </message>
+    <message>
+        <source>Open a paint (.brdfpaint) or a measured file</source>
+        <translation>Einen Lack (.brdfpaint) oder eine Messdatei öffnen</translation>
+    </message>
+    <message>
+        <source>Choosing another paint stops following Designer</source>
+        <translation>Ein anderer Lack beendet das Folgen</translation>
+    </message>
+    <message>
+        <source>Fit: no measured angles to compare with{limited}</source>
+        <translation>Anpassung: keine gemessenen Winkel zum Vergleichen{limited}</translation>
+    </message>
+    <message>
+        <source>Fit: maximum ΔE00 {worst:.2f} at the measured angles{limited}</source>
+        <translation>Anpassung: größtes ΔE00 {worst:.2f} an den gemessenen Winkeln{limited}</translation>
+    </message>
+    <message>
+        <source>Follow Designer (not open)</source>
+        <translation>Designer folgen (nicht offen)</translation>
+    </message>
+    <message>
+        <source>{name}, {number} of {count}</source>
+        <translation>{name}, {number} von {count}</translation>
+    </message>
+    <message>
+        <source>Glints, at any distance</source>
+        <translation>Glitzerpunkte, in jedem Abstand</translation>
+    </message>
+    <message>
+        <source>Flake texture, near only</source>
+        <translation>Flake-Textur, nur nah</translation>
+    </message>
+    <message>
+        <source>Off, mean of all flakes</source>
+        <translation>Aus, Mittel aller Flakes</translation>
+    </message>
+    <message>
+        <source>Individual flakes sparkle in the brightest lights and blend into the mean with distance</source>
+        <translation>Einzelne Flakes glitzern in den hellsten Lichtern und gehen mit dem Abstand in das Mittel über</translation>
+    </message>
+    <message>
+        <source>One flake per texture cell (Günther et al. 2005); fades with distance</source>
+        <translation>Ein Flake je Texturzelle (Günther et al. 2005); verblasst mit dem Abstand</translation>
+    </message>
+    <message>
+        <source>No individual flakes, only their mean</source>
+        <translation>Keine einzelnen Flakes, nur ihr Mittel</translation>
+    </message>
+    <message>
+        <source>This paint has no flake data; no flakes are drawn.</source>
+        <translation>Dieser Lack hat keine Angaben zu Flakes; keine werden gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Sparkle</source>
+        <translation>Glitzern</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Lichter</translation>
+    </message>
+    <message>
+        <source>Drawing of individual flakes</source>
+        <translation>Zeichnung einzelner Flakes</translation>
+    </message>
+    <message>
+        <source>colours spread by {spread:.2g}</source>
+        <translation>Farben um {spread:.2g} gestreut</translation>
+    </message>
+    <message>
+        <source>{density:,.4g} flakes per mm² of {size:.4g} µm, tilts spread by {roughness:.2g}, {colour}</source>
+        <translation>{density:,.4g} Flakes je mm² von {size:.4g} µm, Neigungen um {roughness:.2g} gestreut, {colour}</translation>
+    </message>
+    <message>
+        <source>of one colour</source>
+        <translation>einfarbig</translation>
+    </message>
+    <message>
+        <source>Sunny sky</source>
+        <translation>Sonniger Himmel</translation>
+    </message>
+    <message>
+        <source>Overcast sky</source>
+        <translation>Bedeckter Himmel</translation>
+    </message>
+    <message>
+        <source>Curved panel</source>
+        <translation>Gewölbtes Blech</translation>
+    </message>
+    <message>
+        <source>Car</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture.</source>
+        <translation>Das Bild zeigt {shown}. Im Inspektor etwas anderes wählen oder eine Datei auf das Bild ziehen.</translation>
+    </message>
+    <message>
+        <source>Viewer opens files that end in {endings}.</source>
+        <translation>Viewer öffnet Dateien, die auf {endings} enden.</translation>
+    </message>
+    <message>
+        <source>Drop one of these.</source>
+        <translation>Eine solche Datei hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Loading</source>
+        <translation>Wird geladen</translation>
+    </message>
+    <message>
+        <source>{title}, draft</source>
+        <translation>{title}, Entwurf</translation>
+    </message>
+    <message>
+        <source>Full quality follows after editing</source>
+        <translation>Volle Güte folgt nach der Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Refining reflections</source>
+        <translation>Spiegelungen werden verfeinert</translation>
+    </message>
+    <message>
+        <source>Stopped; select the light again to finish</source>
+        <translation>Angehalten; das Licht erneut wählen, um sie fertigzustellen</translation>
+    </message>
+    <message>
+        <source>{title}, maps {made} of {wanted}</source>
+        <translation>{title}, Karten {made} von {wanted}</translation>
+    </message>
+    <message>
+        <source>{triangles:,} triangles, 1 part</source>
+        <translation>{triangles:,} Dreiecke, 1 Teil</translation>
+    </message>
+    <message>
+        <source>{triangles:,} triangles, {parts} parts</source>
+        <translation>{triangles:,} Dreiecke, {parts} Teile</translation>
+    </message>
+    <message>
+        <source>The surface is shown without ambient occlusion.</source>
+        <translation>Die Oberfläche wird ohne Umgebungsverdeckung gezeigt.</translation>
+    </message>
+    <message>
+        <source>Computing ambient occlusion…</source>
+        <translation>Umgebungsverdeckung wird berechnet …</translation>
+    </message>
+    <message>
+        <source>Shown without ambient occlusion; it has not been computed.</source>
+        <translation>Ohne Umgebungsverdeckung gezeigt; sie wurde nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Rubber</source>
+        <translation>Gummi</translation>
+    </message>
+    <message>
+        <source>Chrome</source>
+        <translation>Chrom</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Tail lamp</source>
+        <translation>Rücklicht</translation>
+    </message>
+    <message>
+        <source>Trim, matt black</source>
+        <translation>Zierteil, mattschwarz</translation>
+    </message>
+    <message>
+        <source>Dark cavity</source>
+        <translation>Dunkler Hohlraum</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Click a part in the picture to select it; Ctrl and Shift select several in the list</source>
+        <translation>Klick auf einen Teil im Bild wählt ihn; Strg und Umschalt wählen mehrere in der Liste</translation>
+    </message>
+    <message>
+        <source>Material of selected parts</source>
+        <translation>Material gewählter Teile</translation>
+    </message>
+    <message>
+        <source>Material of the parts selected above</source>
+        <translation>Material der oben gewählten Teile</translation>
+    </message>
+    <message>
+        <source>From file</source>
+        <translation>Aus der Datei</translation>
+    </message>
+    <message>
+        <source>The picture is unchanged. Open another file in the inspector.</source>
+        <translation>Das Bild ist unverändert. Im Inspektor eine andere Datei öffnen.</translation>
+    </message>
+    <message>
+        <source>Tiled</source>
+        <translation>Gekachelt</translation>
+    </message>
+    <message>
+        <source>Projected from the side</source>
+        <translation>Von der Seite projiziert</translation>
+    </message>
+    <message>
+        <source>Projected from the front</source>
+        <translation>Von vorn projiziert</translation>
+    </message>
+    <message>
+        <source>Projected from above</source>
+        <translation>Von oben projiziert</translation>
+    </message>
+    <message>
+        <source>Relief and two-tone</source>
+        <translation>Relief und Zweifarbigkeit</translation>
+    </message>
+    <message>
+        <source>Open a normal map</source>
+        <translation>Eine Normal-Map öffnen</translation>
+    </message>
+    <message>
+        <source>Remove the normal map</source>
+        <translation>Die Normal-Map entfernen</translation>
+    </message>
+    <message>
+        <source>Open a tangent map</source>
+        <translation>Eine Tangenten-Map öffnen</translation>
+    </message>
+    <message>
+        <source>Remove the tangent map</source>
+        <translation>Die Tangenten-Map entfernen</translation>
+    </message>
+    <message>
+        <source>Open a second paint</source>
+        <translation>Einen zweiten Lack öffnen</translation>
+    </message>
+    <message>
+        <source>Open a mask</source>
+        <translation>Eine Maske öffnen</translation>
+    </message>
+    <message>
+        <source>Remove the mask</source>
+        <translation>Die Maske entfernen</translation>
+    </message>
+    <message>
+        <source>Mask width</source>
+        <translation>Maskenbreite</translation>
+    </message>
+    <message>
+        <source>Normal map</source>
+        <translation>Normal-Map</translation>
+    </message>
+    <message>
+        <source>An image of normals (PNG, EXR …), tiled over the paint</source>
+        <translation>Ein Bild der Normalen (PNG, EXR …), über den Lack gekachelt</translation>
+    </message>
+    <message>
+        <source>Tangent map</source>
+        <translation>Tangenten-Map</translation>
+    </message>
+    <message>
+        <source>An image of the grain&apos;s direction in anisotropic factored paints</source>
+        <translation>Ein Bild der Richtung der Maserung in anisotropen faktorisierten Lacken</translation>
+    </message>
+    <message>
+        <source>Tile width</source>
+        <translation>Kachelbreite</translation>
+    </message>
+    <message>
+        <source>Second paint</source>
+        <translation>Zweiter Lack</translation>
+    </message>
+    <message>
+        <source>Shown where the mask is white</source>
+        <translation>Gezeigt, wo die Maske weiß ist</translation>
+    </message>
+    <message>
+        <source>An image: black is the first paint, white the second</source>
+        <translation>Ein Bild: Schwarz ist der erste Lack, Weiß der zweite</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Mapping of the mask onto the surface</source>
+        <translation>Abbildung der Maske auf die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Waves of {height:.2g} µm (RMS height)</source>
+        <translation>Wellen von {height:.2g} µm (quadr. Mittel der Höhe)</translation>
+    </message>
+    <message>
+        <source>{waves}, instead of the paint&apos;s own</source>
+        <translation>{waves}, statt der eigenen des Lacks</translation>
+    </message>
+    <message>
+        <source>The paint&apos;s own: {height:g} µm (RMS height), {length:g} mm. A slope set here replaces it.</source>
+        <translation>Eigene des Lacks: {height:g} µm (quadr. Mittel der Höhe), {length:g} mm. Eine hier gesetzte Neigung ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>Open a mask to see the second paint.</source>
+        <translation>Eine Maske öffnen, um den zweiten Lack zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose a second paint to see the mask.</source>
+        <translation>Einen zweiten Lack wählen, um die Maske zu sehen.</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Smooth, edges above 40°</source>
+        <translation>Glatt, Kanten ab 40°</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Open a mesh (.glb, .gltf, .obj, .stl, .ply)</source>
+        <translation>Ein Netz öffnen (.glb, .gltf, .obj, .stl, .ply)</translation>
+    </message>
+    <message>
+        <source>Occlusion</source>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Darkens recesses; computed once per surface in the background</source>
+        <translation>Verdunkelt Vertiefungen; einmal je Oberfläche im Hintergrund berechnet</translation>
+    </message>
+    <message>
+        <source>Ground with contact shadow</source>
+        <translation>Boden mit Kontaktschatten</translation>
+    </message>
+    <message>
+        <source>Ground at the lowest point of the surface, with its shadow in the environment&apos;s light</source>
+        <translation>Boden am tiefsten Punkt der Oberfläche, mit ihrem Schatten im Licht der Umgebung</translation>
+    </message>
+    <message>
+        <source>Compute</source>
+        <translation>Berechnen</translation>
+    </message>
+    <message>
+        <source>Restart the cancelled computation</source>
+        <translation>Die abgebrochene Berechnung neu starten</translation>
+    </message>
+    <message>
+        <source>Centre on ground</source>
+        <translation>Auf den Boden stellen</translation>
+    </message>
+    <message>
+        <source>Flip normals</source>
+        <translation>Normalen umkehren</translation>
+    </message>
+    <message>
+        <source>Surface to which the paint is applied</source>
+        <translation>Oberfläche, auf die der Lack aufgetragen ist</translation>
+    </message>
+    <message>
+        <source>Unit of length in the file</source>
+        <translation>Längeneinheit in der Datei</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Moves the centre over the origin and the lowest point to height 0</source>
+        <translation>Setzt die Mitte über den Ursprung und den tiefsten Punkt auf Höhe 0</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Read from the file, or recomputed</source>
+        <translation>Aus der Datei gelesen oder neu berechnet</translation>
+    </message>
+    <message>
+        <source>For files whose triangles and normals point inwards</source>
+        <translation>Für Dateien, deren Dreiecke und Normalen nach innen zeigen</translation>
+    </message>
+    <message>
+        <source>sRGB; {profile} is not used</source>
+        <translation>sRGB; {profile} wird nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Faithful, soft highlights</source>
+        <translation>Getreu, weiche Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Neutral (Khronos PBR)</source>
+        <translation>Neutral (Khronos PBR)</translation>
+    </message>
+    <message>
+        <source>Characteristic curve</source>
+        <translation>Filmkennlinie</translation>
+    </message>
+    <message>
+        <source>ACES (fitted)</source>
+        <translation>ACES (angepasst)</translation>
+    </message>
+    <message>
+        <source>Linear, clipping marked</source>
+        <translation>Linear, Übersteuerung markiert</translation>
+    </message>
+    <message>
+        <source>Shows colours unchanged; compresses only values above 0.8</source>
+        <translation>Zeigt Farben unverändert; staucht nur Werte über 0,8</translation>
+    </message>
+    <message>
+        <source>Removes 4 % of reflection from dark tones, keeps hue and saturation, compresses highlights</source>
+        <translation>Nimmt dunklen Tönen 4 % Reflexion, hält Buntton und Sättigung, staucht Glanzlichter</translation>
+    </message>
+    <message>
+        <source>A film&apos;s S-shaped response in log exposure</source>
+        <translation>Die S-förmige Antwort eines Films in log. Belichtung</translation>
+    </message>
+    <message>
+        <source>The film industry&apos;s rendering, as Hill fitted it: darker and with more contrast; 0.18 becomes 0.11</source>
+        <translation>Die Wiedergabe der Filmindustrie, wie Hill sie angepasst hat: dunkler und kontrastreicher; aus 0,18 wird 0,11</translation>
+    </message>
+    <message>
+        <source>Sixteen stops in a soft curve; bright saturated light desaturates to white, as on film</source>
+        <translation>Sechzehn Blenden in einer weichen Kurve; helles gesättigtes Licht entsättigt zu Weiß, wie auf Film</translation>
+    </message>
+    <message>
+        <source>No curve, for judging colours; highlights are clipped and marked</source>
+        <translation>Keine Kurve, zum Beurteilen von Farben; Glanzlichter werden beschnitten und markiert</translation>
+    </message>
+    <message>
+        <source>Stripes</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Tone</source>
+        <translation>Tonwerte</translation>
+    </message>
+    <message>
+        <source>Mark clipped highlights: black stripes, or orange</source>
+        <translation>Übersteuerte Glanzlichter markieren: schwarze Streifen oder Orange</translation>
+    </message>
+    <message>
+        <source>Out of gamut</source>
+        <translation>Außerhalb des Farbraums</translation>
+    </message>
+    <message>
+        <source>Mark colours outside the screen&apos;s gamut: grey stripes in the other direction, or blue</source>
+        <translation>Farben außerhalb des Farbraums des Bildschirms markieren: graue Streifen in der anderen Richtung oder Blau</translation>
+    </message>
+    <message>
+        <source>Monitor profile</source>
+        <translation>Monitorprofil</translation>
+    </message>
+    <message>
+        <source>Convert colours with the system&apos;s profile of this monitor</source>
+        <translation>Farben mit dem Profil umrechnen, das das System für diesen Monitor hat</translation>
+    </message>
+    <message>
+        <source>Tone curve</source>
+        <translation>Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>Mapping of radiance to the screen, before its transfer curve</source>
+        <translation>Abbildung der Strahldichte auf den Bildschirm, vor dessen Übertragungskurve</translation>
+    </message>
+    <message>
+        <source>Show clipping</source>
+        <translation>Markieren</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Style of the marks; stripes keep the colour between them visible</source>
+        <translation>Stil der Marken; Streifen lassen die Farbe dazwischen sichtbar</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Bildschirm</translation>
+    </message>
+    <message>
+        <source>The object is outside the picture</source>
+        <translation>Das Objekt ist außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>Clipped highlights: none; out of gamut: {gamut}</source>
+        <translation>Übersteuerte Glanzlichter: keine; außerhalb des Farbraums: {gamut}</translation>
+    </message>
+    <message>
+        <source>Clipped highlights: {bright} of the object; out of gamut: {gamut}</source>
+        <translation>Übersteuerte Glanzlichter: {bright} des Objekts; außerhalb des Farbraums: {gamut}</translation>
+    </message>
+    <message>
+        <source>less than 0.1 %</source>
+        <translation>weniger als 0,1 %</translation>
+    </message>
+    <message>
+        <source>Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.</source>
+        <translation>Unter Ansicht ▸ Renderer den Strahlverfolger oder die Referenz wählen und speichern, sobald das Bild erscheint.</translation>
+    </message>
+    <message>
+        <source>There is no traced picture yet.</source>
+        <translation>Noch gibt es kein strahlverfolgtes Bild.</translation>
+    </message>
+    <message>
+        <source>EXR, radiance with variance</source>
+        <translation>EXR, Strahldichte mit Varianz</translation>
+    </message>
+    <message>
+        <source>The real-time picture continues.</source>
+        <translation>Das Echtzeitbild läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Try Again</source>
+        <translation>Erneut versuchen</translation>
+    </message>
+    <message>
+        <source>Saved {name}</source>
+        <translation>{name} gespeichert</translation>
+    </message>
+    <message>
+        <source>Renderer of the picture, and its progress</source>
+        <translation>Renderer des Bildes und sein Fortschritt</translation>
+    </message>
+    <message>
+        <source>Real-time picture; {renderer}: stopped</source>
+        <translation>Echtzeitbild; {renderer}: angehalten</translation>
+    </message>
+    <message>
+        <source>waiting for changes to end</source>
+        <translation>wartet auf das Ende der Änderungen</translation>
+    </message>
+    <message>
+        <source>starting…</source>
+        <translation>startet …</translation>
+    </message>
+    <message>
+        <source>Real-time picture; {renderer}: {step}</source>
+        <translation>Echtzeitbild; {renderer}: {step}</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>The picture could not be read: {reason}</source>
+        <translation>Das Bild konnte nicht gelesen werden: {reason}</translation>
+    </message>
+    <message>
+        <source>The renderer could not be started: {reason}.</source>
+        <translation>Der Renderer konnte nicht gestartet werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>no message; the computer may be out of memory</source>
+        <translation>keine Meldung; vielleicht fehlt dem Rechner Speicher</translation>
+    </message>
+    <message>
+        <source>The renderer crashed (signal {code}): {words}.</source>
+        <translation>Der Renderer stürzte ab (Signal {code}): {words}.</translation>
+    </message>
+    <message>
+        <source>The renderer ended (status {code}): {words}.</source>
+        <translation>Der Renderer endete (Status {code}): {words}.</translation>
+    </message>
+    <message>
+        <source>Renderer</source>
+        <translation>Renderer</translation>
+    </message>
+    <message>
+        <source>Denoise</source>
+        <translation>Entrauschen</translation>
+    </message>
+    <message>
+        <source>Stop refining and free the processors</source>
+        <translation>Das Verfeinern anhalten und die Prozessoren freigeben</translation>
+    </message>
+    <message>
+        <source>Refine the picture further</source>
+        <translation>Das Bild weiter verfeinern</translation>
+    </message>
+    <message>
+        <source>Save EXR…</source>
+        <translation>EXR speichern …</translation>
+    </message>
+    <message>
+        <source>Radiance of the current picture, with the variance of each pixel</source>
+        <translation>Strahldichte des jetzigen Bildes, mit der Varianz jedes Pixels</translation>
+    </message>
+    <message>
+        <source>Renderer of the picture</source>
+        <translation>Renderer des Bildes</translation>
+    </message>
+    <message>
+        <source>Lights, reflections and samples of the ray tracer: 16, 1, 1; 128, 16, 16; 1024, 256, 64</source>
+        <translation>Lichter, Spiegelungen und Abtastwerte des Strahlverfolgers: 16, 1, 1; 128, 16, 16; 1024, 256, 64</translation>
+    </message>
+    <message>
+        <source>Samples per pixel at which the path tracer stops; 0: unlimited</source>
+        <translation>Abtastwerte je Pixel, bei denen der Pfadverfolger anhält; 0: unbegrenzt</translation>
+    </message>
+    <message>
+        <source>The renderer has not been started yet.</source>
+        <translation>Der Renderer wurde noch nicht gestartet.</translation>
+    </message>
+    <message>
+        <source>A denoiser estimates detail hidden by noise: for viewing, not for measuring</source>
+        <translation>Ein Entrauscher schätzt Einzelheiten, die das Rauschen verdeckt: zum Ansehen, nicht zum Messen</translation>
+    </message>
+    <message>
+        <source>Real-time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>Ray-traced</source>
+        <translation>Strahlverfolgt</translation>
+    </message>
+    <message>
+        <source>Path-traced</source>
+        <translation>Pfadverfolgt</translation>
+    </message>
+    <message>
+        <source>Fitted lobes in prefiltered light</source>
+        <translation>Angepasste Keulen in vorgefiltertem Licht</translation>
+    </message>
+    <message>
+        <source>The paint itself under many lights, with shadows and self-reflections</source>
+        <translation>Der Lack selbst unter vielen Lichtern, mit Schatten und Selbstspiegelungen</translation>
+    </message>
+    <message>
+        <source>The paint itself, path-traced, as ground truth; refines while nothing changes</source>
+        <translation>Der Lack selbst, pfadverfolgt, als Bezugswert; verfeinert sich, solange nichts geändert wird</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Schnell</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>The ground shadow is that of the real-time picture.</source>
+        <translation>Der Bodenschatten ist der des Echtzeitbildes.</translation>
+    </message>
+    <message>
+        <source>The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here.</source>
+        <translation>Der Entrauscher (OptiX) braucht eine NVIDIA-Grafikkarte, die hier nicht verwendet wird.</translation>
+    </message>
+    <message>
+        <source>The ray tracer uses the same lights in each pixel: there is no noise to remove.</source>
+        <translation>Der Strahlverfolger verwendet in jedem Pixel dieselben Lichter: Es gibt kein Rauschen zu entfernen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size; make the window smaller.</source>
+        <translation>Für ein Bild dieser Größe fehlt Speicher; das Fenster verkleinern.</translation>
+    </message>
+    <message>
+        <source>Ray-traced, {quality}</source>
+        <translation>Strahlverfolgt, {quality}</translation>
+    </message>
+    <message>
+        <source>{count} of {all} samples</source>
+        <translation>{count} von {all} Abtastwerten</translation>
+    </message>
+    <message>
+        <source>{count} samples</source>
+        <translation>{count} Abtastwerte</translation>
+    </message>
+    <message>
+        <source>noise {percent} %</source>
+        <translation>Rauschen {percent} %</translation>
+    </message>
+    <message>
+        <source>denoised</source>
+        <translation>entrauscht</translation>
+    </message>
+    <message>
+        <source>{seconds} s a frame</source>
+        <translation>{seconds} s je Bild</translation>
+    </message>
+    <message>
+        <source>{rate} frames/s</source>
+        <translation>{rate} Bilder/s</translation>
+    </message>
+    <message>
+        <source>Studio</source>
+        <translation>Studio</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bildzeit</translation>
+    </message>
+    <message>
+        <source>renderer</source>
+        <translation>Renderer</translation>
+    </message>
+    <message>
+        <source>lobes</source>
+        <translation>Keulen</translation>
+    </message>
+    <message>
+        <source>exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>readout</source>
+        <translation>Messwerte am Zeiger</translation>
     </message>
     <message>
         <source>The work could not be started: {reason}.</source>

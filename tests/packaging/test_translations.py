@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import ast
 import importlib.util
+import json
+import os
+import re
 import subprocess
 import sys
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
+
+from brdf_suite.pipeline.material import paint_names
+from brdf_suite.reflectance.registry import MODELS
 
 PROGRAM = """
 import sys
@@ -71,3 +79,78 @@ def test_designer_speaks_german(tmp_path: Path, monkeypatch) -> None:
     assert undo.startswith("&Rückgängig")
     assert undo.endswith("action_Undo")
     assert date == "1. Dezember 2026, 16:32"
+
+
+ALL = ("Designer", "Lobe Visualizer", "Color Swatch", "Viewer")
+ENGLISH = re.compile(
+    r"\b(the|of|and|with|for|to|from|open|save|show|is|are|not|this|light|paint|file|picture|edit|close|remove|add|new|"
+    r"by|or|no|all|other|one|two|colours?|angles?|be|its?)\b",
+    re.IGNORECASE,
+)
+"""Common words of the interface that are not German ones too."""
+
+
+@pytest.fixture(scope="module")
+def german(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict]:
+    """What each program shows after German was chosen in the menu of one of them."""
+    settings = tmp_path_factory.mktemp("settings")
+    changed = {
+        "QT_QPA_PLATFORM": "offscreen",
+        "BRDF_SUITE_SETTINGS": str(settings),
+        "BRDF_SUITE_CACHE": str(settings / "cache"),
+        "BRDF_SUITE_LINK": f"german-{os.getpid()}",
+        "LC_ALL": "C.UTF-8",
+    }
+
+    def walk(*arguments: str) -> dict:
+        command = [sys.executable, str(checkout / "tests" / "packaging" / "window_texts.py"), *arguments]
+        done = subprocess.run(command, capture_output=True, text=True, env=os.environ | changed, timeout=600)
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    assert walk("Color Swatch", "de")["language"] == "en"
+    return {program: walk(program) for program in ALL}
+
+
+@pytest.mark.parametrize("program", ALL)
+def test_a_language_is_chosen_for_all_programs(german, program) -> None:
+    assert german[program]["language"] == "de"
+
+
+@pytest.mark.parametrize("program", ALL)
+def test_no_english_is_left_in_a_german_window(german, checkout, program) -> None:
+    """Names of shipped paints and models are the same in every language."""
+    found = ElementTree.parse(checkout / "packaging" / "translations" / "de.ts").iter("message")
+    translated = {message.findtext("source"): message.findtext("translation") for message in found}
+    names = {*paint_names(), *MODELS, *(model.title for model in MODELS.values())}
+    names |= {name.replace("_", " ").capitalize() for name in names} | set(translated.values())
+    shown = {(place, re.sub("<[^>]*>", " ", text)) for place, text in german[program]["texts"]}
+    shown |= {("menu", text) for text in german[program]["entries"]}
+    assert len(shown) > 300
+    left = [
+        (place, text)
+        for place, text in sorted(shown)
+        if text not in names and (text in translated or ENGLISH.search(text))
+    ]
+    assert left == []
+
+
+@pytest.mark.parametrize("program", ALL)
+def test_nothing_is_cut_off_in_a_german_window(german, program) -> None:
+    assert german[program]["cut"] == []
+
+
+def test_no_text_is_translated_inside_an_f_string(checkout: Path) -> None:
+    """The tool that collects the texts does not find it there."""
+    wrong = [
+        f"{path.name}:{call.lineno}"
+        for path in (checkout / "apps").rglob("*.py")
+        for text in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(text, ast.JoinedStr)
+        for call in ast.walk(text)
+        if isinstance(call, ast.Call)
+        and isinstance(call.func, ast.Name)
+        and call.func.id in ("tr", "mark")
+        and isinstance(call.args[0], ast.Constant)
+    ]
+    assert wrong == []

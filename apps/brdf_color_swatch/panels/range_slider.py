@@ -192,9 +192,8 @@ class RangeField(QWidget):
         self.high = NumberField(high_name, unit, *ends, step, decimals, ends[1])
         self.track = _Track(*ends, step, colour_at, wraps=wraps)
         self.track.setAccessibleName(name)
-        self.track.setToolTip(
-            plain_tip(f"{tip}\n{tr('Space switches the handle; double-click clears the filter.')}".strip())
-        )
+        keys = tr("Space switches the handle; double-click clears the filter.")
+        self.track.setToolTip(plain_tip(f"{tip}\n{keys}".strip()))
         self._wraps = wraps
         label = PlainLabel(name)
         label.setToolTip(plain_tip(tip))

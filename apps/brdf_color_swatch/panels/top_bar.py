@@ -108,8 +108,8 @@ class TopBar(QWidget):
         self.light.setAccessibleName(tr("Light for all swatches"))
         self.light.setToolTip(tr("Light for all swatches"))
         for name in lights:
-            label = tr("Light booth") if name == "booth" else name.replace("_", " ").capitalize()
-            self.light.addItem(label, name)
+            label = "Light booth" if name == "booth" else name.replace("_", " ").capitalize()
+            self.light.addItem(tr(label), name)
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
         self.way = QToolButton()
         self.way.setObjectName("way")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.status_line import StatusLine
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 
@@ -19,7 +19,7 @@ class PaintStatus:
 
     def __init__(self, line: StatusLine) -> None:
         self._flop = line.cell(
-            "Flop index",
+            mark("Flop index"),
             tr(
                 "Flop: darkening of the paint from face to flop, as the index\n2.69 (L*15 − "
                 "L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high "
@@ -27,7 +27,7 @@ class PaintStatus:
             ),
         )
         self._fit = line.cell(
-            "Fit",
+            mark("Fit"),
             tr(
                 "Largest colour difference CIEDE2000 between the target and the fitted lobes, "
                 "at the measured angles and between them; then the time of the fit, and "
@@ -35,9 +35,9 @@ class PaintStatus:
             ),
         )
         self._gamut = line.cell(
-            "Gamut", tr("Whether this screen, taken as sRGB, can show the measured colours.")
+            mark("Gamut"), tr("Whether this screen, taken as sRGB, can show the measured colours.")
         )
-        self._link = line.cell("Link", tr("Programs that follow the edits of this paint."), right=True)
+        self._link = line.cell(mark("Link"), tr("Programs that follow the edits of this paint."), right=True)
         self._colours: Colours | None = None
         self._fitted: tuple[Colours | None, FitState] | None = None
         self._fit_text = ""

@@ -67,15 +67,9 @@ class Readout(QLabel):
         cells = []
         for row in shown:
             mark = f'<span style="color:{colour_of(row.colour, base).name()}">━</span>'
-            value = number(row.value) + (f" {tr('(filled in)')}" if row.filled else "")
-            name = (
-                html.escape(_short(row.title))
-                + {
-                    "fit": f" · {html.escape(tr('fit'))}",
-                    "difference": f" · {html.escape(tr('difference'))}",
-                    "target": "",
-                }[row.kind]
-            )
+            value = number(row.value) + (" " + tr("(filled in)") if row.filled else "")
+            kind = {"fit": " · " + tr("fit"), "difference": " · " + tr("difference"), "target": ""}[row.kind]
+            name = html.escape(_short(row.title) + kind)
             cells.append(
                 f"<tr><td>{mark}&nbsp;{name}&nbsp;&nbsp;</td><td align='right'>{html.escape(value)}</td></tr>"
             )

@@ -132,7 +132,7 @@ class PartsSection(QWidget):
                 switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(key[0], key[1], on))
                 weight = ElidedLabel(lobe_weight(lobe))
                 weight.setToolTip(
-                    plain_tip(f"{weight.text()}\n{tr('Weight (linear Rec. 2020 red, green, blue)')}")
+                    plain_tip(weight.text() + "\n" + tr("Weight (linear Rec. 2020 red, green, blue)"))
                 )
                 self._grid.addWidget(switch, row, 0)
                 self._grid.addWidget(weight, row, 1)

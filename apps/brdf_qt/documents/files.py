@@ -44,7 +44,7 @@ class DocumentFormat(Generic[T]):
     @property
     def filters(self) -> str:
         """The filter line of a file dialog."""
-        return f"{tr(self.kind).capitalize()} (*{self.ending});;{tr('All files (*)')}"
+        return f"{tr(self.kind).capitalize()} (*{self.ending});;" + tr("All files (*)")
 
 
 class DocumentFiles(QObject, Generic[T]):

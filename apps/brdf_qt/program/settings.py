@@ -15,9 +15,9 @@ ORGANISATION = "BRDF Suite"
 FOLDER_VARIABLE = "BRDF_SUITE_SETTINGS"
 
 
-def settings() -> QSettings:
-    """Return the settings of the running program; cheap to call, all of them share one state."""
-    name = QCoreApplication.applicationName() or "shared"
+def settings(program: str = "") -> QSettings:
+    """Return the settings of a program, by default the running one; cheap to call, all of them share one state."""
+    name = program or QCoreApplication.applicationName() or "shared"
     folder = os.environ.get(FOLDER_VARIABLE)
     if folder:
         return QSettings(str(Path(folder) / f"{name}.ini"), QSettings.Format.IniFormat)

@@ -18,12 +18,12 @@ from PySide6.QtWidgets import QMenu
 from brdf_qt.program.settings import settings
 from brdf_suite.resources import resource, resource_names
 
-TRANSLATED = ("Designer", "Lobe Visualizer", "Color Swatch")
-"""The programs whose own texts are collected; another one stays English, rather than half of it."""
 SYSTEM = "system"
 SOURCE = "en"
 _ENDING = ".qm"
 _KEY = "language"
+_SHARED = "shared"
+"""Where the choice is stored: one for all programs."""
 
 
 @cache
@@ -47,14 +47,14 @@ def languages() -> list[str]:
 
 
 def chosen() -> str:
-    """Return the language that the user chose: a code, or ``system``."""
-    code = str(settings().value(_KEY, SYSTEM))
+    """Return the language that the user chose in any of the programs: a code, or ``system``."""
+    code = str(settings(_SHARED).value(_KEY, SYSTEM))
     return code if code in languages() else SYSTEM
 
 
 def remember(code: str) -> None:
-    """Choose the language of the next start."""
-    settings().setValue(_KEY, code)
+    """Choose the language that every program has from its next start on."""
+    settings(_SHARED).setValue(_KEY, code)
 
 
 def install(app: QCoreApplication, code: str | None = None) -> str:
@@ -79,8 +79,6 @@ def moment(when: datetime) -> str:
 
 
 def _installed(app: QCoreApplication, code: str | None) -> str:
-    if app.applicationName() not in TRANSLATED:
-        return SOURCE
     wanted = code or chosen()
     if wanted == SYSTEM:
         wanted = QLocale.system().name().partition("_")[0]
@@ -98,7 +96,7 @@ def _installed(app: QCoreApplication, code: str | None) -> str:
 
 
 def language_menu(parent: QMenu) -> QMenu:
-    """Return the menu that chooses the language of the next start."""
+    """Return the menu that chooses the language of all programs from their next start on."""
     menu = QMenu(tr("&Language"), parent)
     menu.setToolTipsVisible(True)
     group = QActionGroup(menu)
@@ -108,7 +106,7 @@ def language_menu(parent: QMenu) -> QMenu:
     for code, name in names.items():
         action = QAction(name, menu, checkable=True, checked=code == chosen())
         action.setObjectName(f"language_{code}")
-        action.setToolTip(tr("Takes effect at the next start"))
+        action.setToolTip(tr("For all programs, from their next start on"))
         action.triggered.connect(lambda _checked=False, code=code: remember(code))
         group.addAction(action)
         menu.addAction(action)

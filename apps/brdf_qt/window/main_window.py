@@ -26,7 +26,7 @@ from brdf_qt.program.application import error_relay
 from brdf_qt.program.icons import icon as icon_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.theme import theme_menu
-from brdf_qt.program.translation import TRANSLATED, language_menu, mark, tr
+from brdf_qt.program.translation import language_menu, mark, tr
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
 from brdf_qt.window.message_bar import Message, MessageBar
@@ -317,8 +317,7 @@ class SuiteWindow(QMainWindow):
 
     def _add_common_commands(self) -> None:
         self.view_menu.addMenu(theme_menu(self.view_menu))
-        if self._program in TRANSLATED:
-            self.view_menu.addMenu(language_menu(self.view_menu))
+        self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
         self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "F4")
         self.palette_window = CommandPalette(self)

@@ -9,6 +9,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.translation import tr
 
 State = Literal["fresh", "stale", "warning"]
 _LEAST = 8
@@ -27,7 +28,7 @@ class StatusCell(PlainLabel):
         super().__init__("", parent)
         self._elastic = elastic
         self.setObjectName(f"status_{name}")
-        self.setAccessibleName(name)
+        self.setAccessibleName(tr(name))
         self.setToolTip(plain_tip(tip))
         self.setMargin(3)
         # Filled, a cell is drawn without the window behind it, a hundred times a second in a drag.

@@ -1,0 +1,168 @@
+"""Opens a program's window in the language that is stored, and prints what it shows as JSON.
+
+Its arguments: the program's name, and the code of a language to choose in the menu, where one is to be chosen.
+Run as a process of its own: a translation belongs to the whole application.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from brdf_qt.program.application import create_application
+from brdf_qt.window.section import Section
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QComboBox,
+    QDockWidget,
+    QLabel,
+    QLineEdit,
+    QMainWindow,
+    QMenu,
+    QTabBar,
+    QToolButton,
+    QWidget,
+)
+
+SIZE = (1280, 720)
+
+
+def designer() -> QMainWindow:
+    """Open Designer."""
+    from brdf_designer.assembly import Designer
+
+    return Designer().window
+
+
+def lobe_visualizer() -> QMainWindow:
+    """Open Lobe Visualizer."""
+    from brdf_lobe_visualizer.assembly import LobeVisualizer
+
+    return LobeVisualizer().window
+
+
+def color_swatch() -> QMainWindow:
+    """Open Color Swatch."""
+    from brdf_color_swatch.assembly import ColorSwatch
+
+    return ColorSwatch().window
+
+
+def viewer() -> QMainWindow:
+    """Open Viewer on a sphere in a plain light, as the first start does otherwise."""
+    from brdf_viewer.controller import ViewerController
+
+    from brdf_suite.documents.view import View
+
+    return ViewerController(View(surface="sphere"), "blue").window
+
+
+PROGRAMS: dict[str, Callable[[], QMainWindow]] = {
+    "Designer": designer,
+    "Lobe Visualizer": lobe_visualizer,
+    "Color Swatch": color_swatch,
+    "Viewer": viewer,
+}
+
+
+def main() -> int:
+    """Open, walk, print."""
+    name, *chosen = sys.argv[1:]
+    app = create_application(name)
+    window = PROGRAMS[name]()
+    window.resize(*SIZE)
+    window.show()
+    for dock in window.findChildren(QDockWidget):
+        dock.show()
+    for section in window.findChildren(Section):
+        section.set_open(True)
+    QTest.qWait(300)
+    for code in chosen:
+        window.findChild(object, f"language_{code}").trigger()
+    walks = _load(Path(__file__).parent.parent / "window_walks.py")
+    found = {
+        "language": app.property("language"),
+        "texts": [*walks.all_texts(), *_names()],
+        "entries": [
+            action.text() for menu in window.findChildren(QMenu) for action in menu.actions() if action.text()
+        ],
+        "cut": list(_cut_off(window)),
+    }
+    print(json.dumps(found))
+    sys.stdout.flush()
+    os._exit(0)  # nothing that is on its way is awaited
+
+
+def _names() -> list[tuple[str, str]]:
+    """Return what the widgets are called: for screen readers, as titles, as hints in empty lines."""
+    found = []
+    for widget in QApplication.allWidgets():
+        place = f"{type(widget).__name__} {widget.objectName()!r}"
+        found += [(place, widget.accessibleName()), (place, widget.windowTitle())]
+        if isinstance(widget, QLineEdit):
+            found.append((place, widget.placeholderText()))
+        if isinstance(widget, QAbstractButton):
+            found.append((place, widget.text()))
+    return [pair for pair in found if pair[1]]
+
+
+def _cut_off(window: QWidget) -> list[str]:
+    """Return the labels, buttons and lists that are on show and narrower than their own text."""
+    wrong = []
+    for widget in window.findChildren(QWidget):
+        if not widget.isVisible():
+            continue
+        if isinstance(widget, QLabel) and not widget.wordWrap() and type(widget).sizeHint is QLabel.sizeHint:
+            ignored = widget.sizePolicy().horizontalPolicy() == widget.sizePolicy().Policy.Ignored
+            short = not ignored and widget.width() < widget.sizeHint().width()
+            text = widget.text()
+        elif (
+            isinstance(widget, QToolButton)
+            and widget.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonIconOnly
+        ):
+            if widget.icon().isNull() and widget.width() < widget.fontMetrics().horizontalAdvance(
+                widget.text()
+            ):
+                wrong.append(f"{widget.objectName()!r}: {widget.text()!r} in {widget.width()} pixels")
+            continue
+        elif isinstance(widget, QAbstractButton):
+            text = widget.text().replace("&", "")
+            mark = 0 if widget.icon().isNull() else widget.iconSize().width()
+            short = widget.width() < mark + widget.fontMetrics().horizontalAdvance(text)
+        elif isinstance(widget, QComboBox):
+            text = widget.currentText()
+            room = widget.width() - 26
+            short = widget.fontMetrics().horizontalAdvance(text) > room
+        elif isinstance(widget, QTabBar):
+            text = ", ".join(widget.tabText(place) for place in range(widget.count()))
+            short = (
+                widget.elideMode() != Qt.TextElideMode.ElideNone
+                and widget.width() < widget.sizeHint().width()
+            )
+        else:
+            continue
+        if short:
+            wrong.append(
+                f"{type(widget).__name__} {widget.objectName()!r}: {text!r} in {widget.width()} pixels"
+            )
+    return wrong
+
+
+def _load(path: Path):
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+if __name__ == "__main__":
+    sys.exit(main())
