@@ -6,7 +6,8 @@ Imported only by modules of kernels, which are imported where they are used: num
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, TypeAlias, TypeVar, cast
+from functools import partial
+from typing import Any, TypeAlias, TypeVar, cast, overload
 
 from brdf_suite.extras import import_extra
 
@@ -21,32 +22,27 @@ _Function = TypeVar("_Function", bound=Callable[..., Any])
 _FREEDOMS = {"reassoc", "contract", "nsz"}
 
 
-def compiled_on_disk(function: _Function) -> _Function:
+@overload
+def compiled(function: _Function) -> _Function: ...
+@overload
+def compiled(*, in_order: bool) -> Callable[[_Function], _Function]: ...
+def compiled(
+    function: _Function | None = None, *, in_order: bool = False
+) -> _Function | Callable[[_Function], _Function]:
     """Compile a function on its first call, or load it from disk where that has been done before.
 
-    Raises
-    ------
-    RuntimeError
-        There is no folder in which compiled functions can be kept.
+    Where numba finds no folder to keep it in, each process compiles it again; the function's ``stats.cache_path`` is
+    None then. ``in_order`` keeps every sum in the order in which it is written: the same numbers on any machine.
     """
-    return _compiled(function, cache=True, fastmath=_FREEDOMS)
+    fastmath = False if in_order else _FREEDOMS
+    if function is None:
+        return partial(_compiled, fastmath=fastmath)
+    return _compiled(function, fastmath=fastmath)
 
 
-def compiled(function: _Function) -> _Function:
-    """As :func:`compiled_on_disk`; where nothing can be kept, each process compiles the function again."""
+def _compiled(function: _Function, *, fastmath: bool | set[str]) -> _Function:
+    compiler = partial(numba.njit, nogil=True, error_model="numpy", fastmath=fastmath)
     try:
-        return compiled_on_disk(function)
-    except RuntimeError:
-        return _compiled(function, fastmath=_FREEDOMS)
-
-
-def compiled_in_order(function: _Function) -> _Function:
-    """As :func:`compiled`, with every sum in the order in which it is written: the same numbers on any machine."""
-    try:
-        return _compiled(function, cache=True)
-    except RuntimeError:
-        return _compiled(function)
-
-
-def _compiled(function: _Function, **options: object) -> _Function:
-    return cast(_Function, numba.njit(nogil=True, error_model="numpy", **options)(function))
+        return cast(_Function, compiler(cache=True)(function))
+    except RuntimeError:  # "cannot cache function: no locator available"
+        return cast(_Function, compiler()(function))

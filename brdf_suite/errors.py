@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import os
 
+PathLike = str | os.PathLike[str]  # a file as a caller names it
+
 
 class SuiteError(Exception):
     """Base class of all errors that are shown to a user. ``str(error)`` is a complete sentence or two."""
@@ -33,7 +35,7 @@ class FileError(SuiteError):
         Where in the file: a byte offset, a line, a field; ``None`` where there is none.
     """
 
-    def __init__(self, path: str | os.PathLike[str], reason: str, place: str | None = None) -> None:
+    def __init__(self, path: PathLike, reason: str, place: str | None = None) -> None:
         self.path = os.fspath(path)
         self.reason = reason
         self.place = place

@@ -14,8 +14,8 @@ import venv
 import zipfile
 from pathlib import Path
 
-from installed_size import installed_sizes, size_lines
 from installer import Installer, InstallError
+from wheel import build_wheel, installed_sizes, size_lines
 
 ROOT = Path(__file__).resolve().parent.parent
 LOCK = ROOT / "packaging" / "lock.txt"
@@ -34,6 +34,7 @@ NEEDED = (
     "brdf_lobe_visualizer/__main__.py",
     "brdf_lobe_visualizer/view3d/shaders/",
     "brdf_color_swatch/__main__.py",
+    "brdf_qt/gl/shaders/",
 )
 _SPREAD = """
 import sys
@@ -50,19 +51,7 @@ def main() -> int:
     """Return 0 when the installed wheel renders a picture that is not empty."""
     with tempfile.TemporaryDirectory(prefix="brdf-suite-wheel-") as scratch:
         folder = Path(scratch)
-        _run(
-            sys.executable,
-            "-m",
-            "build",
-            "--wheel",
-            "--no-isolation",
-            "--outdir",
-            folder,
-            ROOT,
-            cwd=ROOT,
-            stdout=subprocess.DEVNULL,
-        )
-        (wheel,) = folder.glob("*.whl")
+        wheel = build_wheel(folder)
         names = zipfile.ZipFile(wheel).namelist()
         missing = [n for n in NEEDED if not any(name.startswith(n) for name in names)]
         if missing:

@@ -20,7 +20,7 @@ from xml.etree import ElementTree
 ROOT = Path(__file__).resolve().parent.parent
 SOURCES = ROOT / "packaging" / "translations"
 RELEASED = ROOT / "resources" / "translations"
-PROGRAMS = ("brdf_qt", "brdf_designer")
+PROGRAMS = ("brdf_qt", "brdf_designer", "brdf_lobe_visualizer", "brdf_color_swatch")
 _PLACE = re.compile(r"\{[^}]*\}")
 
 

@@ -35,7 +35,20 @@ ALLOWED: dict[str, int] = {
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}
 
 # Modules that may import inside functions, with the reason.
-LATE_IMPORTS: dict[str, str] = {}
+LATE_IMPORTS: dict[str, str] = {
+    "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
+    "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
+    "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
+    "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
+    "brdf_suite/reflectance/factored/build.py": "OpenEXR is loaded for the textures of factored paints alone",
+    "brdf_suite/reflectance/tabulated/scattered.py": "scipy.spatial takes 0.5 s, and only scattered data need it",
+    "brdf_suite/reports/contact_sheet/document.py": "reportlab takes 120 ms, and only PDF needs it",
+    "brdf_suite/reports/paint_report/formats.py": "reportlab takes 120 ms, and only PDF needs it",
+    "brdf_suite/surface/normals.py": "scipy.sparse takes 300 ms, and only meshes without normals need it",
+    "brdf_suite/surface/occlusion/bake.py": "scipy.sparse takes 300 ms, and only baking needs it",
+    "brdf_suite/surface/occlusion/rays.py": "Embree's library takes 40 ms to load, and only baking needs it",
+    "brdf_suite/tracing/turntable.py": "Mitsuba is optional, and a missing ffmpeg is reported before it",
+}
 
 # Words that are not used in docstrings, interface texts and documents. This file has to name them. The method
 # ``tell()`` of Python's files has its name from Python.

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TypeVar
 
 from brdf_qt.documents.files import DocumentFormat
-from brdf_qt.documents.recovery import Recovered
+from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.program.application import error_relay
-from brdf_qt.program.translation import moment, tr
-from brdf_qt.window.message_bar import Message
-from PySide6.QtCore import QCoreApplication, QTimer
+from brdf_qt.program.program import Program
+from brdf_qt.program.translation import mark, tr
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QWidget
 
-from brdf_color_swatch.controller import Controller
+from brdf_color_swatch.controller import PaletteController
 from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
-from brdf_color_swatch.feature import Feature
 from brdf_color_swatch.features.view_part import ViewPart
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.file_part import FilePart, new_palette
@@ -36,14 +33,11 @@ from brdf_suite.documents.palette_store import (
 )
 from brdf_suite.resources import resource_names
 
-_MOST_NAMED = 4
-SomeFeature = TypeVar("SomeFeature", bound=Feature)
-
 
 def palette_format() -> DocumentFormat[Palette]:
     """Return how palettes are made, read and written."""
     return DocumentFormat(
-        kind="palette",
+        kind=mark("palette"),
         ending=PALETTE_ENDING,
         new=new_palette,
         load=load_palette,
@@ -54,38 +48,35 @@ def palette_format() -> DocumentFormat[Palette]:
     )
 
 
-class ColorSwatch:
-    """The program's parts, joined; ``window`` is not yet shown."""
+class ColorSwatch(Program):
+    """The running Color Swatch."""
+
+    window: SwatchWindow
 
     def __init__(self, dialogs: Callable[[QWidget], ExportDialogs] = QtExportDialogs) -> None:
         lights = resource_names("environments", ".exr")
-        self.window = SwatchWindow(lights)
+        super().__init__(SwatchWindow(lights))
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
         self.unsaved = UnsavedWork(self.library)
         self.session = PaletteSession(self.library, self.window)
         self.session.recall()
-        self.controller = Controller(self.session, self.window, self.window)
-        self.parts = build_parts(self.session, self.window)
+        self.controller = PaletteController(self.session, self.window, self.window)
+        self.features += build_parts(self.session, self.window)
         self.feature(ViewPart).show_second = self.controller.show_second
         self.window.complete()
         self.controller.start()
-        self._closed = False
         self.window.close_requested.connect(self._may_close)
-        self.window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.close)
+        self.start_when_painted()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there."""
-        return not self.library.tasks.busy and all(part.is_idle for part in self.parts)
+        return not self.library.tasks.busy and super().is_idle
 
     def start(self) -> None:
         """Do what can wait until the window is painted: the library of the last run, link, unsaved work."""
         self.library.restore()
-        for part in self.parts:
-            part.start()
+        super().start()
         self.offer_recovery()
 
     def open(self, name: str) -> None:
@@ -115,7 +106,7 @@ class ColorSwatch:
         elif key == "section":
             self.window.section(value).set_open(True)
         elif value:
-            return any(part.run_script(key, value) for part in self.parts)
+            return super().do(action)
         else:
             command = self.window.command(key)
             if command is None or not command.isEnabled():
@@ -123,17 +114,11 @@ class ColorSwatch:
             command.trigger()
         return True
 
-    def feature(self, kind: type[SomeFeature]) -> SomeFeature:
-        """Return the feature of a class."""
-        return next(part for part in self.parts if isinstance(part, kind))
-
     def close(self) -> None:
-        """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
-        if self._closed:
-            return  # the application's end calls it too, when the window may be deleted
-        self._closed = True
-        for part in self.parts:
-            part.close()
+        """Leave the link; unsaved work of a program that has to end is kept for the next start. Only once."""
+        if self.closed:
+            return
+        super().close()
         self.unsaved.close()
         self.library.keep_unsaved()
 
@@ -149,34 +134,14 @@ class ColorSwatch:
 
     def offer_recovery(self) -> None:
         """Show a message with the unsaved work of earlier runs; nothing where there is none."""
-        found = self.unsaved.find()
-        if not found:
-            return
-        names = [tr("“{name}”").format(name=_name(item)) for item in found]
-        if len(names) > _MOST_NAMED:
-            names = [*names[: _MOST_NAMED - 1], tr("{count} more").format(count=len(names) - _MOST_NAMED + 1)]
-        newest = max(item.when for item in found)
-        what = tr("Unsaved work found, the newest from {when}: {names}.").format(
-            when=moment(newest), names=", ".join(names)
-        )
-        todo = tr("Color Swatch closed unexpectedly. Recover opens the unsaved work; no file is changed.")
-        actions = (
-            (tr("Recover"), lambda: self._recover(found)),
-            (tr("Discard"), lambda: self._discard(found)),
-        )
-        self.window.show_message(Message("recovery", what, todo=todo, actions=actions))
-
-    def _discard(self, found: list[Recovered[Palette]]) -> None:
-        for item in found:
-            self.unsaved.discard(item)
-
-    def _recover(self, found: list[Recovered[Palette]]) -> None:
-        key = ""
-        # The newest was worked at last, and is shown.
-        for item in reversed(found):
-            key = self.unsaved.recover(item)
-        self.session.show_scope(Scope(key))
-
-
-def _name(item: Recovered[Palette]) -> str:
-    return item.path.name if item.path else item.value.name
+        RecoveryOffer(
+            self.window.show_message,
+            self.unsaved.find,
+            lambda found: self.session.show_scope(Scope(self.unsaved.recover(found))),
+            self.unsaved.discard,
+            tr("Color Swatch closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
+            tr(
+                "Color Swatch closed unexpectedly. Recover unsaved work on {count} palettes (newest: {when}): "
+                "{names}?"
+            ),
+        ).show()

@@ -23,7 +23,7 @@ from brdf_suite.documents.palette import Entry
 from brdf_suite.palettes.columns import Columns
 
 
-class Controller(QObject):
+class PaletteController(QObject):
     """Keeps the window in step with the session."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow, parent: QObject | None = None) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from brdf_color_swatch.export.part import ExportPart
 from brdf_color_swatch.export.sheet_part import SheetPart
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.compare_part import ComparePart
 from brdf_color_swatch.features.drop_part import DropPart
 from brdf_color_swatch.features.edit_part import EditPart
@@ -21,7 +21,7 @@ from brdf_color_swatch.pictures.part import PicturePart
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 
-PARTS: tuple[Callable[[PaletteSession, SwatchWindow], Feature], ...] = (
+PARTS: tuple[Callable[[PaletteSession, SwatchWindow], SwatchFeature], ...] = (
     FilePart,
     ExportPart,
     SheetPart,
@@ -39,6 +39,6 @@ PARTS: tuple[Callable[[PaletteSession, SwatchWindow], Feature], ...] = (
 """What makes each part: called with session and window, it adds itself to the window and listens to the session."""
 
 
-def build_parts(session: PaletteSession, window: SwatchWindow) -> list[Feature]:
+def build_parts(session: PaletteSession, window: SwatchWindow) -> list[SwatchFeature]:
     """Make every part and return them; their owner keeps them."""
     return [part(session, window) for part in PARTS]

@@ -6,23 +6,23 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.application import error_relay
-from brdf_qt.program.translation import tr
+from brdf_qt.program.program import Program
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QCoreApplication, QProcess, QTimer
+from PySide6.QtCore import QProcess
 from PySide6.QtGui import QCloseEvent
 
 from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
-from brdf_designer.documents.recovery_offer import RecoveryOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.preview.thumbnails import thumbnails_of
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.part import Closable, Unhurried
 from brdf_designer.window.sections import build_sections
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint, solid_paint
@@ -49,7 +49,7 @@ def new_paint() -> Paint:
 def paint_format() -> DocumentFormat[Paint]:
     """Return how paints are made, read and written."""
     return DocumentFormat(
-        kind="paint",
+        kind=mark("paint"),
         ending=PAINT_ENDING,
         new=new_paint,
         load=load_paint,
@@ -60,27 +60,40 @@ def paint_format() -> DocumentFormat[Paint]:
     )
 
 
-class Designer:
-    """The program's parts, joined; ``window`` is not yet shown."""
+class Designer(Program):
+    """The running Designer."""
+
+    window: DesignerWindow
 
     def __init__(self, dialogs: Callable[[DesignerWindow], Dialogs] = QtDialogs) -> None:
         names = paint_names()
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
-        self.window = DesignerWindow(names)
+        super().__init__(DesignerWindow())
         self.documents = Documents(
             first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
         self.desk = PaintSession(self.documents, self.fitter, self.link.publish, self.window, self.window)
+        self.window.build(self.desk, names)
         self.controller = Controller(self.window, self.desk, self.window)
-        self.recovery_offer = RecoveryOffer(self.documents, self.window)
-        self._closed = self._ended = False
+        self.recovery_offer = RecoveryOffer(
+            self.window.show_message,
+            lambda: self.documents.front.recovery.found(),
+            self.documents.recover,
+            lambda item: self.documents.front.recovery.drop(item),
+            tr("Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?"),
+            tr(
+                "Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?"
+            ),
+        )
+        self._has_closed_documents = False
         self._join()
-        self.sections = build_sections(self.desk, self.window)
+        self.features += (*build_sections(self.desk, self.window), self.link)
         self.window.complete()
         self.controller.start()
         self.window.show_recent(self.files.recent())
+        self.start_when_painted()
 
     @property
     def store(self) -> DocumentStore[Paint]:
@@ -93,10 +106,9 @@ class Designer:
         return self.documents.front.files
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there: slow work after the last edit, pictures, small and large."""
-        parts = [part for part in self.sections if isinstance(part, Unhurried)]
-        return self.controller.is_complete and self.desk.is_quiet and all(part.is_complete for part in parts)
+        return self.controller.is_idle and self.desk.is_quiet and super().is_idle
 
     def start(self) -> None:
         """Do what can wait until the window is painted: plot, link, and unsaved work of earlier runs."""
@@ -104,7 +116,7 @@ class Designer:
         self.window.order_focus()  # the plots are there now
         # The first fit paid for everything that is done once; its time says nothing about the next ones.
         self.desk.refresh()
-        self.link.start()
+        super().start()
         self.recovery_offer.show()
 
     def open(self, name_or_path: str) -> None:
@@ -124,37 +136,28 @@ class Designer:
         if isinstance(document, Paint):
             self.desk.open_paint(document)
         else:
-            next(part for part in self.sections if isinstance(part, MeasuredControl)).open(name_or_path)
+            self.feature(MeasuredControl).open(name_or_path)
 
     def close(self) -> None:
-        """Leave the link; unsaved work of a program that has to end is kept for the next start. Called once or more."""
-        if self._ended:
-            return  # the application's end calls it too, when the window may be deleted
-        self._ended = True
-        self.link.close()
+        """Leave the link; unsaved work of a program that has to end is kept for the next start. Only once."""
+        if self.closed:
+            return
+        super().close()
         thumbnails_of(self.window).close()
-        for part in self.sections:
-            if isinstance(part, Closable):
-                part.close()
         self.fitter.close()
-        if not self._closed:
-            self._closed = True
+        if not self._has_closed_documents:
             self.documents.keep_unsaved()
 
     def _join(self) -> None:
         window, controller, documents = self.window, self.controller, self.documents
-        window.edited.connect(controller.edit)
-        window.gesture_started.connect(controller.begin_gesture)
-        window.gesture_finished.connect(controller.end_gesture)
         window.new_requested.connect(documents.new)
         window.open_requested.connect(documents.open)
+        window.files_dropped.connect(lambda paths: documents.open(paths[0]))
         window.shipped_requested.connect(
             lambda name: controller.open_shipped(lambda: load_shipped_paint(name))
         )
         window.save_requested.connect(lambda: self.files.save())
         window.save_as_requested.connect(lambda: self.files.save_as())
-        window.undo_requested.connect(controller.undo)
-        window.redo_requested.connect(controller.redo)
         window.tab_chosen.connect(lambda place: documents.show(documents.row[place]))
         window.tab_close_requested.connect(lambda place: documents.close(documents.row[place]))
         window.close_front_requested.connect(lambda: documents.close(documents.front))
@@ -164,14 +167,10 @@ class Designer:
         window.viewer_requested.connect(self._open_viewer)
         window.recent_cleared.connect(lambda: self.files.clear_recent())
         window.close_requested.connect(self._may_close)
-        window.first_painted.connect(lambda: QTimer.singleShot(0, self.start))
         documents.recent_changed.connect(lambda: window.show_recent(self.files.recent()))
         self.paint_offer = PaintOffer(documents, self.desk)
         self.link.received.connect(self.paint_offer.received)
         self.link.peers_changed.connect(lambda _count: window.desk_status.show_peers(self.link.peers))
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.close)
 
     def _report_unknown(self, error: SuiteError) -> None:
         todo = tr("The open paint is unchanged.")
@@ -179,7 +178,7 @@ class Designer:
 
     def _may_close(self, question: QCloseEvent) -> None:
         if self.documents.may_close_all():
-            self._closed = True
+            self._has_closed_documents = True
             self.link.close()
             question.accept()
         else:

@@ -1,16 +1,14 @@
-"""Between the desk and the window's own parts: edits by field in, what is shown out. No widget is named here."""
+"""Shows the paint session in the window's own parts. No widget is named here."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
-from typing import Any, Protocol
+from typing import Protocol
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, QTimer
 
-from brdf_designer.session.fields import Key, TooRoughError, apply_edit, step_name
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import (
     Colours,
@@ -24,8 +22,6 @@ from brdf_designer.session.state import (
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.lobe_fit import LobeFit
-
-_TYPED: tuple[Key, ...] = (("name",), ("source",), ("notes",))
 
 
 class View(Protocol):
@@ -66,13 +62,12 @@ class View(Protocol):
 
 
 class Controller(QObject):
-    """Keeps the window in step with the desk, and takes the edits of its fields."""
+    """Keeps the window in step with the session."""
 
     def __init__(self, view: View, desk: PaintSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._view, self._desk, self._documents = view, desk, desk.documents
         self._refused = False
-        self._in_hand: tuple[Key, int] | None = None
         # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
         # once for all the edits of one turn.
         self._later = QTimer(self)
@@ -84,6 +79,7 @@ class Controller(QObject):
         desk.paint_changed.connect(self._show_paint)
         desk.fit_changed.connect(self._show_fit)
         desk.refused.connect(self._show_refusal)
+        desk.edit_refused.connect(self._note_refusal)
         desk.gesture_ended.connect(self._settle)
         desk.history_changed.connect(self._show_history)
         self._documents.row_changed.connect(self._show_tabs)
@@ -92,7 +88,7 @@ class Controller(QObject):
         self._documents.succeeded.connect(view.dismiss_message)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether strip and curves are of the paint that the numbers are of, or of the last one that can be."""
         return self._uncurved is None
 
@@ -102,49 +98,6 @@ class Controller(QObject):
         self._desk.refresh()
         self._show_tabs()
         self._show_history()
-
-    def edit(self, key: Key, value: Any) -> None:
-        """Take one edit from the window; an edit of another field ends the gesture that runs.
-
-        A hand that still holds a field of the document that was in front before moves nothing of this one.
-        """
-        if self._is_left_over(key):
-            self._refused = True
-            return
-        paint = self._desk.paint
-        try:
-            after = apply_edit(paint, key, value)
-        except SuiteError as error:
-            message = message_of(error, "edit", todo=tr("The last valid value is kept."))
-            if isinstance(error, TooRoughError):
-                nearest = error.nearest
-                text = tr("Use Roughness {roughness:.4f}").format(roughness=nearest[1])
-                message = replace(message, actions=((text, lambda: self.edit(key, nearest)),))
-            self._view.show_message(message)
-            self._refused = True
-            return
-        self._accepted()
-        self._desk.edit(after, step_name(paint, key))
-
-    def begin_gesture(self, key: Key) -> None:
-        """A drag, or another run of edits that is one step, begins on field ``key``."""
-        self._in_hand = key, self._desk.document_key
-        self._desk.begin_gesture(step_name(self._desk.paint, key))
-
-    def end_gesture(self) -> None:
-        """The run of edits is over; a field that holds a refused value shows the document again."""
-        self._in_hand = None
-        self._desk.end_gesture()
-        # Where another document has come in front, its gesture was over before.
-        self._settle()
-
-    def undo(self) -> None:
-        """Take the newest step back."""
-        self._desk.undo()
-
-    def redo(self) -> None:
-        """Do again what was taken back last."""
-        self._desk.redo()
 
     def open_shipped(self, load: Callable[[], Paint]) -> None:
         """Open a paint that comes with the program, as a document without a file."""
@@ -160,13 +113,11 @@ class Controller(QObject):
         self._refused = False
         self._view.dismiss_message("edit")
 
-    def _is_left_over(self, key: Key) -> bool:
-        """Whether the gesture that edits ``key`` began on another document; what is typed is of this one."""
-        if self._in_hand is None or key in _TYPED:
-            return False
-        return self._in_hand[0] == key and self._in_hand[1] != self._desk.document_key
+    def _note_refusal(self) -> None:
+        self._refused = True
 
     def _settle(self) -> None:
+        """Show the document again in a field that holds a refused value."""
         if self._refused:
             self._accepted()
             self._view.show_colours(colours_of(self._desk.paint))
@@ -180,6 +131,7 @@ class Controller(QObject):
         self._view.keep_opened()
 
     def _show_paint(self, paint: Paint) -> None:
+        self._refused = False
         # A save that failed was of the document before: what is said of it is no longer so.
         self._view.dismiss_message("save")
         self._view.show_colours(colours_of(paint))

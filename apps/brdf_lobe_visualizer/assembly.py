@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QCoreApplication, Qt
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer import remembered
@@ -24,6 +26,7 @@ from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
 from brdf_lobe_visualizer.window import LobeWindow
 
+_LOOK_EVERY_MS = 50
 _FOLDER_KEY = "folder/open"
 _ENDINGS = (
     "*.brdfpaint *.brdfpalette *.brdftable *.binary *.bsdf *.brdf *.dat *.bin *.json *.astm *.alta *.txt "
@@ -34,20 +37,27 @@ AskFiles = Callable[[LobeWindow, str, str], Sequence[str]]
 """``(window, folder, filters) -> paths``: asks which files to open; tests answer for the user."""
 
 
-class LobeVisualizer:
-    """The program's parts, joined; ``window`` is not yet shown.
+class LobeVisualizer(Program):
+    """The running Lobe Visualizer.
 
-    ``parts`` are what makes views, plots and sections: all, unless others are given.
+    ``parts`` are what makes views, plots and sections: all, unless others are given; ``asked``: names and files that
+    the start opens, or the default paint where there are none.
+
+    Milestones: ``shown``, the reflectances are; ``complete``, fits and figures too.
     """
+
+    is_complete_when_started = False
+    window: LobeWindow
 
     def __init__(
         self,
         parts: Sequence[MakePart] = PARTS,
         *,
+        asked: Sequence[str] = (),
         ask_files: AskFiles | None = None,
         ask_path: AskPath | None = None,
     ) -> None:
-        self.window = LobeWindow()
+        super().__init__(LobeWindow())
         self.session = LobeSession(self.window, self.window)
         self.sources = Sources(self.session, self.window)
         self.fits = Fits(self.session, self.window)
@@ -60,12 +70,13 @@ class LobeVisualizer:
             "reflectances", mark("Reflectances"), self.panel, Qt.DockWidgetArea.LeftDockWidgetArea
         )
         self._ask_files = ask_files or _ask_files
-        self._started = self._closed = False
+        self._asked = asked
         self._default = ""
         self._build_commands()
-        self.parts = build_parts(self.session, self.window, parts)
+        self.features += (self.sources, self.fits, self.legend, self.followed)
+        self.features += build_parts(self.session, self.window, parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
-        self.parts.append(self.numbers)
+        self.features += (self.numbers, self.link)
         self.window.toolbar.addAction(self.numbers.action)
         self.window.add_quit()
         self.window.complete()
@@ -73,47 +84,38 @@ class LobeVisualizer:
         self._join()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that follows by itself is there: files, fits, errors, figures, pictures."""
-        return (
-            self._started
-            and not self.session.tasks.busy
-            and not self.sources.busy
-            and self.fits.is_complete
-            and self.legend.is_complete
-            and self.followed.is_complete
-            and all(part.is_complete for part in self.parts)
-        )
+        return not self.session.tasks.busy and super().is_idle
 
-    def start(self, asked: Sequence[str] = ()) -> None:
+    def start(self) -> None:
         """Open what was asked for, or the default paint where nothing was, and look for the other programs."""
-        if self._started:
-            return
-        self._started = True
         # Deferred to the painted window: what finds a paint knows environments too, and they are much to import.
         from brdf_suite.pipeline.material import default_paint_name
 
-        self.sources.open_many(asked)
-        if not asked and not self.session.subjects:
+        self.sources.idle.connect(self._show_start, Qt.ConnectionType.SingleShotConnection)
+        self.sources.open_many(self._asked)
+        if not self._asked and not self.session.subjects:
             self._default = default_paint_name()
             self.sources.open(self._default, remember=False)
         self.window.show_recent(self.sources.recent())
-        self.link.start()
+        super().start()
 
-    def skip_start(self) -> None:
-        """Count as started without opening anything or joining the link."""
-        self._started = True
+    def _show_start(self) -> None:
+        self._look = make_timer(self, self._look_idle, _LOOK_EVERY_MS)
+        # Handed to every view; painted in the turn of the event loop that follows.
+        QTimer.singleShot(0, self, lambda: self.reached.emit("shown"))
+        self._look.start()
+
+    def _look_idle(self) -> None:
+        if self.is_idle:
+            self.reached.emit("complete")
+        else:
+            self._look.start()
 
     def close(self) -> None:
-        """Leave the link and end what runs; called once or more."""
-        if self._closed:
-            return
-        self._closed = True
-        self.link.close()
-        for part in self.parts:
-            part.close()
-        for owner in (self.sources, self.fits, self.legend, self.followed):
-            owner.close()
+        """Leave the link and end what runs; only the first call acts."""
+        super().close()
         self.session.tasks.stop()
 
     def ask_files(self) -> None:
@@ -135,9 +137,9 @@ class LobeVisualizer:
     def _join(self) -> None:
         window, sources = self.window, self.sources
         window.open_requested.connect(lambda path: self.ask_files() if path is None else sources.open(path))
-        window.dropped.connect(sources.open_many)
+        window.files_dropped.connect(sources.open_many)
         window.recent_cleared.connect(sources.clear_recent)
-        window.closing.connect(lambda: remembered.remember(self.session, window))
+        window.close_requested.connect(lambda _question: remembered.remember(self.session, window))
         sources.recent_changed.connect(lambda: window.show_recent(sources.recent()))
         sources.palette_opened.connect(self.panel.add_palette)
         self.panel.open_requested.connect(sources.open_many)
@@ -147,9 +149,6 @@ class LobeVisualizer:
         self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
         self.followed.arrived.connect(self.drop_default)
         sources.opened.connect(self._opened)
-        app = QCoreApplication.instance()
-        if app is not None:
-            app.aboutToQuit.connect(self.close)
 
     def _build_commands(self) -> None:
         add = self.window.add_command
@@ -165,19 +164,13 @@ class LobeVisualizer:
             "view",
             mark("Reset &View Options"),
             "Ctrl+0",
-            self._reset_views,
+            self.session.reset_view,
             icon="arrow-counter-clockwise",
             tip=mark("Restore the default incidence, channel, radius, cosine and lobes"),
         )
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)
-
-    def _reset_views(self) -> None:
-        self.session.reset_options()
-        self.session.reset_incidence()
-        for part in self.parts:
-            part.reset_view()
 
     def _opened(self, asked: str, keys: Sequence[str]) -> None:
         if asked == self._default and keys:

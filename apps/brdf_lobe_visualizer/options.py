@@ -1,22 +1,28 @@
-"""What all views share: channel, radius, cosine, what is shown of each subject, which lobes are switched off."""
+"""What all views share: channel, radius, cosine, what is shown, which lobes are off; and how options are kept."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
-import numpy as np
+from brdf_qt.program.settings import settings
+from PySide6.QtCore import QObject, Signal
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.inspection.lobe_surface.scale import RadiusKind
+from brdf_suite.inspection.slices.values import Channel, Cosine
 
-Channel = Literal["colour", "r", "g", "b", "luminance"]
-Radius = Literal["linear", "cbrt", "log"]
-Cosine = Literal["none", "light", "both"]
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+T = TypeVar("T", bound="DataclassInstance")
 Shown = Literal["target", "fit", "both", "side by side", "difference"]
 Part = Literal["diffuse", "directional", "gloss"]
 
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")
-RADII: tuple[Radius, ...] = ("linear", "cbrt", "log")
+RADII: tuple[RadiusKind, ...] = ("linear", "cbrt", "log")
 COSINES: tuple[Cosine, ...] = ("none", "light", "both")
 """What f_r is multiplied with: nothing (1/sr), N·L (reflected radiance), N·L and N·V (intensity)."""
 SHOWN: tuple[Shown, ...] = ("target", "fit", "both", "side by side", "difference")
@@ -25,6 +31,7 @@ PARTS_OF_FIT: tuple[Part, ...] = ("diffuse", "directional", "gloss")
 INCIDENCE_DEG = (45.0, 0.0)
 """Polar angle and azimuth of the light at a first start, and after a reset."""
 MOST_THETA_DEG = 89.9
+_TRUE, _FALSE = (True, "1", "on", "yes", "true"), (False, "0", "off", "no", "false")
 
 
 @dataclass(frozen=True)
@@ -36,23 +43,86 @@ class Options:
     """
 
     channel: Channel = "colour"
-    radius: Radius = "cbrt"
+    radius: RadiusKind = "cbrt"
     cosine: Cosine = "light"
     shown: Shown = "target"
     lobes_off: frozenset[tuple[Part, int]] = frozenset()
 
 
-def cosine_factor(cosine: Cosine, wi: Floats, wo: Floats) -> Floats:
-    """Return what f_r is multiplied with, (...), for ``wi`` and ``wo`` (..., 3); at least 0.
+class OptionState(QObject, Generic[T]):
+    """Holds the options of one view, and remembers them under ``key``; ``changed()`` is emitted when they change.
 
-    >>> float(cosine_factor("both", np.array([0.0, 0.6, 0.8]), np.array([0.0, 0.0, 1.0])))
-    0.8
+    ``plain`` are the defaults; ``choices`` are the values that a text may have, ``ranges`` those that a number, or
+    each number of a tuple, is brought into.
     """
-    light, view = np.maximum(wi[..., 2], 0.0), np.maximum(wo[..., 2], 0.0)
-    if cosine == "none":
-        return np.ones(np.broadcast_shapes(light.shape, view.shape))
-    return (
-        np.asarray(light * view)
-        if cosine == "both"
-        else np.broadcast_to(light, np.broadcast_shapes(light.shape, view.shape))
-    )
+
+    changed = Signal()
+
+    def __init__(
+        self,
+        key: str,
+        plain: T,
+        choices: Mapping[str, tuple[str, ...]],
+        ranges: Mapping[str, tuple[float, float]],
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._key, self._plain, self._choices, self._ranges = key, plain, choices, ranges
+        self._options = self._remembered()
+
+    @property
+    def options(self) -> T:
+        """The options as they are."""
+        return self._options
+
+    def set(self, *, remember: bool = True, **fields: Any) -> None:
+        """Set options by name; numbers are brought into their range, other values raise :class:`ValueError`."""
+        sound = {name: self._sound(name, value) for name, value in fields.items()}
+        options = replace(self._options, **sound)
+        if options != self._options:
+            self._options = options
+            if remember:
+                settings().setValue(self._key, json.dumps(asdict(options)))
+            self.changed.emit()
+
+    def reset(self, *names: str) -> None:
+        """Set options back, all where none is named."""
+        self.set(**{name: getattr(self._plain, name) for name in names or vars(self._plain)})
+
+    def set_from_text(self, name: str, text: str) -> bool:
+        """Set an option by words for this run, as a script does; False where there is no such option or value."""
+        plain = vars(self._plain).get(name)
+        try:
+            self.set(remember=False, **{name: text.split(",") if isinstance(plain, tuple) else text})
+        except (AttributeError, ValueError, TypeError):
+            return False
+        return True
+
+    def _sound(self, name: str, value: Any) -> Any:
+        plain = getattr(self._plain, name)
+        if isinstance(plain, str):
+            if value not in self._choices[name]:
+                raise ValueError(f"{name} is one of {', '.join(self._choices[name])}")
+            return value
+        if isinstance(plain, tuple):
+            return tuple(self._held(name, one) for one, _ in zip(value, plain, strict=True))
+        if isinstance(plain, bool):
+            if value not in _TRUE and value not in _FALSE:
+                raise ValueError(f"{name} is on or off")
+            return value in _TRUE
+        return self._held(name, value)
+
+    def _held(self, name: str, value: Any) -> float:
+        number, (low, high) = float(value), self._ranges[name]
+        if not math.isfinite(number):
+            raise ValueError(f"{name} is a number")
+        return min(max(number, low), high)
+
+    def _remembered(self) -> T:
+        """Return the options of the last time; the defaults where there is none, or it is of another version."""
+        try:
+            kept = json.loads(str(settings().value(self._key, "{}")))
+            known = {name: self._sound(name, kept[name]) for name in vars(self._plain) if name in kept}
+            return replace(self._plain, **known)
+        except (ValueError, TypeError, KeyError):
+            return self._plain  # a settings file that another version or another hand wrote

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from brdf_qt.program.feature import Feature
+
 from brdf_lobe_visualizer.basis.part import Basis
 from brdf_lobe_visualizer.cuts.panel import Slices
 from brdf_lobe_visualizer.factors.part import Factors
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
 
-MakePart = Callable[[LobeSession, LobeWindow], LobeFeature]
+MakePart = Callable[[LobeSession, LobeWindow], Feature]
 
 PARTS: tuple[MakePart, ...] = (Space, Slices, Basis, Factors)
 """What makes each part: called with session and window, it adds itself to the window and listens to the session.
@@ -21,8 +22,6 @@ Parts are made before the window is shown: what is heavy to import or to make wa
 """
 
 
-def build_parts(
-    session: LobeSession, window: LobeWindow, parts: Sequence[MakePart] = PARTS
-) -> list[LobeFeature]:
+def build_parts(session: LobeSession, window: LobeWindow, parts: Sequence[MakePart] = PARTS) -> list[Feature]:
     """Make every part and return them; their owner keeps them."""
     return [part(session, window) for part in parts]

@@ -93,10 +93,7 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
     if options.no_inspector:
         window.inspector_dock.hide()
     for key, value in options.set:
-        for part in program.parts:
-            if part.set_from_script(key, value):
-                break
-        else:
+        if not program.do(f"{key}={value}"):
             raise SystemExit(f"brdf-lobes: --set {key}={value}: no view has this option.")
 
 

@@ -17,7 +17,8 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG, Options, Part
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import spherical
 
 if TYPE_CHECKING:
     from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -48,6 +49,8 @@ class LobeSession(QObject):
         The light stands elsewhere.
     options_changed()
         Channel, radius, cosine, what is shown, or the lobes that are switched on.
+    view_reset()
+        The view of a first start is restored; a feature resets what only it knows of it.
     """
 
     subjects_changed = Signal()
@@ -55,6 +58,7 @@ class LobeSession(QObject):
     visibility_changed = Signal()
     incidence_changed = Signal(float, float)
     options_changed = Signal()
+    view_reset = Signal()
 
     def __init__(self, messages: Messages, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -231,6 +235,12 @@ class LobeSession(QObject):
         """Set options back, all where none is named."""
         plain = Options()
         self.set_options(**{name: getattr(plain, name) for name in names or vars(plain)})
+
+    def reset_view(self) -> None:
+        """Restore options and incidence of a first start."""
+        self.reset_options()
+        self.reset_incidence()
+        self.view_reset.emit()
 
     def switch_lobe(self, part: Part, index: int, on: bool) -> None:
         """Switch a lobe of the fits on or off."""

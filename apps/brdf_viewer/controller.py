@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.window.dialogs import Dialogs, QtDialogs
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
-from PySide6.QtCore import QObject, QProcess, QTimer, Signal
+from PySide6.QtCore import QProcess, QTimer, Signal
 from PySide6.QtGui import QGuiApplication
 
 from brdf_suite.documents.store import view_to_json
@@ -47,7 +50,7 @@ from brdf_viewer.window import ViewerWindow
 _PUBLISH_MS = 50
 
 
-class ViewerController(QObject):
+class ViewerController(Program):
     """The running Viewer.
 
     Parameters
@@ -71,6 +74,9 @@ class ViewerController(QObject):
     picture_finished = Signal()
     settled = Signal()
     failed = Signal(str, str)
+    patience_s = math.inf  # a path tracer may be asked for any number of samples
+    is_complete_when_started = False
+    window: ViewerWindow
 
     def __init__(
         self,
@@ -82,14 +88,12 @@ class ViewerController(QObject):
         ask_picture: AskPicture = ask_picture,
         dialogs: Dialogs | None = None,
     ) -> None:
-        super().__init__()
+        super().__init__(ViewerWindow(self._make_drawer))
         self.state = ViewerState(view, self)
-        self.window = ViewerWindow(self._make_drawer)
-        self.setParent(self.window)  # nothing of this outlives its widgets
         self.link = LiveLink("viewer", parent=self)
         self._tasks = TaskRunner(self)
         self._ask = ask
-        self._complete = self._finished = False
+        self._complete = self._finished = self._settled = self._started = False
         self._publish = make_timer(self, self._publish_view, _PUBLISH_MS)
         dialogs = dialogs or QtDialogs(self.window)
         parts = self.state, self.window
@@ -111,24 +115,33 @@ class ViewerController(QObject):
         self.compare = CompareControl(*parts, self._tasks, ask)
         self.readout = Readout(*parts)
         self.figures = FiguresOverlay(*parts, self._meter, self.readout)
-        self.features = self.window.findChildren(ViewerFeature)
+        self.features = [*self.window.findChildren(ViewerFeature), self.link]
         self._connect()
         self._show_view(None, view)
-        for feature in self.features:
-            feature.start()
-        self.link.start()
+        self.start()
         self._publish.start()
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether the picture is loaded, the time of its frame shown, and no trace pending."""
+        return self._settled and self._is_loaded and self.traced.is_settled
+
+    @property
+    def _is_loaded(self) -> bool:
+        """Whether nothing that the picture shows is pending."""
+        drawer = self.drawer
+        return super().is_idle and not (drawer and drawer.awaits_weights)
 
     @property
     def drawer(self) -> SceneDrawer | None:
         """What draws at present; None while nothing does."""
         return self.window.drawer
 
-    @property
-    def is_idle(self) -> bool:
-        """Whether nothing that the picture shows is pending."""
-        drawer = self.drawer
-        return all(feature.is_idle for feature in self.features) and not (drawer and drawer.awaits_weights)
+    def start(self) -> None:
+        """Begin to load, and join the link; a new controller does so by itself, and only the first call acts."""
+        if not self._started:
+            self._started = True
+            super().start()
 
     def open_file(self, path: str) -> None:
         """Open a file of any kind that the Viewer knows."""
@@ -138,9 +151,9 @@ class ViewerController(QObject):
         else:
             self._open(kind, path)
 
-    def _open_files(self, paths: list[str]) -> None:
+    def _open_files(self, paths: list[Path]) -> None:
         for path in paths:
-            self.open_file(path)
+            self.open_file(str(path))
 
     def _open(self, kind: str, path: str) -> None:
         own: dict[str, Callable[[str], object]] = {
@@ -160,7 +173,10 @@ class ViewerController(QObject):
         picture.frame_drawn.connect(self._frame_drawn)
         picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(self._open_files)
-        window.closing.connect(self._close)
+        window.closing.connect(self.close)
+        self.picture_complete.connect(lambda: self.reached.emit("complete"))
+        self.picture_finished.connect(lambda: self.reached.emit("finished"))
+        self.failed.connect(self._end_start)
         environment, commands = window.environment, window.commands
         environment.rotation.edited.connect(lambda value: state.change_view(rotation_deg=value))
         environment.exposure.edited.connect(lambda value: state.change_view(exposure_ev=value))
@@ -237,7 +253,7 @@ class ViewerController(QObject):
         if not self._complete and self.drawer is not None and self.drawer.is_complete:
             self._complete = True
             self.picture_complete.emit()
-        if self._complete and not self._finished and self.is_idle:
+        if self._complete and not self._finished and self._is_loaded:
             self._finished = True
             self.picture_finished.emit()
             QTimer.singleShot(0, self, self._prepare_edits)
@@ -248,8 +264,13 @@ class ViewerController(QObject):
 
     def _settle(self) -> None:
         """A frame's time is shown: the picture has settled, unless a part of it is still on its way."""
-        if self.is_idle:
+        if self._is_loaded:
+            self._settled = True
             self.settled.emit()
+
+    def _end_start(self, kind: str, text: str) -> None:
+        if kind == "picture" or not self.state.is_complete:
+            self.start_failed.emit(text)
 
     def _picture_failed(self, text: str) -> None:
         self._meter.clear()
@@ -285,9 +306,10 @@ class ViewerController(QObject):
             message = Message("designer", "Designer could not be started.", severity="error")
             self.window.messages.show_message(message)
 
-    def _close(self) -> None:
+    def close(self) -> None:
+        """Remember the view, leave the link and end what runs; only the first call acts."""
+        if self.closed:
+            return
+        super().close()
         remember(settings(), self.state.view)
-        self.link.close()
-        for feature in self.features:
-            feature.close()
         self.window.picture.release()

@@ -10,7 +10,7 @@ from brdf_qt.gl.surface import Drawer, GlSurface
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QPalette
+from PySide6.QtGui import QCloseEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.realtime.gl.context import Context
@@ -40,17 +40,15 @@ _BUSY_EVERY_MS = 60
 class ViewerWindow(SuiteWindow):
     """Widgets only: the sections and ``commands`` carry the intents.
 
-    Signals: ``files_dropped(paths)``; ``busy_cancelled(kind)``; ``closing()`` when the window is about to close.
+    Signals: ``busy_cancelled(kind)``; ``closing()`` when the window is about to close.
     """
 
-    files_dropped = Signal(list)
     busy_cancelled = Signal(str)
     closing = Signal()
 
     def __init__(self, make_drawer: Callable[[Context], Drawer], parent: QWidget | None = None) -> None:
         super().__init__("Viewer", parent)
         self.setWindowTitle("BRDF Suite Viewer")
-        self.setAcceptDrops(True)
         # The renderer averages four samples a pixel by itself, in linear light as the eye does.
         self.picture = GlSurface(make_drawer, samples=0)
         self.picture.setAccessibleName("Picture")
@@ -129,16 +127,6 @@ class ViewerWindow(SuiteWindow):
     def _show_busy(self) -> None:
         for kind, (fraction, what) in self.busy.items():
             self.progress.set_job(kind, fraction, what, partial(self.busy_cancelled.emit, kind))
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if any(url.isLocalFile() for url in event.mimeData().urls()):
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        paths = [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]
-        if paths:
-            event.acceptProposedAction()
-            self.files_dropped.emit(paths)
 
     def may_close(self) -> bool:
         """Whether nothing that is unsaved is lost, or the user gives it up."""

@@ -1,7 +1,7 @@
 """Entry point of the ``brdf-suite`` command: arguments and exit statuses.
 
-Each command is a module with ``add(subparsers)`` and ``run(arguments) -> int``, imported here so that
-``--help`` knows it; what a command needs beyond the standard library, it imports when it runs.
+Each command is a module with ``add(parser)``, which declares its arguments. Only the module of the command that is
+named is imported: ``--help`` needs none of them.
 """
 
 from __future__ import annotations
@@ -9,29 +9,86 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
+from importlib import import_module
 from importlib.metadata import version
 
 from brdf_suite.cli import programs
-from brdf_suite.cli.light import environment, prefilter
-from brdf_suite.cli.measured import (
-    acquire,
-    check,
-    compare,
-    convert,
-    factorize,
-    fit,
-    fit_cook_torrance,
-    measure,
-)
-from brdf_suite.cli.paint import design, export, judge
-from brdf_suite.cli.palette import palette
-from brdf_suite.cli.picture import render, sheet, turntable
-from brdf_suite.cli.tools import agreement, basis, bench, cache, shading_table
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 
 DONE, FAILED, USAGE, CANCELLED = 0, 1, 2, 130
+
+COMMANDS = {
+    "render": ("brdf_suite.cli.picture.render", "render a paint or a measured file to a PNG or EXR"),
+    "turntable": (
+        "brdf_suite.cli.picture.turntable",
+        "render one turn of the object to a video or a folder of PNG",
+    ),
+    "sheet": (
+        "brdf_suite.cli.picture.sheet",
+        "render the paints of a palette or a folder to one PNG or PDF, with their figures",
+    ),
+    "measure": (
+        "brdf_suite.cli.measured.measure",
+        "measure paints and measured files: colour per angle, gloss, haze, flop, travel",
+    ),
+    "compare": (
+        "brdf_suite.cli.measured.compare",
+        "compare two paints or measured files: colour differences per angle, RMS and log error",
+    ),
+    "judge": (
+        "brdf_suite.cli.paint.judge",
+        "judge batches against a standard: differences per angle, pass or fail, in words",
+    ),
+    "design": (
+        "brdf_suite.cli.paint.design",
+        "make a paint: from a measurement, a step away, or between two",
+    ),
+    "convert": (
+        "brdf_suite.cli.measured.convert",
+        "convert a measured file, or a paint, to a format of measured reflectance",
+    ),
+    "export": (
+        "brdf_suite.cli.paint.export",
+        "hand paints over to other programs, or make a one-page report",
+    ),
+    "palette": ("brdf_suite.cli.palette.palette", "convert a palette, describe one, or find paints in it"),
+    "check": (
+        "brdf_suite.cli.measured.check",
+        "check a paint, a measured file or a model: reciprocity, sign, energy",
+    ),
+    "acquire": (
+        "brdf_suite.cli.measured.acquire",
+        "make a reflectance table from photographs of a painted sphere",
+    ),
+    "fit": ("brdf_suite.cli.measured.fit", "fit the cosine lobes to a paint or a measured file"),
+    "fit-cook-torrance": (
+        "brdf_suite.cli.measured.fit_cook_torrance",
+        "fit Cook-Torrance lobes to a measured file and write them as a paint",
+    ),
+    "factorize": (
+        "brdf_suite.cli.measured.factorize",
+        "write anything that reflects as a product of textures",
+    ),
+    "basis": ("brdf_suite.cli.tools.basis", "search the lobe exponents that fit a database of paints best"),
+    "prefilter": ("brdf_suite.cli.light.prefilter", "prefilter an environment, its maps kept in the cache"),
+    "environment": (
+        "brdf_suite.cli.light.environment",
+        "what an environment map holds; studios and skies from a description",
+    ),
+    "cache": (
+        "brdf_suite.cli.tools.cache",
+        "show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
+    ),
+    "shading-table": (
+        "brdf_suite.cli.tools.shading_table",
+        "make the table by which the shading looks lobes up",
+    ),
+    "agreement": ("brdf_suite.cli.tools.agreement", "compare the real-time picture with the path-traced one"),
+    "bench": ("brdf_suite.cli.tools.bench", "measure the suite's figures (in a source checkout)"),
+}
+"""The commands but those that open a program: the module of each, and what it does."""
 
 _EPILOG = """\
 units:
@@ -62,8 +119,8 @@ class _Rows(argparse.RawDescriptionHelpFormatter):
             self._action_max_length = max(self._action_max_length, width)
 
 
-def parser() -> argparse.ArgumentParser:
-    """Return the parser of the whole command."""
+def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
+    """Return the parser of the whole command, with the arguments of those commands that are ``wanted``."""
     top = argparse.ArgumentParser(
         prog="brdf-suite",
         description="Design the appearance of automotive paint, fit it, and render it.",
@@ -72,32 +129,11 @@ def parser() -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"brdf-suite {version('brdf-suite')}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
-    for module in (
-        programs,
-        render,
-        turntable,
-        sheet,
-        measure,
-        compare,
-        judge,
-        design,
-        convert,
-        export,
-        palette,
-        check,
-        acquire,
-        fit,
-        fit_cook_torrance,
-        factorize,
-        basis,
-        prefilter,
-        environment,
-        cache,
-        shading_table,
-        agreement,
-        bench,
-    ):
-        module.add(commands)
+    programs.add(commands)
+    for name, (module, summary) in COMMANDS.items():
+        command = commands.add_parser(name, help=summary)
+        if name in wanted:
+            import_module(module).add(command)
     return top
 
 
@@ -111,7 +147,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             # argparse would take the program's options for its own.
             return programs.open_one(given[0], given[1:])
         try:
-            options = parser().parse_args(given)
+            options = parser(given[:1]).parse_args(given)
             status = int(getattr(options, "run", programs.open_both)(options))
         finally:
             if sys.stdout is not None:  # None where the caller closed it

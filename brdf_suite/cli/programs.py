@@ -10,6 +10,7 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
+from brdf_suite.cli.output import progress_bar
 from brdf_suite.errors import SuiteError
 from brdf_suite.processes import child_command
 from brdf_suite.screen import screen_missing
@@ -109,7 +110,6 @@ def open_one(name: str, arguments: Sequence[str]) -> int:
 
 
 def _render_instead(missing: str, paint: str | None) -> int:
-    from brdf_suite.cli.output import progress_bar
     from brdf_suite.output.still import render_to_file
     from brdf_suite.pipeline.material import default_paint_name
     from brdf_suite.pipeline.scene import default_view

@@ -17,6 +17,7 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
+import OpenEXR
 from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import write_atomically
@@ -43,8 +44,6 @@ def write_textures(maps: Maps, beside: str | os.PathLike[str]) -> TextureFile:
     FileError
         It cannot be written.
     """
-    import OpenEXR  # no other document needs the library
-
     images = {
         name: np.atleast_3d(values) if values.ndim == 3 else values[None] for name, values in maps.items()
     }
@@ -132,7 +131,6 @@ def read_textures(paint: FactoredPaint) -> Maps:
 def _read(textures: TextureFile) -> Maps:
     """Return every part (h, w, 3) by its name. Kept: a paint is built again and again from the same file."""
     _checked(textures, textures.path)
-    import OpenEXR  # no other document needs the library
 
     printed = io.StringIO()
     try:

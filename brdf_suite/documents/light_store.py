@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.reading import FieldReader, fill, read_json
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Sky, Studio, StudioLamp
+from brdf_suite.errors import PathLike
 
 STUDIO_ENDING = ".brdfstudio"
 LightDocument = Studio | Sky
 
-_Path = str | os.PathLike[str]
 
-
-def load_light(path: _Path) -> LightDocument:
+def load_light(path: PathLike) -> LightDocument:
     """Read a ``.brdfstudio`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
     return light_from_json(read_json(path), path)
 
 
-def save_light(light: LightDocument, path: _Path) -> None:
+def save_light(light: LightDocument, path: PathLike) -> None:
     """Write a ``.brdfstudio`` file, whole or not at all; raise :class:`FileError` where that fails."""
     write_atomically(path, encode(light_to_json(light)))
 
@@ -37,7 +35,7 @@ def light_to_json(light: LightDocument) -> dict[str, object]:
     return {"format": "brdfstudio", "version": VERSIONS["brdfstudio"], "kind": kind, **fields}
 
 
-def light_from_json(value: object, path: _Path = "the message") -> LightDocument:
+def light_from_json(value: object, path: PathLike = "the message") -> LightDocument:
     """Return the studio or sky in a JSON value; ``path`` is what error messages call its origin.
 
     Raises

@@ -10,7 +10,6 @@ from __future__ import annotations
 import dataclasses
 import gc
 import json
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -23,28 +22,26 @@ from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.quick_paint import quick_paint
 from brdf_suite.documents.reading import FieldReader, fill, json_from_bytes, read_json
 from brdf_suite.documents.store import any_paint_from_json, paint_to_json
-from brdf_suite.errors import DocumentError, ValueRangeError
+from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
 
 PALETTE_ENDING = ".brdfpalette"
 LARGEST_PALETTE = 128 << 20
 """Bytes; ten thousand paints of six readings have eight million."""
 
-_Path = str | os.PathLike[str]
 
-
-def load_palette(path: _Path) -> Palette:
+def load_palette(path: PathLike) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
     with _no_collection():
         return palette_from_json(read_json(path, LARGEST_PALETTE), path)
 
 
-def palette_from_bytes(content: bytes, path: _Path) -> Palette:
+def palette_from_bytes(content: bytes, path: PathLike) -> Palette:
     """Return the palette in the content of a ``.brdfpalette`` file; errors as :func:`load_palette`."""
     with _no_collection():
         return palette_from_json(json_from_bytes(content, path), path)
 
 
-def save_palette(palette: Palette, path: _Path) -> None:
+def save_palette(palette: Palette, path: PathLike) -> None:
     """Write a ``.brdfpalette`` file, whole or not at all; raise :class:`FileError` where that fails."""
     write_atomically(path, encode_palette(palette))
 
@@ -138,7 +135,7 @@ def _lists(value: tuple[Any, ...]) -> list[Any]:
     return [_lists(item) if isinstance(item, tuple) else item for item in value]
 
 
-def palette_from_json(value: object, path: _Path = "the message") -> Palette:
+def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
     """Return the palette in a JSON value; ``path`` is what error messages call its origin.
 
     Raises
@@ -180,7 +177,7 @@ def _quick_entry(value: object) -> Entry | None:
         return None
 
 
-def entry_from_json(value: object, path: _Path = "the message", place: str = "") -> Entry:
+def entry_from_json(value: object, path: PathLike = "the message", place: str = "") -> Entry:
     """Return the entry in a JSON value; errors as :func:`palette_from_json`."""
     reader = FieldReader(value, path, place)
     if reader.has("flat") == reader.has("paint"):
@@ -189,7 +186,7 @@ def entry_from_json(value: object, path: _Path = "the message", place: str = "")
     return fill(reader, Entry, taken={"content": content})
 
 
-def flat_from_json(value: object, path: _Path = "the message", place: str = "") -> FlatColour:
+def flat_from_json(value: object, path: PathLike = "the message", place: str = "") -> FlatColour:
     """Return the flat colour in a JSON value; errors as :func:`palette_from_json`."""
     return _flat(FieldReader(value, path, place))
 

@@ -7,7 +7,6 @@ default may be left out; unknown ones are refused. The same JSON travels between
 from __future__ import annotations
 
 import dataclasses
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
@@ -20,7 +19,7 @@ from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, P
 from brdf_suite.documents.reading import FieldReader, fill, read_json
 from brdf_suite.documents.view import PARTS, Camera, View
 from brdf_suite.documents.view_settings import Lamp, PartMaterial, SurfaceLook
-from brdf_suite.errors import DocumentError
+from brdf_suite.errors import DocumentError, PathLike
 
 PAINT_ENDING = ".brdfpaint"
 VIEW_ENDING = ".brdfview"
@@ -29,11 +28,10 @@ AnyPaint = Paint | CookTorrancePaint | FactoredPaint
 """Every kind of paint; the field ``kind`` of a file distinguishes them."""
 
 _KINDS: dict[type, str] = {Paint: "aspecular", CookTorrancePaint: "cook_torrance", FactoredPaint: "factored"}
-_Path = str | os.PathLike[str]
 _T = TypeVar("_T")
 
 
-def load_paint(path: _Path) -> Paint:
+def load_paint(path: PathLike) -> Paint:
     """Read a ``.brdfpaint`` file that must be an aspecular paint, the kind that is designed by its readings.
 
     Raises
@@ -46,12 +44,12 @@ def load_paint(path: _Path) -> Paint:
     return paint_from_json(read_json(path), path)
 
 
-def load_any_paint(path: _Path) -> AnyPaint:
+def load_any_paint(path: PathLike) -> AnyPaint:
     """Read a ``.brdfpaint`` file of any kind; errors as :func:`load_paint`."""
     return any_paint_from_json(read_json(path), path)
 
 
-def save_paint(paint: AnyPaint, path: _Path) -> None:
+def save_paint(paint: AnyPaint, path: PathLike) -> None:
     """Write a ``.brdfpaint`` file, whole or not at all; raise :class:`FileError` where that fails.
 
     The textures of a factored paint are copied beside it, unless they lie there.
@@ -64,12 +62,12 @@ def save_paint(paint: AnyPaint, path: _Path) -> None:
     write_atomically(path, encode(paint_to_json(paint)))
 
 
-def load_view(path: _Path) -> View:
+def load_view(path: PathLike) -> View:
     """Read a ``.brdfview`` file; raise :class:`DocumentError` or :class:`FileError` with the place."""
     return view_from_json(read_json(path), path)
 
 
-def save_view(view: View, path: _Path) -> None:
+def save_view(view: View, path: PathLike) -> None:
     """Write a ``.brdfview`` file, whole or not at all; raise :class:`FileError` where that fails."""
     write_atomically(path, encode(view_to_json(view)))
 
@@ -89,7 +87,7 @@ def _plain(value: object) -> object:
     return value if names is None else {name: _plain(getattr(value, name)) for name in names}
 
 
-def any_paint_from_json(value: object, path: _Path = "the message") -> AnyPaint:
+def any_paint_from_json(value: object, path: PathLike = "the message") -> AnyPaint:
     """Return the paint in a JSON value; ``path`` is what error messages call its origin.
 
     Raises
@@ -108,7 +106,7 @@ def any_paint_from_json(value: object, path: _Path = "the message") -> AnyPaint:
     return _factored(reader, path)
 
 
-def paint_from_json(value: object, path: _Path = "the message") -> Paint:
+def paint_from_json(value: object, path: PathLike = "the message") -> Paint:
     """Return the aspecular paint in a JSON value; errors as :func:`any_paint_from_json`, other kinds too."""
     paint = any_paint_from_json(value, path)
     if not isinstance(paint, Paint):
@@ -147,7 +145,7 @@ def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
     )
 
 
-def _factored(reader: FieldReader, path: _Path) -> FactoredPaint:
+def _factored(reader: FieldReader, path: PathLike) -> FactoredPaint:
     textures = fill(reader.take_object("textures"), TextureFile, required=("path", "sha256"))
     # The document names it from its own folder; a paint in memory has no folder.
     absolute = str(Path(path).absolute().parent / textures.path)
@@ -177,7 +175,7 @@ def _with_lists(pairs: list[tuple[str, object]]) -> dict[str, object]:
     return {name: list(value) if isinstance(value, tuple) else value for name, value in pairs}
 
 
-def view_from_json(value: object, path: _Path = "the message") -> View:
+def view_from_json(value: object, path: PathLike = "the message") -> View:
     """Return the view in a JSON value; errors as :func:`paint_from_json`."""
     reader = open_envelope(value, "brdfview", path)
     taken: dict[str, object] = {"camera": fill(reader.take_object("camera"), Camera)}

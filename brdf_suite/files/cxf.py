@@ -20,7 +20,8 @@ from brdf_suite.appearance.colour.colorimetry import xyz_to_lab
 from brdf_suite.appearance.colour.spaces import lch_to_lab
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Lab
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
 from brdf_suite.files.cxf_specification import (
     BrdfAngle,
     Specification,
@@ -29,8 +30,7 @@ from brdf_suite.files.cxf_specification import (
     read_specifications,
 )
 from brdf_suite.files.cxf_values import CxfFile, CxfReading, CxfSample, plain_name
-from brdf_suite.files.hardened_xml import MOST_BYTES, Element, PathLike, parse_xml
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.hardened_xml import MOST_BYTES, Element, parse_xml
 from brdf_suite.files.paint_fields import setting_from_text
 
 NAMESPACE = "http://colorexchangeformat.com/CxF3-core"

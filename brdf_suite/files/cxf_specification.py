@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.hardened_xml import Element, PathLike
+from brdf_suite.appearance.geometries import Geometry
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.hardened_xml import Element
 
 _MOST_ANGLES = 100
 
@@ -130,8 +131,6 @@ def _angles(multi: Element | None, path: PathLike) -> tuple[BrdfAngle, ...]:
 
 
 def _angle(element: Element, path: PathLike) -> BrdfAngle:
-    from brdf_suite.appearance.geometries import Geometry
-
     azimuth = element.first("Azimuth")
     found = BrdfAngle(
         notation=element.attributes.get("Notation", "").strip(),

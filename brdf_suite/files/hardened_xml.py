@@ -6,20 +6,17 @@ end. Size, depth and number of elements are bounded. Every element knows its lin
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 
 MOST_BYTES = 64 << 20
 """A file of ten thousand samples with six spectra each has about 30 MB."""
 MOST_ELEMENTS = 1_000_000
 DEEPEST = 64
 _SEPARATOR = "\n"  # in no name
-
-PathLike = str | os.PathLike[str]
 
 
 @dataclass(eq=False)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from functools import wraps
 from typing import Concatenate, ParamSpec, TypeVar
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 
-_Path = str | os.PathLike[str]
 _Others = ParamSpec("_Others")
 _Result = TypeVar("_Result")
 
@@ -17,7 +15,7 @@ MOST_MADE_BYTES = 1 << 30
 """Largest array of pixels or mesh data, in bytes, that is made of one file."""
 
 
-def check_made(path: _Path, size: int, what: str, place: str | None = None) -> None:
+def check_made(path: PathLike, size: int, what: str, place: str | None = None) -> None:
     """Raise :class:`FileError` where ``what``, to be made of the file ``path``, takes more than the limit.
 
     ``size`` is in bytes; ``place`` says where in the file it is announced.
@@ -28,12 +26,12 @@ def check_made(path: _Path, size: int, what: str, place: str | None = None) -> N
 
 
 def within_memory(
-    read: Callable[Concatenate[_Path, _Others], _Result],
-) -> Callable[Concatenate[_Path, _Others], _Result]:
+    read: Callable[Concatenate[PathLike, _Others], _Result],
+) -> Callable[Concatenate[PathLike, _Others], _Result]:
     """Return the reader ``read``, which takes a path first, with FileError in place of MemoryError."""
 
     @wraps(read)
-    def reader(path: _Path, /, *args: _Others.args, **kwargs: _Others.kwargs) -> _Result:
+    def reader(path: PathLike, /, *args: _Others.args, **kwargs: _Others.kwargs) -> _Result:
         try:
             return read(path, *args, **kwargs)
         except MemoryError as error:

@@ -11,21 +11,19 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
-
-FloatArray = NDArray[np.float64]
 
 
 class Evaluable(Protocol):
     """Anything with ``eval(wi, wo)``: f_r in 1/sr without the cosine, ``(..., 3)``."""
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
         """Return f_r."""
         ...
 
@@ -70,14 +68,14 @@ class HeldOut:
     away: ErrorFigures | None
 
 
-def as_rgb_tuple(row: FloatArray) -> tuple[float, float, float]:
+def as_rgb_tuple(row: Floats) -> tuple[float, float, float]:
     """Return three numbers as plain ones."""
     return float(row[0]), float(row[1]), float(row[2])
 
 
 def aspecular_lab(
     reflectance: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
-) -> FloatArray:
+) -> Floats:
     """Return the L*a*b* (D65, 10°) ``(k, 3)`` that an instrument reads at aspecular angles, in degrees."""
     wi = illumination(illumination_deg)
     wo = aspecular_view(illumination_deg, np.asarray(aspecular_deg, np.float64))
@@ -86,7 +84,7 @@ def aspecular_lab(
 
 def aspecular_delta_e(
     target: Evaluable, fit: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
-) -> FloatArray:
+) -> Floats:
     """Return ΔE00 ``(k,)`` between target and fit at aspecular angles, in degrees."""
     return delta_e_2000(
         aspecular_lab(target, aspecular_deg, illumination_deg),
@@ -95,7 +93,7 @@ def aspecular_delta_e(
 
 
 def error_figures(
-    target: Evaluable, fit: Evaluable, wi: FloatArray, wo: FloatArray, solid_angle: FloatArray
+    target: Evaluable, fit: Evaluable, wi: Floats, wo: Floats, solid_angle: Floats
 ) -> ErrorFigures:
     """Return the errors over directions ``wi``, ``wo`` ``(k, 3)``, weights ``solid_angle`` ``(k,)`` in sr.
 
@@ -105,7 +103,7 @@ def error_figures(
     cosine = np.clip(np.asarray(wi)[..., 2], 0.0, None)[..., None]
     weight = np.broadcast_to(solid_angle[..., None], wanted.shape)
 
-    def rms(difference: FloatArray) -> float:
+    def rms(difference: Floats) -> float:
         return float(np.sqrt((weight * difference**2).sum() / weight.sum()))
 
     return ErrorFigures(
@@ -115,7 +113,7 @@ def error_figures(
     )
 
 
-def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None = None) -> FloatArray:
+def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None = None) -> Floats:
     """Return ``(3,)`` what a coat reflects of a constant environment, seen at 45° (``∫ f_r·(N·L) dω``).
 
     The integral is over rings around the mirror direction, within 90° of it: meant for a coat, and finer than
@@ -123,5 +121,5 @@ def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None 
     """
     rings = samples or CoatSamples(first_ring_rad=2e-4, log_step=0.08, azimuths=24)
     values = reflectance.eval(rings.lights, rings.view) * rings.cosines[..., None]
-    result: FloatArray = rings.solid_angle @ values.mean(axis=1)
+    result: Floats = rings.solid_angle @ values.mean(axis=1)
     return result

@@ -16,7 +16,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _QUARTER = math.pi / 4.0
 

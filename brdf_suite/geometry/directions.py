@@ -10,12 +10,10 @@ view's polar angle, counted to +x, is 45° - γ.
 
 from __future__ import annotations
 
-from typing import TypeAlias
-
 import numpy as np
 import numpy.typing as npt
 
-Floats: TypeAlias = npt.NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 _MIRROR = np.array([-1.0, -1.0, 1.0])
 

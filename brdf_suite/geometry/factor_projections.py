@@ -13,8 +13,8 @@ from types import MappingProxyType
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.parabolic import parabolic_place
 
 

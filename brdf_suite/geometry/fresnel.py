@@ -14,7 +14,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _TINY = float(np.finfo(float).tiny)
 

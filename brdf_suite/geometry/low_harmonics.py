@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 def low_harmonics(directions: Floats, degree: int) -> Floats:

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 from numpy.typing import NDArray
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 def bilinear(

@@ -13,7 +13,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 def texel_directions(size: int) -> Floats:

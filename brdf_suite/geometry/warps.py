@@ -12,7 +12,8 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import spherical
 
 _TINY = 1e-300
 

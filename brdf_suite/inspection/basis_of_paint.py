@@ -15,6 +15,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,
     COAT_FROM_DEG,
@@ -24,8 +25,8 @@ from brdf_suite.fitting.basis_search.database import (
 )
 from brdf_suite.fitting.basis_search.error import MEASURED_UNIT, BasisError
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.fitting.lobes.undivided import fit_undivided
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.fitting.lobes.measured import fit_undivided
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Reflectance

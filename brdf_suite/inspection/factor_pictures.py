@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.map_look_up import look_up_map
 from brdf_suite.geometry.parabolic import parabolic_direction

@@ -20,9 +20,10 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.realtime.material.flake_share import visible_flake_lobe
 from brdf_suite.reflectance.flakes.spots import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
@@ -43,7 +44,7 @@ _SUN_SPREAD = math.radians(0.53) / 4.0
 
 
 @dataclass(frozen=True)
-class Sparkle:
+class SparkleReadings:
     """The figure at one aspecular angle; ``crowded``: spots overlap, and what is seen is a grain, not spots."""
 
     aspecular_deg: float
@@ -52,10 +53,10 @@ class Sparkle:
     crowded: bool
 
 
-def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[Sparkle, ...]:
+def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReadings, ...]:
     """Return the figure of a paint at each of :data:`ANGLES_DEG`, from its fit; zeros without flakes."""
     if flakes is None:
-        return tuple(Sparkle(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
+        return tuple(SparkleReadings(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
     shares = _shares(weights, flakes)
     return tuple(
         _sparkle(angle, _spots(angle, share, weights.ior, flakes))
@@ -63,8 +64,8 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[Sparkle, ...]:
     )
 
 
-def _sparkle(angle: float, found: Spots) -> Sparkle:
-    return Sparkle(angle, found.per_mm2, found.mean_contrast, found.per_footprint > CROWDED)
+def _sparkle(angle: float, found: Spots) -> SparkleReadings:
+    return SparkleReadings(angle, found.per_mm2, found.mean_contrast, found.per_footprint > CROWDED)
 
 
 def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.lighting.latlong import fejer_weights
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +56,6 @@ class Environment:
 
     def average(self) -> NDArray[np.float64]:
         """Return the mean radiance (3,) over the sphere."""
-        from brdf_suite.lighting.latlong import fejer_weights
-
         weights = fejer_weights(self.radiance.shape[0]) / 2.0
         rows = self.radiance.mean(axis=1, dtype=np.float64)
         return np.asarray(weights @ rows, dtype=np.float64)

@@ -31,7 +31,7 @@ Size = tuple[int, int]
 
 
 @dataclass(frozen=True)
-class Picture:
+class StillPicture:
     """A picture that was written, and what it shows. Times: fit and draw in ms, environment maps in s.
 
     ``delta_e_2000_worst`` is over a designed paint's own readings, over the usual aspecular angles of anything
@@ -106,7 +106,7 @@ def render_to_file(
     settings: PictureSettings | None = None,
     *,
     progress: Progress | None = None,
-) -> Picture:
+) -> StillPicture:
     """Render a paint (by name or file) or a measured file in a view and write it as PNG or EXR, atomically.
 
     Raises
@@ -149,8 +149,8 @@ def render_to_file(
 
 def _picture(
     path: Path, size: Size, fit: LobeFit, loaded: LoadedScene, renderer: str, draw_ms: float
-) -> Picture:
-    return Picture(
+) -> StillPicture:
+    return StillPicture(
         path=path,
         width=size[0],
         height=size[1],

@@ -23,8 +23,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import LOWEST_ROUGHNESS, USUAL_IOR
+from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR
 from brdf_suite.documents.paint import Gloss, Lab, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -217,8 +218,6 @@ def _refusal(paint: Paint) -> UnreachableError | None:
 
 def _lifted(paint: Paint) -> Paint | None:
     """The paint with each colour that is darker than its coat lifted to it, where that is all that is wrong."""
-    from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
-
     for _ in range(_MOST_LIFTS):
         error = _refusal(paint)
         if error is None:

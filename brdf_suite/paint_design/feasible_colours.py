@@ -20,8 +20,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-
-Floats = npt.NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 _MOST_STEPS = 60
 _LENGTHS = tuple(0.5**k for k in range(9))

@@ -22,7 +22,9 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.misses import interpolation_notices
+from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
@@ -55,7 +57,7 @@ class GlossEstimate:
 
 
 @dataclass(frozen=True)
-class HeldOut:
+class HeldOutGeometry:
     """A geometry that the design was not made from: what the original and the design look like there."""
 
     illumination_deg: float
@@ -78,7 +80,7 @@ class MeasuredStart:
     geometry_set: GeometrySet
     gloss: GlossEstimate
     gloss_used: bool
-    held_out: tuple[HeldOut, ...]
+    held_out: tuple[HeldOutGeometry, ...]
     notices: tuple[str, ...]
 
     @property
@@ -87,11 +89,11 @@ class MeasuredStart:
         return float(np.mean([row.delta_e_2000 for row in self.held_out])) if self.held_out else None
 
     @property
-    def worst(self) -> HeldOut | None:
+    def worst(self) -> HeldOutGeometry | None:
         """Where the design is farthest from the original."""
         return max(self.held_out, key=lambda row: row.delta_e_2000, default=None)
 
-    def under(self, illumination_deg: float) -> tuple[HeldOut, ...]:
+    def under(self, illumination_deg: float) -> tuple[HeldOutGeometry, ...]:
         """Return the rows of one light."""
         return tuple(row for row in self.held_out if row.illumination_deg == illumination_deg)
 
@@ -156,8 +158,6 @@ def estimated_gloss(reflectance: Reflectance) -> GlossEstimate:
     Scattered samples have none: a mirror lobe is narrower than they lie apart. A table reads what its
     interpolation makes of the lobe.
     """
-    from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
-
     if isinstance(reflectance, ScatteredSamples):
         return GlossEstimate(None, {}, "scattered samples lie too far apart for a mirror lobe")
     readings = {angle: gloss_reading(reflectance, angle) for angle in _GLOSS_ANGLES}
@@ -201,8 +201,6 @@ def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, lis
 
 
 def _refusal(paint: Paint) -> str | None:
-    from brdf_suite.reflectance.designed.build import build_paint
-
     try:
         build_paint(paint)
     except UnreachableError as error:
@@ -223,16 +221,14 @@ def _measurement(geometry: Geometry, lab: Lab, notices: list[str]) -> Measuremen
 
 def _nearest_rule(
     reflectance: Reflectance, paint: Paint, estimate: GlossEstimate
-) -> tuple[Paint, bool, tuple[HeldOut, ...], list[str]]:
+) -> tuple[Paint, bool, tuple[HeldOutGeometry, ...], list[str]]:
     """The paint with the rule between the angles that is nearest to the original where it was not read.
 
     Which gloss a clearcoat can have depends on the base below it, and so on the rule.
     """
-    from brdf_suite.reflectance.designed.build import build_paint
-
     geometries = GeometrySet("held out", "angles that were not used", tuple(_unused(paint)))
     original = measure(reflectance, geometries).lab
-    found: dict[str, tuple[Paint, bool, tuple[HeldOut, ...], list[str]]] = {}
+    found: dict[str, tuple[Paint, bool, tuple[HeldOutGeometry, ...], list[str]]] = {}
     refused: tuple[Paint, bool, list[str]] | None = None
     for rule in _RULES:
         candidate, used, notices = _with_gloss(replace(paint, interpolation=rule), estimate)
@@ -243,7 +239,7 @@ def _nearest_rule(
             continue
         given = measure(design, geometries).lab
         rows = tuple(
-            HeldOut(g.illumination_deg, g.aspecular_deg, _lab(one), _lab(two), float(delta))
+            HeldOutGeometry(g.illumination_deg, g.aspecular_deg, _lab(one), _lab(two), float(delta))
             for g, one, two, delta in zip(
                 geometries.geometries, original, given, delta_e_2000(original, given), strict=True
             )

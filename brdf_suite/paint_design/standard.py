@@ -35,6 +35,8 @@ from brdf_suite.appearance.flop.index import flop_index
 from brdf_suite.appearance.geometries import Geometry, GeometrySet
 from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError
+from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.protocol import Reflectance
 
 SAME_DEG = 1e-6
@@ -75,7 +77,6 @@ class Standard:
             reflectance = self.seen
             if reflectance is None:
                 return None
-            from brdf_suite.reflectance.instruments.spectrophotometer import measure
 
             report = measure(reflectance, GeometrySet("one", "one", (Geometry(*key),)))
             self._computed[key] = report.readings[0].lab
@@ -93,7 +94,6 @@ class Standard:
         """
         if self.reflectance is not None or self.paint is None:
             return self.reflectance
-        from brdf_suite.reflectance.designed.build import build_paint
 
         try:
             return build_paint(self.paint)

@@ -11,6 +11,9 @@ from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
+from brdf_suite.files.cxf import is_cxf, read_cxf
+from brdf_suite.files.exports import FORMATS
+from brdf_suite.paint_design.measured_start import estimated_gloss
 from brdf_suite.paint_design.standard import Standard, standard_of
 from brdf_suite.pipeline.material import Material, is_file, load_document, load_material, material_of
 from brdf_suite.progress import Progress, report
@@ -63,8 +66,6 @@ def _of_paint(paint: AnyPaint, origin: str) -> Standard:
 
 
 def _read_by_instrument(material: Material, origin: str) -> Standard:
-    from brdf_suite.paint_design.measured_start import estimated_gloss
-
     gloss = estimated_gloss(material.reflectance).gloss
     notices = (BY_INSTRUMENT, *material.notices)
     return Standard(material.name, origin, (), gloss, None, material.reflectance, notices)
@@ -86,10 +87,6 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
     """The paints of a file that was handed over, known by its content; none where it is something else."""
     if path.suffix.lower() == PAINT_ENDING or not is_file(os.fspath(path)):
         return ()
-    # Many writers and readers, and few sessions need one.
-    from brdf_suite.files.cxf import is_cxf
-    from brdf_suite.files.exports import FORMATS
-
     try:
         with path.open("rb") as stream:
             head = stream.read(_HEAD)
@@ -104,9 +101,6 @@ def _of_handover(path: Path) -> tuple[Standard, ...]:
 
 
 def _of_cxf(path: Path) -> tuple[Standard, ...]:
-    # An XML reader, and few sessions need it.
-    from brdf_suite.files.cxf import read_cxf
-
     file = read_cxf(path)
     found: list[Standard] = []
     refused = [*file.refused]

@@ -17,9 +17,9 @@ import numpy as np
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.difference.words import hue_word
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import PARAMETERS, Measurement, Paint
 from brdf_suite.errors import SuiteError, ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 Direction = Literal[

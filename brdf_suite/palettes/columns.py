@@ -12,17 +12,16 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.colour.flat_colours import flat_labs
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.palettes.swatches.flat import colours_at
 from brdf_suite.reflectance.designed.build import build_reflectance
 
@@ -31,8 +30,6 @@ MAIN_ANGLES_DEG = (15.0, 45.0, 110.0)
 FACE_DEG = 45.0
 _SAME_DEG = 0.5
 _MOST_KEPT = 50_000
-
-Flags = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,9 +55,9 @@ class Columns:
     entries: tuple[Entry, ...]
     angles_deg: tuple[float, ...]
     lab: Floats
-    read: Flags
+    read: Bools
     gloss: Floats
-    waiting: Flags
+    waiting: Bools
 
     def __len__(self) -> int:
         return len(self.entries)

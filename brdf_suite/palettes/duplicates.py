@@ -12,11 +12,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats, Indices
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.palettes.columns import Columns
 from brdf_suite.palettes.search import lower_bound
 from brdf_suite.progress import Progress, report, subrange
@@ -34,7 +33,6 @@ _WEIGHTS = np.array((1.0, 1.5 * np.sqrt(1.0 + np.sqrt(0.75)), np.sqrt(1.0 + np.s
 
 S_L, S_C and S_H are never below 1, a' never above 1.5 a*, and the rotation adds at most sin 60° of chroma and hue.
 """
-_Rows = NDArray[np.intp]
 
 
 @dataclass(frozen=True)
@@ -91,12 +89,12 @@ def duplicates(
     return tuple(sorted(found, key=lambda group: group.indices))
 
 
-def _steps(values: _Rows) -> _Rows:
+def _steps(values: Indices) -> Indices:
     """Where a sorted array goes on to another value."""
     return np.flatnonzero(np.diff(values)) + 1
 
 
-def _roots(rows: Floats, tolerance: float, progress: Progress | None) -> _Rows:
+def _roots(rows: Floats, tolerance: float, progress: Progress | None) -> Indices:
     """For each row (n, k, 3), sorted by the first L*, the first of those that it hangs together with."""
     lightness = rows[:, 0, 0]
     # S_L is largest where L* is farthest from 50.
@@ -129,7 +127,7 @@ def _difference(one: Floats, other: Floats) -> Floats:
     return np.asarray(delta_e_2000(one, other).max(axis=-1))
 
 
-def _joined(roots: _Rows, one: _Rows, other: _Rows) -> _Rows:
+def _joined(roots: Indices, one: Indices, other: Indices) -> Indices:
     """Return the roots after the rows of these pairs were put together."""
     if len(one) == 0:
         return roots

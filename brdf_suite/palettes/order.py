@@ -17,10 +17,9 @@ from collections.abc import Callable
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Indices
 from brdf_suite.documents.parameter import check_choice
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.palettes.columns import Columns
 
 By = Literal["hue path", "hue", "lightness", "chroma", "flop", "gloss", "travel", "name", "code", "date"]
@@ -28,7 +27,6 @@ ORDERS: tuple[str, ...] = get_args(By)
 GREY_BELOW = 4.0
 """C*ab at 45° of what stands with the greys: so little that a hue is hardly seen."""
 
-Indices = NDArray[np.intp]
 
 _BANDS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192)
 _LONGEST_TURN = 30

@@ -18,13 +18,12 @@ from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Bools, Floats, Indices
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.parameter import check_choice
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.palettes.columns import Columns
 
 Combine = Literal["mean", "worst"]
@@ -33,9 +32,6 @@ _PLANE = 1.0 - 0.5 * 3.0**0.5
 _STRETCHED = 0.045 * 1.5
 _ROUNDING = 1e-9
 _FIRST = 64
-
-Flags = NDArray[np.bool_]
-Indices = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +52,7 @@ def nearest(
     lab: npt.ArrayLike,
     count: int = 20,
     combine: Combine = "mean",
-    among: Flags | None = None,
+    among: Bools | None = None,
 ) -> Nearest:
     """Return the ``count`` entries nearest to L*a*b* (k, 3) at the columns' angles; equal ones by their order.
 
@@ -152,7 +148,7 @@ class Filter:
         return self == Filter()
 
 
-def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Flags:
+def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Bools:
     """Return which entries (n,) a filter shows; ``texts`` of the same entries spare their folding."""
     shown = np.ones(len(columns), bool)
     for values, limits in (
@@ -185,7 +181,7 @@ def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Fl
     return shown
 
 
-def in_hue_range(hue: npt.ArrayLike, low_deg: float, high_deg: float) -> Flags:
+def in_hue_range(hue: npt.ArrayLike, low_deg: float, high_deg: float) -> Bools:
     """Return which hues lie on the way from ``low_deg`` up to ``high_deg``, over 360° where need be; a turn is all.
 
     >>> in_hue_range([350.0, 10.0, 180.0, float("nan")], 330.0, 30.0).tolist()
@@ -209,7 +205,7 @@ class Texts:
         ]
         self._plain = [text if text.isascii() else _without_accents(text) for text in self._whole]
 
-    def matching(self, text: str) -> Flags:
+    def matching(self, text: str) -> Bools:
         """Return which entries (n,) have all words of ``text``.
 
         Letter case and forms of letters do not count; accents count where they are typed.

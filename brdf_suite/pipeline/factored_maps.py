@@ -20,7 +20,8 @@ from brdf_suite.reflectance.models.coated import Coated, mean_fresnel
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.reflectance.factored.map import Map, MapFactor
+    from brdf_suite.arrays import Singles
+    from brdf_suite.reflectance.factored.map import MapFactor
     from brdf_suite.reflectance.factored.model import Factored
 
 _OVER_LARGEST = 4.0
@@ -109,12 +110,12 @@ def _read(value: Factored) -> tuple[dict[str, FactorMap], tuple[FactorTerm, ...]
     return maps, tuple(terms)
 
 
-def _is_even(values: Map) -> bool:
+def _is_even(values: Singles) -> bool:
     flat = values.reshape(-1, 3)
     return bool((flat == flat[0]).all())
 
 
-def _held(factor: MapFactor) -> Map:
+def _held(factor: MapFactor) -> Singles:
     """The values as they are interpolated; what is darker than single precision resolves is black."""
     if not factor.logarithmic:
         return factor.values

@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.fitting.lobes.raised import RaisedWeights
-from brdf_suite.fitting.lobes.undivided import UndividedFit, fit_rows, fit_undivided, scattered_values
-from brdf_suite.fitting.lobes.undivided_samples import (
+from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
+from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, fit_undivided, scattered_values
+from brdf_suite.fitting.lobes.measured_samples import (
     PLANE_GAMMAS_DEG,
     measured_pairs,
     scattered_rows,
@@ -28,7 +29,6 @@ from brdf_suite.fitting.lobes.undivided_samples import (
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, as_rgb_tuple, error_figures
 from brdf_suite.geometry.directions import (
-    Floats,
     angle_between,
     aspecular_angle,
     aspecular_view,
@@ -46,7 +46,6 @@ NEAR_MIRROR_DEG = 5.0
 
 _LIGHTS, _VIEW_RINGS, _VIEW_AZIMUTHS = 8, 16, 32
 
-FloatArray = NDArray[np.float64]
 
 JUDGED_GAMMAS_DEG = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
 JUDGED_INCIDENCE_DEG = 45.0
@@ -115,8 +114,8 @@ def sample_errors(samples: ScatteredSamples, fit: UndividedFit) -> tuple[AngleEr
 
 def _angle_errors(
     geometries: Sequence[tuple[float, float]],
-    data: FloatArray,
-    lobes: FloatArray,
+    data: Floats,
+    lobes: Floats,
     fitted: Sequence[bool],
     known: NDArray[np.bool_],
 ) -> tuple[AngleError, ...]:
@@ -188,19 +187,17 @@ def _by_folds(
 class _Values:
     """Values already in hand, as what :func:`error_figures` compares."""
 
-    values: FloatArray
+    values: Floats
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:  # noqa: ARG002 - they are of these very directions
+    def eval(self, wi: Floats, wo: Floats) -> Floats:  # noqa: ARG002 - they are of these very directions
         return self.values
 
 
-def _figures(
-    data: FloatArray, lobes: FloatArray, wi: FloatArray, wo: FloatArray, weight: FloatArray
-) -> ErrorFigures:
+def _figures(data: Floats, lobes: Floats, wi: Floats, wo: Floats, weight: Floats) -> ErrorFigures:
     return error_figures(_Values(data), _Values(lobes), wi, wo, weight)
 
 
-def _relative(data: FloatArray, lobes: FloatArray, wi: FloatArray, weight: FloatArray) -> float:
+def _relative(data: Floats, lobes: Floats, wi: Floats, weight: Floats) -> float:
     """√(Σ w cos²θi (f-f̂)²) over √(Σ w cos²θi f²); 0 where the data are black."""
     scale = weight[:, None] * wi[:, 2:3] ** 2
     whole = float((scale * data**2).sum())

@@ -3,7 +3,7 @@
 The weights are of one kind, whatever they were fitted to, and the renderer draws them all. What differs is how:
 
 - A designed paint and a Cook-Torrance one are two layers, each fitted for itself (``reflectance.designed.layers``).
-- A reflectance without separate layers is fitted in a single step (``fitting.lobes.undivided``).
+- A reflectance without separate layers is fitted in a single step (``fitting.lobes.measured``).
 
 :class:`PaintFitter` is the edit path: no file access, no import, no allocation that grows; under a millisecond or
 two. What only :func:`fit_material` needs is therefore imported in it.
@@ -22,6 +22,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FittingError
@@ -29,7 +30,7 @@ from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import AngleError, HeldOut, as_rgb_tuple
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
@@ -40,7 +41,7 @@ from brdf_suite.reflectance.protocol import Layered, Reflectance
 if TYPE_CHECKING:
     from concurrent.futures import Future
 
-    from brdf_suite.fitting.lobes.undivided import UndividedFit
+    from brdf_suite.fitting.lobes.measured import UndividedFit
 
 DEFAULT_TIME_LIMIT_S = 0.004
 PATIENT_TIME_LIMIT_S = 1.0

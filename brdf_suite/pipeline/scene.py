@@ -15,12 +15,12 @@ from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.view import View
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.lighting.cache.maps import MapCache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.partial_maps import PartialMaps
 from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready, prefilter
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
+from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.pipeline.environments import AUTOMATIC, draw_light, read_environment
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP

@@ -22,17 +22,15 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.chained import ColumnGroup, chained_weights
 from brdf_suite.fitting.lobes.checks import check_targets
+from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import WeightsOverAngle
 from brdf_suite.reflectance.protocol import Reflectance
-
-Floats = NDArray[np.float64]
 
 PLACES: tuple[int, ...] = tuple(range(0, RAMP_NODES, 3))
 """The nodes of the ramp at which weights are fitted; between them they are mixed."""
@@ -62,7 +60,7 @@ def seen_weights(reflectance: Reflectance, exponents: tuple[float, ...]) -> Weig
         A value is negative or not finite; the message says where.
     """
     # No paint that is edited needs these; they would add 15 ms to the start of the Viewer.
-    from brdf_suite.fitting.lobes.undivided_samples import differs_with_azimuth
+    from brdf_suite.fitting.lobes.measured_samples import differs_with_azimuth
     from brdf_suite.lighting.filter.mirror_harmonics import mirror_harmonics
 
     sphere = mirror_harmonics()

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.errors import Cancelled, SuiteError
-from brdf_suite.lighting.cache.occlusion import baked_occlusion
+from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
 from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.progress import Progress, report, stage
 from brdf_suite.surface.mesh import Mesh

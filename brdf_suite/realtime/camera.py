@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import SENSOR_WIDTH_MM, Camera
-
-Floats = NDArray[np.float64]
 
 MARGIN = 1.18
 """A framed object leaves this much space around it: its size times 1.18 fills the picture."""

@@ -15,8 +15,6 @@ MAX_LOBES = 64
 
 Coat: TypeAlias = Literal["none", "dielectric", "facets", "metal"]
 
-Floats: TypeAlias = NDArray[np.float64]
-
 
 @dataclass(frozen=True, eq=False)
 class MeshPart:

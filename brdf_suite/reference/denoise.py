@@ -5,17 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
-
-Pixels = npt.NDArray[np.float64]
+from brdf_suite.reference.mitsuba_modules import mi
 
 
 def check_denoiser() -> None:
     """Raise :class:`ReferenceUnavailableError` where the variant that was started has no denoiser."""
-    from brdf_suite.reference.mitsuba_modules import mi
-
     if not str(mi.variant()).startswith("cuda"):
         raise ReferenceUnavailableError(
             "The denoiser is OptiX's and needs an NVIDIA graphics card; here paths are traced without one. "
@@ -23,7 +20,7 @@ def check_denoiser() -> None:
         )
 
 
-def denoise_picture(radiance: Pixels) -> Pixels:
+def denoise_picture(radiance: Floats) -> Floats:
     """Return radiance (h, w, 3) without its noise.
 
     Raises
@@ -32,7 +29,6 @@ def denoise_picture(radiance: Pixels) -> Pixels:
         There is no NVIDIA graphics card, or its driver has no denoiser.
     """
     check_denoiser()
-    from brdf_suite.reference.mitsuba_modules import mi
 
     rows, columns = radiance.shape[:2]
     try:

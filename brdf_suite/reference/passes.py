@@ -12,14 +12,12 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene.scene import TracedScene
-
-Pixels = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,15 +29,15 @@ class Estimate:
     (West 1979). ``samples`` are per pixel, in ``passes`` passes, which may be of different sizes.
     """
 
-    radiance: Pixels
-    coverage: Pixels
-    squares: Pixels
+    radiance: Floats
+    coverage: Floats
+    squares: Floats
     samples: int
     passes: int
     seconds: float = 0.0
 
     @property
-    def variance(self) -> Pixels:
+    def variance(self) -> Floats:
         """(h, w, 3): the variance of ``radiance``; infinite while there is one pass only."""
         if self.passes < 2:
             return np.full(self.squares.shape, np.inf)
@@ -57,7 +55,7 @@ class Estimate:
         error = (np.sqrt(self.variance) @ y)[self.coverage > 0.0]
         return float(np.median(error / np.maximum(luminance, 1e-3 * luminance.mean() + 1e-30)))
 
-    def with_pass(self, radiance: Pixels, coverage: Pixels, samples: int, seconds: float) -> Estimate:
+    def with_pass(self, radiance: Floats, coverage: Floats, samples: int, seconds: float) -> Estimate:
         """Return the estimate with one pass of ``samples`` more."""
         share = samples / (self.samples + samples)
         away = radiance - self.radiance
@@ -78,7 +76,7 @@ class Estimate:
         return Estimate(np.zeros((*shape, 3)), np.zeros(shape), np.zeros((*shape, 3)), 0, 0)
 
 
-def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Pixels, Pixels]:
+def trace_pass(scene: TracedScene, samples: int, seed: int) -> tuple[Floats, Floats]:
     """Return radiance (h, w, 3) and coverage (h, w) of ``samples`` per pixel.
 
     Raises

@@ -10,13 +10,14 @@ import json
 import sys
 
 from brdf_suite.errors import ExtraError
+from brdf_suite.extras import import_extra
 from brdf_suite.reference.variant import NOT_LOADED
 
 
 def main() -> int:
     """Run the variant named on the command line."""
     try:
-        from brdf_suite.reference.mitsuba_modules import dr, mi
+        mi, dr = (import_extra(name, purpose="path tracing") for name in ("mitsuba", "drjit"))
     except ExtraError as error:
         print(json.dumps({"reason": error.reason}))
         return NOT_LOADED

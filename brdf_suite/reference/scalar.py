@@ -17,10 +17,11 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError, ValueRangeError
 from brdf_suite.files.measured.rgl import write_rgl
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.tabulate import tabulate
@@ -56,8 +57,6 @@ def table_bsdf(
     reflectance: Reflectance, *, incidences: int | None = None, resolution: int | None = None
 ) -> Any:
     """Return Mitsuba's ``measured`` with the table of a reflectance, seen from both sides; errors as working_table."""
-    from brdf_suite.reference.mitsuba_modules import mi
-
     table = working_table(reflectance, incidences=incidences, resolution=resolution)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "table.bsdf"

@@ -9,25 +9,22 @@ from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
+import OpenEXR
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.primaries import REC2020
-
-Plane = npt.NDArray[np.float64]
 
 
 def write_state(
     path: str | os.PathLike[str],
     attribute: str,
     state: Mapping[str, object],
-    planes: Mapping[str, Plane],
+    planes: Mapping[str, Floats],
     metadata: Mapping[str, str] | None = None,
 ) -> None:
     """Write planes (h, w) in single precision, and the state under the name ``attribute``, whole or not at all."""
-    import OpenEXR
-
     header = {
         **(metadata or {}),
         attribute: json.dumps(state),
@@ -46,7 +43,7 @@ def write_state(
 @contextmanager
 def reading_state(
     path: str | os.PathLike[str], attribute: str
-) -> Iterator[tuple[dict[str, Any], dict[str, Plane]]]:
+) -> Iterator[tuple[dict[str, Any], dict[str, Floats]]]:
     """Yield state and planes of a file that :func:`write_state` wrote.
 
     Raises
@@ -54,8 +51,6 @@ def reading_state(
     FileError
         The file cannot be read, or what the block looks for is not in it: it was not written by this program.
     """
-    import OpenEXR
-
     try:
         with OpenEXR.File(os.fspath(path), separate_channels=True) as file:
             header, channels = file.header(), file.channels()

@@ -11,12 +11,13 @@ import os
 import re
 import subprocess
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from brdf_suite.errors import ExtraError, ReferenceUnavailableError
-from brdf_suite.extras import check_extra
+from brdf_suite.extras import check_extra, import_extra
 from brdf_suite.processes import child_command
 
 LLVM_VARIABLE = "DRJIT_LIBLLVM_PATH"
@@ -165,6 +166,17 @@ def _has_cuda() -> bool:
     )
 
 
+def prepare_library() -> None:
+    """Choose the variant before Dr.Jit is imported: it looks for the library LLVM then, once. Errors are ExtraError."""
+    with suppress(ReferenceUnavailableError):
+        _name_library(choose_variant())
+
+
+def _name_library(variant: Variant) -> None:
+    if variant.llvm_path:
+        os.environ[LLVM_VARIABLE] = variant.llvm_path
+
+
 def start(*, scalar: bool = False) -> Variant:
     """Choose the variant, once per process, and activate it in Mitsuba. Errors as :func:`choose_variant`.
 
@@ -176,10 +188,8 @@ def start(*, scalar: bool = False) -> Variant:
         if not scalar:
             raise
         variant = Variant(SCALAR, instead=str(error))
-    if variant.llvm_path:
-        os.environ[LLVM_VARIABLE] = variant.llvm_path
-    from brdf_suite.reference.mitsuba_modules import mi
-
+    _name_library(variant)
+    mi = import_extra("mitsuba", purpose="path tracing")
     if mi.variant() != variant.name:  # none yet, or what other code in this process has chosen
         mi.set_variant(variant.name)
     mi.set_log_level(mi.LogLevel.Error)

@@ -8,7 +8,8 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.warps import mirror_at
 from brdf_suite.reflectance.protocol import Reflectance
 

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 BLOCK = 16_384
 """Pairs a block: intermediates of 128 kB each."""
@@ -45,9 +46,6 @@ def in_blocks(
         for start in starts:
             fill(start)
     else:
-        # Only here: small calls, as on the edit path, need no threads and no import.
-        from concurrent.futures import ThreadPoolExecutor
-
         with ThreadPoolExecutor(threads) as pool:
             # list() raises what a block raised.
             list(pool.map(fill, starts))

@@ -16,8 +16,9 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats, illumination, mirror, spherical
+from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.reflectance.albedo import directional_albedo, white_furnace
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.registry import ModelEntry

@@ -24,8 +24,9 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, blend_weights

@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, mirror_cosine
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import mirror_cosine
 
 
 class LobeSums(NamedTuple):

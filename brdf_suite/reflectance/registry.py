@@ -11,8 +11,25 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Literal
 
-from brdf_suite.documents.paint import Interpolation, OutOfPlane
+import numpy as np
+
+from brdf_suite.arrays import Floats
+from brdf_suite.documents.paint import Gloss, Interpolation, Measurement, OutOfPlane, Paint
 from brdf_suite.documents.parameter import Parameter
+from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
+from brdf_suite.reflectance.factored.map import MapFactor
+from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.coated_phong import CoatedPhong
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
+from brdf_suite.reflectance.models.ggx import Ggx
+from brdf_suite.reflectance.models.lafortune import Lafortune, LafortuneLobe
+from brdf_suite.reflectance.models.lambertian import Lambertian
+from brdf_suite.reflectance.models.phong import Phong
+from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
+from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 
 
@@ -55,9 +72,6 @@ class ModelEntry:
 def _aspecular(
     interpolation: Interpolation = "flake", out_of_plane: OutOfPlane = "aspecular", second_light: bool = False
 ) -> Reflectance:
-    from brdf_suite.documents.paint import Gloss, Measurement, Paint
-    from brdf_suite.reflectance.designed.build import build_paint
-
     # A blue metallic paint; the second light's readings turn it to violet, as a colour-shifting pigment does.
     readings = [
         Measurement(45.0, 15.0, (62.0, -4.0, -45.0)),
@@ -75,8 +89,6 @@ def _aspecular(
 
 
 def _cosine_lobes() -> Reflectance:
-    from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
-
     return CosineLobes(
         kd=(0.01, 0.015, 0.03),
         exponents=(5.0, 20.0, 2000.0),
@@ -86,14 +98,10 @@ def _cosine_lobes() -> Reflectance:
 
 
 def _phong(form: Literal["modified", "original"]) -> Reflectance:
-    from brdf_suite.reflectance.models.phong import Phong
-
     return Phong((0.1, 0.2, 0.4), 0.4, 50.0, form)
 
 
 def _lafortune() -> Reflectance:
-    from brdf_suite.reflectance.models.lafortune import Lafortune, LafortuneLobe
-
     # A forward lobe that leans beyond the mirror direction, an anisotropic one, and one back to the light.
     return Lafortune(
         (0.1, 0.2, 0.3),
@@ -106,50 +114,30 @@ def _lafortune() -> Reflectance:
 
 
 def _coated_phong() -> Reflectance:
-    from brdf_suite.reflectance.models.coated_phong import CoatedPhong
-
     return CoatedPhong((0.03, 0.05, 0.15), (0.2, 0.25, 0.4))
 
 
 def _cook_torrance(name: str) -> Reflectance:
-    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-
     return CookTorrance(TABLE_1[name])
 
 
 def _ggx() -> Reflectance:
-    from brdf_suite.reflectance.models.ggx import Ggx
-
     return Ggx(0.05, (0.9, 0.7, 0.4), 0.3)
 
 
 def _ggx_clearcoat() -> Reflectance:
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.ggx import Ggx
-
     return Coated(Ggx(0.02, (0.5, 0.3, 0.3), 0.35), 1.5, 0.005, spread=0.5)
 
 
 def _coated_matt() -> Reflectance:
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.lambertian import Lambertian
-
     return Coated(Lambertian((0.6, 0.3, 0.2)), 1.5, 0.005)
 
 
 def _poulin_fournier() -> Reflectance:
-    from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
-
     return PoulinFournier((0.1, 0.1, 0.12), (0.6, 0.55, 0.5))
 
 
 def _factored() -> Reflectance:
-    import numpy as np
-
-    from brdf_suite.geometry.directions import Floats
-    from brdf_suite.reflectance.factored.model import Factored
-
     # Satin: facets with a broad and a narrow part, and a colour that pales towards grazing.
     def of_direction(w: Floats) -> Floats:
         low = (1.0 - w[..., 2:]) ** 3
@@ -163,11 +151,6 @@ def _factored() -> Reflectance:
 
 
 def _factored_radial() -> Reflectance:
-    import numpy as np
-
-    from brdf_suite.reflectance.factored.map import MapFactor
-    from brdf_suite.reflectance.factored.model import Factored
-
     # A body of radial maps with a peak apart that Fresnel's rise brightens, as factored measurements are.
     along = (np.arange(24)[:, None] + 0.5) / 24
     p = np.exp(np.array([-0.3, -0.6, -1.0]) * along**2)
@@ -188,14 +171,10 @@ def _factored_radial() -> Reflectance:
 
 
 def _lambertian() -> Reflectance:
-    from brdf_suite.reflectance.models.lambertian import Lambertian
-
     return Lambertian((0.8, 0.5, 0.2))
 
 
 def _coat() -> Reflectance:
-    from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
-
     return CoatLobe(1.5, 0.01)
 
 

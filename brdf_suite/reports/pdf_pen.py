@@ -10,8 +10,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFError, TTFont
 
-from brdf_suite.reports.paint_report.plots import INK, Line, Mark
+from brdf_suite.reports.paint_report.plots import INK, Mark, PlotLine
+from brdf_suite.reports.sheet_text import font_for
 
 if TYPE_CHECKING:
     from reportlab.pdfgen.canvas import Canvas
@@ -69,13 +74,10 @@ class Pen:
 
     def picture(self, x: float, y: float, width: float, height: float, pixels: NDArray[np.uint8]) -> None:
         """Draw pixels (h, w, 3) of sRGB over a rectangle, losslessly."""
-        from PIL import Image
-        from reportlab.lib.utils import ImageReader
-
         image = ImageReader(Image.fromarray(np.ascontiguousarray(pixels)))
         self.canvas.drawImage(image, x, self.height - y - height, width, height)
 
-    def line(self, stroke: Line, x: float = 0.0, y: float = 0.0) -> None:
+    def line(self, stroke: PlotLine, x: float = 0.0, y: float = 0.0) -> None:
         """Draw a line, moved by ``x``, ``y``."""
         self.canvas.setStrokeColor(stroke.colour)
         self.canvas.setLineWidth(stroke.width)
@@ -125,11 +127,6 @@ class Pen:
         return self._fonts[letter]
 
     def _embedded(self, letter: str) -> str:
-        from reportlab.pdfbase import pdfmetrics
-        from reportlab.pdfbase.ttfonts import TTFError, TTFont
-
-        from brdf_suite.reports.sheet_text import font_for
-
         font, missing = font_for([letter], 12)
         if missing or not isinstance(font.path, str):
             return ""

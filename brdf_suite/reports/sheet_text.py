@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from PIL import ImageFont
+
 if TYPE_CHECKING:
     from PIL.ImageFont import FreeTypeFont
 
@@ -28,9 +30,6 @@ _NO_LETTER = "\uffff"
 
 def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
     """Return the font of ``size`` pixels that has the most letters of ``texts``, and those that it has not."""
-    # Much to import, and only sheets have text.
-    from PIL import ImageFont
-
     letters = sorted({letter for text in texts for letter in text if not letter.isspace()})
     best: FreeTypeFont | None = None
     missing = ""

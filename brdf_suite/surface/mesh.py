@@ -9,17 +9,16 @@ being edited.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from brdf_suite.arrays import AnyIntegers, Reals
 from brdf_suite.documents.view_settings import MATERIALS
 from brdf_suite.errors import ValueRangeError
 
 # Any width is accepted and converted; what a Part holds is float32 and uint32.
-Reals: TypeAlias = NDArray[np.floating[Any]]
-Integers: TypeAlias = NDArray[np.integer[Any]]
 
 _T = TypeVar("_T", bound=np.generic)
 
@@ -56,7 +55,7 @@ class PartGeometry:
     positions: Reals
     normals: Reals
     uvs: Reals
-    triangles: Integers
+    triangles: AnyIntegers
 
     def __post_init__(self) -> None:
         if not self.name:

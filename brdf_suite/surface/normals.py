@@ -8,13 +8,11 @@ result does not depend on how a flat side was cut into triangles.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Int64 = NDArray[np.int64]
+from brdf_suite.arrays import Floats, Integers
 
 
-def face_normals(positions: Float64, triangles: Int64) -> Float64:
+def face_normals(positions: Floats, triangles: Integers) -> Floats:
     """Return the unit normal of each triangle, (k, 3); zero where it has no area."""
     a, b, c = (positions[triangles[:, corner]] for corner in range(3))
     normal = np.cross(b - a, c - a)
@@ -22,7 +20,7 @@ def face_normals(positions: Float64, triangles: Int64) -> Float64:
     return np.asarray(np.divide(normal, length, out=np.zeros_like(normal), where=length > 0.0))
 
 
-def weld(positions: Float64) -> Int64:
+def weld(positions: Floats) -> Integers:
     """Number the places of vertices, (n,): equal where positions agree to 1e-6 of the size."""
     size = float(np.ptp(positions, axis=0).max())
     step = size * 1e-6 if size > 0.0 else 1.0
@@ -30,12 +28,12 @@ def weld(positions: Float64) -> Int64:
     return np.unique(packed(cells), return_inverse=True)[1].reshape(-1)
 
 
-def packed(cells: Int64) -> Int64:
+def packed(cells: Integers) -> Integers:
     """Return one number (n,) for each row of three in [0, 2²¹), in their order; numpy sorts rows much more slowly."""
     return np.asarray((cells[:, 0] << 42) | (cells[:, 1] << 21) | cells[:, 2])
 
 
-def corner_angles(positions: Float64, triangles: Int64) -> Float64:
+def corner_angles(positions: Floats, triangles: Integers) -> Floats:
     """Return the interior angles (k, 3), radians, at the corners of each triangle."""
     corners = positions[triangles]
     ahead = np.roll(corners, -1, axis=1) - corners
@@ -44,7 +42,7 @@ def corner_angles(positions: Float64, triangles: Int64) -> Float64:
     return np.asarray(np.arctan2(sine, np.einsum("kij,kij->ki", ahead, back)))
 
 
-def smooth_edges(triangles: Int64, faces: Float64, crease_deg: float) -> tuple[Int64, Int64]:
+def smooth_edges(triangles: Integers, faces: Floats, crease_deg: float) -> tuple[Integers, Integers]:
     """Return the pairs of corners that are joined across edges below the crease angle.
 
     A corner's number is 3·face + corner; ``triangles`` index welded places. An edge of more than two faces
@@ -69,7 +67,7 @@ def smooth_edges(triangles: Int64, faces: Float64, crease_deg: float) -> tuple[I
     return left, right
 
 
-def corner_normals(positions: Float64, triangles: Int64, welded: Int64, crease_deg: float) -> Float64:
+def corner_normals(positions: Floats, triangles: Integers, welded: Integers, crease_deg: float) -> Floats:
     """Return a unit normal for each corner of each triangle, (k, 3, 3).
 
     Parameters
@@ -82,14 +80,13 @@ def corner_normals(positions: Float64, triangles: Int64, welded: Int64, crease_d
         Faces that meet at more than this angle, degrees, do not share a normal.
     """
     # Imported here: a generated mesh needs no scipy, and a program starts faster without it.
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
+    from scipy import sparse
 
     faces = face_normals(positions, triangles)
     left, right = smooth_edges(welded[triangles], faces, crease_deg)
     corner_count = 3 * len(triangles)
-    graph = coo_array((np.ones(len(left), np.int8), (left, right)), shape=(corner_count, corner_count))
-    count, group = connected_components(graph, directed=False)
+    graph = sparse.coo_array((np.ones(len(left), np.int8), (left, right)), shape=(corner_count, corner_count))
+    count, group = sparse.csgraph.connected_components(graph, directed=False)
     weight = corner_angles(positions, triangles).reshape(-1)
     summed = np.zeros((count, 3))
     for axis in range(3):
@@ -102,7 +99,7 @@ def corner_normals(positions: Float64, triangles: Int64, welded: Int64, crease_d
     return np.asarray(corners.reshape(-1, 3, 3))
 
 
-def is_inside_out(positions: Float64, triangles: Int64, welded: Int64) -> bool:
+def is_inside_out(positions: Floats, triangles: Integers, welded: Integers) -> bool:
     """Return whether the mesh is closed, wound one way throughout, and encloses a negative volume."""
     places = welded[triangles]
     directed = np.stack([places.reshape(-1), np.roll(places, -1, axis=1).reshape(-1)], axis=1)

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.surface.mesh import Mesh
-
-Float64 = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,12 +21,12 @@ class PickHit:
     part: int
     triangle: int
     distance: float
-    position: Float64
-    normal: Float64
-    uv: Float64
+    position: Floats
+    normal: Floats
+    uv: Floats
 
 
-def pick(mesh: Mesh, origin: Float64, direction: Float64) -> PickHit | None:
+def pick(mesh: Mesh, origin: Floats, direction: Floats) -> PickHit | None:
     """Return the first place that the ray meets, from either side of the triangles; None where it meets nothing.
 
     All triangles of the parts whose boxes the ray crosses are tried (Möller and Trumbore 1997): a million take some
@@ -71,7 +69,7 @@ def pick(mesh: Mesh, origin: Float64, direction: Float64) -> PickHit | None:
     return PickHit(number, triangle, distance_m, start + distance_m * ray, normal, uv)
 
 
-def _crosses(low: Float64, high: Float64, start: Float64, ray: Float64) -> bool:
+def _crosses(low: Floats, high: Floats, start: Floats, ray: Floats) -> bool:
     """Whether a ray meets a box, which is taken a hair larger: flat parts have boxes without volume."""
     hair = 1e-6 * float(np.abs(high - low).max() + np.abs(high).max())
     along = np.where(np.abs(ray) > 1e-12, ray, 1e-12)

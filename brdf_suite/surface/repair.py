@@ -10,15 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Bools, Floats, Integers
 from brdf_suite.surface.mesh import PartGeometry
 from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, weld
 from brdf_suite.surface.unwrap import box_uvs, uvs_in_millimetres
-
-Float64 = NDArray[np.float64]
-Int64 = NDArray[np.int64]
-Mask = NDArray[np.bool_]
 
 CREASE_DEG = 40.0
 """Faces that meet at more than this angle keep an edge between them when normals are made."""
@@ -34,10 +30,10 @@ class RawPart:
 
     name: str
     material: str
-    positions: Float64
-    triangles: Int64
-    normals: Float64 | None = None
-    uvs: Float64 | None = None
+    positions: Floats
+    triangles: Integers
+    normals: Floats | None = None
+    uvs: Floats | None = None
 
 
 def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
@@ -79,16 +75,16 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
     return part, notes
 
 
-def _drawable(raw: RawPart, notes: list[str]) -> Int64:
+def _drawable(raw: RawPart, notes: list[str]) -> Integers:
     """Return the triangles that exist, are finite and have an area."""
     triangles = np.asarray(raw.triangles, dtype=np.int64).reshape(-1, 3)
-    present: Mask = np.all((triangles >= 0) & (triangles < len(raw.positions)), axis=1)
+    present: Bools = np.all((triangles >= 0) & (triangles < len(raw.positions)), axis=1)
     if not present.all():
         notes.append(f"{raw.name}: left out {_count(~present)} with corners that are not in the file")
         triangles = triangles[present]
     # Beyond 1e12 m single precision has nothing left to draw with.
-    sound: Mask = np.all(np.abs(raw.positions) < 1e12, axis=1)
-    finite: Mask = np.all(sound[triangles], axis=1)
+    sound: Bools = np.all(np.abs(raw.positions) < 1e12, axis=1)
+    finite: Bools = np.all(sound[triangles], axis=1)
     if not finite.all():
         notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
         triangles = triangles[finite]
@@ -103,12 +99,12 @@ def _drawable(raw: RawPart, notes: list[str]) -> Int64:
     return triangles
 
 
-def _count(mask: Mask) -> str:
+def _count(mask: Bools) -> str:
     number = int(mask.sum())
     return "1 triangle" if number == 1 else f"{number:,} triangles"
 
 
-def _given_normals(raw: RawPart, used: Int64) -> Float64 | None:
+def _given_normals(raw: RawPart, used: Integers) -> Floats | None:
     """Return the file's normals of the ``used`` vertices, unit or zero; ``None`` where most are no use."""
     if raw.normals is None or raw.normals.shape != raw.positions.shape:
         return None
@@ -121,8 +117,8 @@ def _given_normals(raw: RawPart, used: Int64) -> Float64 | None:
 
 
 def _mended_normals(
-    name: str, positions: Float64, triangles: Int64, normals: Float64, welded: Int64, notes: list[str]
-) -> Float64:
+    name: str, positions: Floats, triangles: Integers, normals: Floats, welded: Integers, notes: list[str]
+) -> Floats:
     """Fill the zero normals with the mean of the faces around them."""
     missing = ~normals.any(axis=1)
     if not missing.any():
@@ -140,8 +136,8 @@ def _mended_normals(
 
 
 def split_corners(
-    positions: Float64, triangles: Int64, corners: Float64
-) -> tuple[Float64, Int64, Float64, Int64]:
+    positions: Floats, triangles: Integers, corners: Floats
+) -> tuple[Floats, Integers, Floats, Integers]:
     """Give each vertex one normal by splitting it where ``corners`` (k, 3, 3) has several.
 
     Returns positions, triangles, normals and, for each new vertex, the old one.

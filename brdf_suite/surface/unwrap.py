@@ -9,19 +9,16 @@ stretches by at most √3.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Integers
 from brdf_suite.surface.normals import face_normals
-
-Float64 = NDArray[np.float64]
-Int64 = NDArray[np.int64]
 
 MILLIMETRES = 1000.0
 _EVEN = 2.0
 _SHARE = 0.8
 
 
-def stretch(positions: Float64, triangles: Int64, uvs: Float64) -> tuple[Float64, Float64]:
+def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats]:
     """Return the smallest and largest length in texture space of a unit length on each triangle, (k,) each.
 
     The singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs`` per unit
@@ -43,7 +40,7 @@ def stretch(positions: Float64, triangles: Int64, uvs: Float64) -> tuple[Float64
     return np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
 
 
-def uvs_in_millimetres(positions: Float64, triangles: Int64, uvs: Float64) -> Float64 | None:
+def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> Floats | None:
     """Return ``uvs`` scaled to millimetres, (n, 2), or ``None`` where they are too uneven to be.
 
     Even enough: on 80 % of the area every length is within a factor of two of the scale chosen.
@@ -65,7 +62,7 @@ def uvs_in_millimetres(positions: Float64, triangles: Int64, uvs: Float64) -> Fl
     return np.asarray(uvs * (MILLIMETRES / scale))
 
 
-def box_uvs(positions: Float64, triangles: Int64) -> tuple[Float64, Int64, Int64]:
+def box_uvs(positions: Floats, triangles: Integers) -> tuple[Floats, Integers, Integers]:
     """Project every triangle along the axis that its normal is nearest to.
 
     Returns

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import os
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from brdf_suite.documents.view import View
+from brdf_suite.files.images.relief import read_mask, read_normal_map
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.material import Material, load_material, under_illuminant
 from brdf_suite.pipeline.paint_angles import material_weights
@@ -18,11 +19,13 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.relief.textures import mask_coordinates
 from brdf_suite.realtime.relief.values import MaskImage, SlopeMap
 from brdf_suite.realtime.values import MaterialWeights
+from brdf_suite.reference.bsdfs import lobe_weights
+from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, Mask, TwoToneBsdf
+from brdf_suite.reference.bsdfs.translate import divide, translate
+from brdf_suite.reference.flakes.countable import FlakeLayer
+from brdf_suite.reference.scalar import AS_A_TABLE, LobesSeen, table_bsdf
+from brdf_suite.reference.scene.relief import OrangePeelSlopes, Slopes
 from brdf_suite.reflectance.protocol import Reflectance
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
-    from brdf_suite.reference.scene.relief import OrangePeelSlopes, Slopes
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +45,6 @@ def load_lit(asked: str | os.PathLike[str] | Material, view: View) -> Material:
 
 def load_dress(view: View) -> Dress:
     """Read what a view lays on the paint; errors as :func:`~brdf_suite.pipeline.surface_images.load_surface_images`."""
-    from brdf_suite.files.images.relief import read_mask, read_normal_map
-
     request = ImageRequest.of(view)
     return Dress(
         None if request.normal_map is None else SlopeMap(read_normal_map(request.normal_map)),
@@ -62,9 +63,6 @@ class Optics:
 
 def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Optics:
     """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
-    from brdf_suite.reference.bsdfs.placed import Mask, TwoToneBsdf
-    from brdf_suite.reference.bsdfs.translate import translate
-
     first, notices = _placed(paint, dress, view)
     if dress.mask is not None and dress.second is not None:
         second, more = _placed(dress.second, dress, view)
@@ -81,8 +79,6 @@ def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Opti
 
 def lobe_term(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    from brdf_suite.reference.bsdfs import lobe_weights
-
     return lobe_weights.LobeWeightsTerm(**_lobes(weights, view))
 
 
@@ -101,8 +97,6 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Op
     ReferenceUnavailableError
         The paint is not isotropic, so that it has no such form.
     """
-    from brdf_suite.reference.scalar import AS_A_TABLE, table_bsdf
-
     notices = [instead, AS_A_TABLE]
     placed = _peel_of(paint, view)[0] > 0.0 or (paint.flakes is not None and view.sparkle.mode != "off")
     if placed or dress.normal_map is not None or dress.second is not None:
@@ -118,17 +112,12 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Op
 
 def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as one of Mitsuba's own plug-ins, with the gains that the view asks for."""
-    from brdf_suite.reference.scalar import LobesSeen, table_bsdf
-
     seen = LobesSeen(**_lobes(weights, view))
     # Coarser than a paint's: within a per cent, in a tenth of the time.
     return table_bsdf(seen, incidences=32, resolution=64)
 
 
 def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
-    from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
-    from brdf_suite.reference.flakes.countable import FlakeLayer
-
     base, coat, ior, notices = _divided(paint.reflectance, view)
     layer = None
     if paint.flakes is not None and paint.flakes.density_per_mm2 > 0.0 and view.sparkle.mode != "off":
@@ -139,8 +128,6 @@ def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf
 
 
 def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:
-    from brdf_suite.reference.bsdfs.translate import divide
-
     if isinstance(reflectance, LobeWeights):
         weights = material_weights(reflectance)
         none = np.zeros_like(weights.kdd)
@@ -153,8 +140,6 @@ def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, flo
 
 
 def _shape(dress: Dress, view: View) -> Slopes | None:
-    from brdf_suite.reference.scene.relief import Slopes
-
     if dress.normal_map is None:
         return None
     width = view.relief.normal_width_mm
@@ -163,8 +148,6 @@ def _shape(dress: Dress, view: View) -> Slopes | None:
 
 
 def _peel(paint: Material, view: View) -> OrangePeelSlopes | None:
-    from brdf_suite.reference.scene.relief import OrangePeelSlopes
-
     slope_deg, length_mm = _peel_of(paint, view)
     if slope_deg <= 0.0:
         return None

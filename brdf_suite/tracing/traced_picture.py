@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TracedPicture:
+class TracedFile:
     """A picture that was written; ``samples`` a pixel, ``resumed_samples`` of them from before."""
 
     path: Path
@@ -29,7 +29,7 @@ class TracedPicture:
 
 
 def scene_facts(scene: ReferenceScene | RaytracedScene, path: Path) -> dict[str, Any]:
-    """Return what a :class:`TracedPicture` takes from its scene."""
+    """Return what a :class:`TracedFile` takes from its scene."""
     return {
         "path": path,
         "width": scene.size[0],

@@ -12,9 +12,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
+from brdf_suite.arrays import Bytes
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
@@ -34,8 +32,7 @@ if TYPE_CHECKING:
     from brdf_suite.reference.raytraced.table_split import TableSplit
 
 TracedBy = Literal["reference", "raytraced"]
-Codes = NDArray[np.uint8]
-Draw = Callable[[View], tuple[Codes, View]]
+Draw = Callable[[View], tuple[Bytes, View]]
 """From a view to its picture as a screen shows it, and the view with its exposure measured."""
 
 REFERENCE_SAMPLES = 64
@@ -141,7 +138,7 @@ def _reference(
     live.show(paint, view, size)
     wanted = budget.samples or REFERENCE_SAMPLES
 
-    def draw(view: View) -> tuple[Codes, View]:
+    def draw(view: View) -> tuple[Bytes, View]:
         live.show(paint, view, size)
         estimate = live.step()
         while estimate.samples < wanted:
@@ -159,7 +156,7 @@ def _raytraced(
     session = RaytracedSession()
     scene = session.show(paint, view, size, budget.quality, tables=budget.tables)
 
-    def draw(view: View) -> tuple[Codes, View]:
+    def draw(view: View) -> tuple[Bytes, View]:
         session.show(paint, view, size, budget.quality, tables=budget.tables)
         *_, image = session.passes(samples=budget.samples)
         return image.codes(), image.exposed_view

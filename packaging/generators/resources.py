@@ -53,8 +53,8 @@ def environments(folder: Path) -> Iterator[Path]:
 
 def occlusion(folder: Path) -> Iterator[Path]:
     """Write what is baked for the surface that a new user sees first, named as it is looked up."""
-    from brdf_suite.files.meshes.baked_occlusion import write_baked
-    from brdf_suite.lighting.cache.occlusion import ENDING, occlusion_key
+    from brdf_suite.files.meshes.baked_occlusion import encode_baked
+    from brdf_suite.files.meshes.occlusion_cache import ENDING, occlusion_key
     from brdf_suite.pipeline.scene import default_view, load_surface
     from brdf_suite.surface.occlusion.bake import bake
 
@@ -62,7 +62,7 @@ def occlusion(folder: Path) -> Iterator[Path]:
     path = folder / f"{occlusion_key(mesh)}{ENDING}"
     for old in folder.glob(f"*{ENDING}"):
         old.unlink()
-    write_baked(path, mesh, bake(mesh))
+    path.write_bytes(b"".join(encode_baked(mesh, bake(mesh))))
     yield path
 
 
@@ -70,9 +70,9 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
     """Write the filtered maps of the light that a new user sees first, for a picture and for Designer's small one."""
     from brdf_designer.preview.scene import LIGHT_WIDTH
 
-    from brdf_suite.lighting.cache.maps import PACKAGED_ENDING, cache_key
-    from brdf_suite.lighting.cache.packed_maps import pack_maps
     from brdf_suite.lighting.filter.prefilter import prefilter
+    from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key
+    from brdf_suite.lighting.lobe_map_file import pack_maps
     from brdf_suite.pipeline.environments import read_environment
     from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
 

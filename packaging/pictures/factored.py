@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle, SurfaceLook
 from brdf_suite.files.images.png import write_png
@@ -49,8 +50,6 @@ LAMPS = (
     (110.0, 20.0, 0.6, 0.22, 9000.0),
 )
 """Azimuth and elevation in degrees, distance in metres from the middle of the teapot, strength, colour in kelvin."""
-
-Floats = NDArray[np.float64]
 
 
 def lamps(turned_deg: float) -> tuple[Lamp, ...]:

@@ -16,8 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Bytes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Relief, Sparkle, SurfaceLook, TwoTone
 from brdf_suite.files.images.png import write_png
@@ -45,9 +45,6 @@ FAR = (
     (120.0, 15.0, 0.3, 9000.0),
 )
 """Azimuth, elevation in degrees, strength, colour in kelvin of lamps from far away."""
-
-Floats = NDArray[np.float64]
-Codes = NDArray[np.uint8]
 
 
 def metal(colour: tuple[float, float, float]) -> Factored:
@@ -88,7 +85,7 @@ def lamps() -> tuple[Lamp, ...]:
     )
 
 
-def grain() -> Codes:
+def grain() -> Bytes:
     """Return the four pictures of metals."""
     steel, brass = (
         fit_material(Material(n, metal(c)))
@@ -120,7 +117,7 @@ def grain() -> Codes:
         )
 
 
-def ball() -> tuple[Codes, list[float]]:
+def ball() -> tuple[Bytes, list[float]]:
     """Return ball, picture lamp by lamp and by the ball, and how the last differ with each lens (mean over mean)."""
     eight = tuple(
         Lamp(
@@ -170,7 +167,7 @@ def dark(surface: str, camera: Camera, lights: tuple[Lamp, ...]) -> View:
     )
 
 
-def joined(rows: list[list[Codes]]) -> Codes:
+def joined(rows: list[list[Bytes]]) -> Bytes:
     """Return pictures side by side and below each other, with grey gaps."""
     lines = [
         np.concatenate([np.pad(p, ((0, GAP), (0, GAP), (0, 0)), constant_values=128) for p in row], axis=1)

@@ -25,8 +25,8 @@ from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptio
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.table.finished import ParameterizedTable
 from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.table.table_from_sums import ParameterizedTable
 from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1

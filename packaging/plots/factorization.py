@@ -14,20 +14,22 @@ from pathlib import Path
 
 import matplotlib as mpl
 
+from brdf_suite.arrays import Floats
+
 mpl.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
-from brdf_suite.fitting.homomorphic.plane import factor_picture
 from brdf_suite.fitting.homomorphic.reflectance_fit import FactoringOptions, factor_reflectance
 from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.factor_pictures import factor_pictures
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.protocol import Reflectance
+from tools.evaluation.picture_factors import factor_picture
 
 ROOT = Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs" / "images"

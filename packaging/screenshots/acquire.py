@@ -59,7 +59,7 @@ def drive(options: argparse.Namespace) -> int:
     designer = Designer()
     designer.window.show()
     wait(lambda: designer.window.plot.is_built)
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     assistant = control.open()
     assistant.window.resize(*(int(part) for part in options.size.split("x")))
     assistant.sessions.open(options.session)

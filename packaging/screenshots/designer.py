@@ -104,7 +104,7 @@ class Walk:
 
     def control(self, name: str) -> Any:
         """Return a part of the desk by its class."""
-        return next(part for part in self.designer.sections if type(part).__name__ == name)
+        return next(part for part in self.designer.features if type(part).__name__ == name)
 
     def choose(self, path: str) -> None:
         """Choose a command of the menus: a server without a window manager gives no window the keys of a shortcut."""
@@ -170,7 +170,7 @@ def drive(options: argparse.Namespace) -> int:
         walk = Walk(designer, dialogs, Path(folder))
         walk.wait(lambda: designer.window.plot.is_built)
         for number, there in enumerate(walk.steps(), 1):
-            walk.wait(lambda there=there: there() and designer.is_complete)
+            walk.wait(lambda there=there: there() and designer.is_idle)
             walk.wait(lambda: True)
             save(designer.window.grab().toImage(), options.into / f"designer_path_{number}.png")
         paint = designer.store.value

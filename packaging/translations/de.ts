@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Designer closed unexpectedly. Recover unsaved work on {count} paints (newest: {when}): {names}?</source>
-        <translation>Designer wurde unerwartet beendet. Ungesicherte Arbeit an {count} Lacken (neueste: {when}) wiederherstellen: {names}?</translation>
+        <translation>Designer wurde unerwartet beendet. Ungespeicherte Arbeit an {count} Lacken (neueste: {when}) wiederherstellen: {names}?</translation>
     </message>
     <message>
         <source>Recover All</source>
@@ -132,12 +132,12 @@
         <translation>Einzeln</translation>
     </message>
     <message>
-        <source>Each paint opens in a tab. No file is changed.</source>
-        <translation>Jeder Lack öffnet sich in einem Reiter. Keine Datei wird geändert.</translation>
+        <source>Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
+        <translation>Designer wurde unerwartet beendet. Ungespeicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
     </message>
     <message>
-        <source>Designer closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
-        <translation>Designer wurde unerwartet beendet. Ungesicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
+        <source>No file is changed.</source>
+        <translation>Keine Datei wird geändert.</translation>
     </message>
     <message>
         <source>{what} {count} more will follow.</source>
@@ -165,11 +165,11 @@
     </message>
     <message>
         <source>Not saved</source>
-        <translation>Nicht gesichert</translation>
+        <translation>Nicht gespeichert</translation>
     </message>
     <message>
         <source>{title}, not saved</source>
-        <translation>{title}, nicht gesichert</translation>
+        <translation>{title}, nicht gespeichert</translation>
     </message>
     <message>
         <source>Close {title}</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>The table approximated by a few lobes: measured values as points, the fit as a line, its components dashed.</source>
-        <translation>Die Tabelle, durch wenige Lappen angenähert: Messwerte als Punkte, die Anpassung als Linie, ihre Anteile gestrichelt.</translation>
+        <translation>Die Tabelle, durch wenige Keulen angenähert: Messwerte als Punkte, die Anpassung als Linie, ihre Anteile gestrichelt.</translation>
     </message>
     <message>
         <source>Measured reflectance and its fit</source>
@@ -241,11 +241,11 @@
     </message>
     <message>
         <source>GGX lobes</source>
-        <translation>GGX-Lappen</translation>
+        <translation>GGX-Keulen</translation>
     </message>
     <message>
         <source>GGX lobes, clearcoat</source>
-        <translation>GGX-Lappen, Klarlack</translation>
+        <translation>GGX-Keulen, Klarlack</translation>
     </message>
     <message>
         <source>Model</source>
@@ -253,15 +253,15 @@
     </message>
     <message>
         <source>Lobe model; only Cook-Torrance can be opened or saved as a paint</source>
-        <translation>Lappenmodell; nur Cook-Torrance lässt sich als Lack öffnen oder speichern</translation>
+        <translation>Keulenmodell; nur Cook-Torrance lässt sich als Lack öffnen oder speichern</translation>
     </message>
     <message>
         <source>Lobes</source>
-        <translation>Lappen</translation>
+        <translation>Keulen</translation>
     </message>
     <message>
         <source>Number of lobes; the last one models the sharp peak</source>
-        <translation>Anzahl der Lappen; der letzte bildet die scharfe Spitze nach</translation>
+        <translation>Zahl der Keulen; die letzte bildet die scharfe Spitze nach</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -269,11 +269,11 @@
     </message>
     <message>
         <source>Fit the lobes to the table; takes several seconds</source>
-        <translation>Die Lappen an die Tabelle anpassen; dauert einige Sekunden</translation>
+        <translation>Die Keulen an die Tabelle anpassen; dauert einige Sekunden</translation>
     </message>
     <message>
         <source>Fit Lobes</source>
-        <translation>Lappen anpassen</translation>
+        <translation>Keulen anpassen</translation>
     </message>
     <message>
         <source>Luminance</source>
@@ -325,7 +325,7 @@
     </message>
     <message>
         <source>Save the lobes as a .brdfpaint file for Viewer</source>
-        <translation>Die Lappen als .brdfpaint-Datei für Viewer speichern</translation>
+        <translation>Die Keulen als .brdfpaint-Datei für Viewer speichern</translation>
     </message>
     <message>
         <source>Result</source>
@@ -357,7 +357,7 @@
     </message>
     <message>
         <source>lobe {number}</source>
-        <translation>Lappen {number}</translation>
+        <translation>Keule {number}</translation>
     </message>
     <message>
         <source>Paint</source>
@@ -381,11 +381,11 @@
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation>&amp;Sichern</translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation>Sichern &amp;unter …</translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>&amp;Close Tab</source>
@@ -425,15 +425,15 @@
     </message>
     <message>
         <source>Unsaved Changes</source>
-        <translation>Ungesicherte Änderungen</translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save changes to “{name}”?</source>
-        <translation>Änderungen an „{name}“ sichern?</translation>
+        <translation>Änderungen an „{name}“ speichern?</translation>
     </message>
     <message>
         <source>Your changes will be lost if you don&apos;t save them.</source>
-        <translation>Ohne Sichern gehen die Änderungen verloren.</translation>
+        <translation>Ohne Speichern gehen die Änderungen verloren.</translation>
     </message>
     <message>
         <source>File Changed</source>
@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>“{name}” was changed by another program since it was opened or saved here.</source>
-        <translation>„{name}“ wurde von einem anderen Programm geändert, seit sie hier geöffnet oder gesichert wurde.</translation>
+        <translation>„{name}“ wurde von einem anderen Programm geändert, seit sie hier geöffnet oder gespeichert wurde.</translation>
     </message>
     <message>
         <source>Overwriting discards the changes of the other program.</source>
@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>Save As…</source>
-        <translation>Sichern unter …</translation>
+        <translation>Speichern unter …</translation>
     </message>
     <message>
         <source>Open</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Save As</source>
-        <translation>Sichern unter</translation>
+        <translation>Speichern unter</translation>
     </message>
     <message>
         <source>The fit reached its time limit. This is the best result so far; the exact one follows automatically.</source>
@@ -657,7 +657,7 @@
     </message>
     <message>
         <source>Your document is unchanged; save it. The log has the details.</source>
-        <translation>Das Dokument ist unverändert; es sollte gesichert werden. Das Protokoll nennt die Einzelheiten.</translation>
+        <translation>Das Dokument ist unverändert; es sollte gespeichert werden. Das Protokoll nennt die Einzelheiten.</translation>
     </message>
     <message>
         <source>Show the whole message</source>
@@ -730,6 +730,10 @@
     <message>
         <source>Show plot of {name}</source>
         <translation>Diagramm von {name} zeigen</translation>
+    </message>
+    <message>
+        <source>paint</source>
+        <translation>Lack</translation>
     </message>
     <message>
         <source>The open paint is unchanged.</source>
@@ -1281,7 +1285,7 @@
     </message>
     <message>
         <source>Exporting {name}</source>
-        <translation>{name} wird ausgegeben</translation>
+        <translation>{name} wird exportiert</translation>
     </message>
     <message>
         <source>{name} exported.</source>
@@ -1361,7 +1365,7 @@
     </message>
     <message>
         <source>Export…</source>
-        <translation>Ausgeben …</translation>
+        <translation>Exportieren …</translation>
     </message>
     <message>
         <source>Export the current paint to a file of this format</source>
@@ -1749,7 +1753,7 @@
     </message>
     <message>
         <source>Changes are saved immediately. Undo: Ctrl+Z.</source>
-        <translation>Änderungen werden sofort gesichert. Rückgängig: Strg+Z.</translation>
+        <translation>Änderungen werden sofort gespeichert. Rückgängig: Strg+Z.</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -2710,6 +2714,26 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>Bei {angle} …</translation>
     </message>
     <message>
+        <source>OpenGL 3.3 is not available, so the picture cannot be shown. Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software.</source>
+        <translation>OpenGL 3.3 ist nicht verfügbar, daher kann das Bild nicht gezeigt werden. Den Grafiktreiber aktualisieren oder LIBGL_ALWAYS_SOFTWARE=1 setzen, um in Software zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset several times within a minute. Close other programs that use the graphics card, update its driver, or choose a smaller environment or surface.</source>
+        <translation>Der Grafiktreiber wurde innerhalb einer Minute mehrmals zurückgesetzt. Andere Programme schließen, die die Grafikkarte verwenden, den Treiber aktualisieren oder eine kleinere Umgebung oder Fläche wählen.</translation>
+    </message>
+    <message>
+        <source>The picture could not be prepared</source>
+        <translation>Das Bild konnte nicht vorbereitet werden</translation>
+    </message>
+    <message>
+        <source>The picture cannot be drawn</source>
+        <translation>Das Bild kann nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>The picture could not be drawn</source>
+        <translation>Das Bild konnte nicht gezeichnet werden</translation>
+    </message>
+    <message>
         <source>Try again</source>
         <translation>Erneut versuchen</translation>
     </message>
@@ -3001,7 +3025,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Mean ΔE00 to the fitted lobes at angles that were not used: {mean:.1f}.</source>
-        <translation>Mittleres ΔE00 zu den angepassten Lappen an nicht verwendeten Winkeln: {mean:.1f}.</translation>
+        <translation>Mittleres ΔE00 zu den angepassten Keulen an nicht verwendeten Winkeln: {mean:.1f}.</translation>
     </message>
     <message>
         <source>RMS ln {error:.3f}</source>
@@ -3109,15 +3133,15 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>The mask is kept in this window. The next stroke saves it again.</source>
-        <translation>Die Maske bleibt in diesem Fenster erhalten. Der nächste Strich sichert sie erneut.</translation>
+        <translation>Die Maske bleibt in diesem Fenster erhalten. Der nächste Strich speichert sie erneut.</translation>
     </message>
     <message>
         <source>No pixels are excluded. The mask is saved in the folder as {file}.</source>
-        <translation>Keine Pixel sind ausgeschlossen. Die Maske wird im Ordner als {file} gesichert.</translation>
+        <translation>Keine Pixel sind ausgeschlossen. Die Maske wird im Ordner als {file} gespeichert.</translation>
     </message>
     <message>
         <source>Saved in the folder as {file}.</source>
-        <translation>Im Ordner als {file} gesichert.</translation>
+        <translation>Im Ordner als {file} gespeichert.</translation>
     </message>
     <message>
         <source>no pixels excluded</source>
@@ -3602,6 +3626,2784 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     <message>
         <source>Open a folder of photographs first.</source>
         <translation>Öffnen Sie zuerst einen Ordner mit Fotos.</translation>
+    </message>
+    <message>
+        <source>The {kind} that was open is unchanged.</source>
+        <translation>Das geöffnete Dokument ({kind}) ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The document is still open with all changes. Choose another place with Save As.</source>
+        <translation>Das Dokument ist mit allen Änderungen weiter offen. Mit „Speichern unter“ einen anderen Ort wählen.</translation>
+    </message>
+    <message>
+        <source>the autosave cannot be written ({reason})</source>
+        <translation>die automatische Sicherung kann nicht geschrieben werden ({reason})</translation>
+    </message>
+    <message>
+        <source>unsaved work of an earlier run cannot be read ({reason})</source>
+        <translation>ungespeicherte Arbeit eines früheren Laufs ist nicht lesbar ({reason})</translation>
+    </message>
+    <message>
+        <source>it cannot be removed, and will be offered again ({reason})</source>
+        <translation>lässt sich nicht entfernen und wird erneut angeboten ({reason})</translation>
+    </message>
+    <message>
+        <source>{number} is below the minimum; the value was set to {end}.</source>
+        <translation>{number} liegt unter dem Minimum; der Wert wurde auf {end} gesetzt.</translation>
+    </message>
+    <message>
+        <source>{number} is above the maximum; the value was set to {end}.</source>
+        <translation>{number} liegt über dem Maximum; der Wert wurde auf {end} gesetzt.</translation>
+    </message>
+    <message>
+        <source>{low} to {high}; double click: {default}</source>
+        <translation>{low} bis {high}; Doppelklick: {default}</translation>
+    </message>
+    <message>
+        <source>sRGB, which macOS converts to the monitor&apos;s profile</source>
+        <translation>sRGB, das macOS in das Profil des Monitors umrechnet</translation>
+    </message>
+    <message>
+        <source>sRGB, which the Wayland compositor converts to the monitor&apos;s profile</source>
+        <translation>sRGB, das der Wayland-Compositor in das Profil des Monitors umrechnet</translation>
+    </message>
+    <message>
+        <source>No monitor profile found; assuming sRGB</source>
+        <translation>Kein Monitorprofil gefunden; sRGB wird angenommen</translation>
+    </message>
+    <message>
+        <source>The monitor&apos;s profile {reason}; assuming sRGB</source>
+        <translation>Das Monitorprofil {reason}; sRGB wird angenommen</translation>
+    </message>
+    <message>
+        <source>Monitor profile: {title}</source>
+        <translation>Monitorprofil: {title}</translation>
+    </message>
+    <message>
+        <source>Reflectances</source>
+        <translation>Reflexionen</translation>
+    </message>
+    <message>
+        <source>Add from &amp;Library…</source>
+        <translation>Aus der &amp;Bibliothek hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Sample paints, measured paints of Table 1, models, opened palettes</source>
+        <translation>Beispiellacke, gemessene Lacke der Tabelle 1, Modelle, geöffnete Paletten</translation>
+    </message>
+    <message>
+        <source>Reset &amp;View Options</source>
+        <translation>Ansichts&amp;optionen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore the default incidence, channel, radius, cosine and lobes</source>
+        <translation>Einfall, Kanal, Radius, Kosinus und Keulen auf die Vorgaben zurücksetzen</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Reset View</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Search for the exponents that best fit these paints. Takes minutes.</source>
+        <translation>Die Exponenten suchen, die am besten zu diesen Lacken passen. Dauert Minuten.</translation>
+    </message>
+    <message>
+        <source>Database</source>
+        <translation>Datenbasis</translation>
+    </message>
+    <message>
+        <source>Paints that the search optimises the lobes for</source>
+        <translation>Lacke, für die die Suche die Keulen optimiert</translation>
+    </message>
+    <message>
+        <source>Folder of Paints…</source>
+        <translation>Ordner mit Lacken …</translation>
+    </message>
+    <message>
+        <source>Use another folder of paints as the database</source>
+        <translation>Einen anderen Ordner mit Lacken als Datenbasis verwenden</translation>
+    </message>
+    <message>
+        <source>Open a Search…</source>
+        <translation>Suche öffnen …</translation>
+    </message>
+    <message>
+        <source>Show a finished or running search from a file</source>
+        <translation>Eine fertige oder laufende Suche aus einer Datei zeigen</translation>
+    </message>
+    <message>
+        <source>Sample Paints</source>
+        <translation>Beispiellacke</translation>
+    </message>
+    <message>
+        <source>Return to the sample paints and their search</source>
+        <translation>Zu den Beispiellacken und ihrer Suche zurückkehren</translation>
+    </message>
+    <message>
+        <source>Basis</source>
+        <translation>Basis</translation>
+    </message>
+    <message>
+        <source>Show the Basis</source>
+        <translation>Basis zeigen</translation>
+    </message>
+    <message>
+        <source>Scanning the folder for paints</source>
+        <translation>Ordner wird nach Lacken durchsucht</translation>
+    </message>
+    <message>
+        <source>there is no paint ({ending})</source>
+        <translation>dort ist kein Lack ({ending})</translation>
+    </message>
+    <message>
+        <source>Searching a basis for {count} paints</source>
+        <translation>Basis für {count} Lacke wird gesucht</translation>
+    </message>
+    <message>
+        <source>no search yet: choose Search</source>
+        <translation>noch keine Suche: „Suchen“ wählen</translation>
+    </message>
+    <message>
+        <source>{count} targets</source>
+        <translation>{count} Ziele</translation>
+    </message>
+    <message>
+        <source>{count} lobe counts so far</source>
+        <translation>bisher {count} Keulenzahlen</translation>
+    </message>
+    <message>
+        <source>default: {count} lobes</source>
+        <translation>Vorgabe: {count} Keulen</translation>
+    </message>
+    <message>
+        <source>paints changed since the search: search again</source>
+        <translation>Lacke seit der Suche geändert: erneut suchen</translation>
+    </message>
+    <message>
+        <source>{name}: colour error only, no separate coat</source>
+        <translation>{name}: nur Farbfehler, kein getrennter Klarlack</translation>
+    </message>
+    <message>
+        <source>Sample paints</source>
+        <translation>Beispiellacke</translation>
+    </message>
+    <message>
+        <source>Folder of Paints</source>
+        <translation>Ordner mit Lacken</translation>
+    </message>
+    <message>
+        <source>Open a Search</source>
+        <translation>Suche öffnen</translation>
+    </message>
+    <message>
+        <source>Searches (*.json *.part);;All files (*)</source>
+        <translation>Suchen (*.json *.part);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Exponents over the number of lobes</source>
+        <translation>Exponenten über der Zahl der Keulen</translation>
+    </message>
+    <message>
+        <source>Errors over the number of lobes</source>
+        <translation>Fehler über der Zahl der Keulen</translation>
+    </message>
+    <message>
+        <source>Number of lobes</source>
+        <translation>Zahl der Keulen</translation>
+    </message>
+    <message>
+        <source>Exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>Error (1: just noticeable)</source>
+        <translation>Fehler (1: eben merklich)</translation>
+    </message>
+    <message>
+        <source>worst paint</source>
+        <translation>schlechtester Lack</translation>
+    </message>
+    <message>
+        <source>exponents</source>
+        <translation>Exponenten</translation>
+    </message>
+    <message>
+        <source>worst: {name}</source>
+        <translation>am schlechtesten: {name}</translation>
+    </message>
+    <message>
+        <source>1 lobe</source>
+        <translation>1 Keule</translation>
+    </message>
+    <message>
+        <source>{count} lobes</source>
+        <translation>{count} Keulen</translation>
+    </message>
+    <message>
+        <source>and {count} more</source>
+        <translation>und {count} weitere</translation>
+    </message>
+    <message>
+        <source>Curves: values over an angle</source>
+        <translation>Kurven: Werte über einem Winkel</translation>
+    </message>
+    <message>
+        <source>log y</source>
+        <translation>log y</translation>
+    </message>
+    <message>
+        <source>Logarithmic value axis. Differences are signed and stay linear.</source>
+        <translation>Logarithmische Werteachse. Differenzen haben ein Vorzeichen und bleiben linear.</translation>
+    </message>
+    <message>
+        <source>log x</source>
+        <translation>log x</translation>
+    </message>
+    <message>
+        <source>Logarithmic angle axis, for peaks. For γ, only the side towards the normal is shown.</source>
+        <translation>Logarithmische Winkelachse, für Spitzen. Bei γ wird nur die Seite zur Normalen gezeigt.</translation>
+    </message>
+    <message>
+        <source>No reflectance shown. Add one, or show one in the legend.</source>
+        <translation>Keine Reflexion gezeigt. Eine hinzufügen oder in der Legende einblenden.</translation>
+    </message>
+    <message>
+        <source>{name}: RMS {rms} {unit} ({share} %), maximum {worst} {unit} at {angle}</source>
+        <translation>{name}: quadr. Mittel {rms} {unit} ({share} %), Maximum {worst} {unit} bei {angle}</translation>
+    </message>
+    <message>
+        <source>hatched: not measured</source>
+        <translation>schraffiert: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>{name}: no values here</source>
+        <translation>{name}: hier keine Werte</translation>
+    </message>
+    <message>
+        <source>{name}: 0 everywhere</source>
+        <translation>{name}: überall 0</translation>
+    </message>
+    <message>
+        <source>Fit: RMS {rms}, worst {worst} {unit} at {angle}</source>
+        <translation>Anpassung: quadr. Mittel {rms}, größte {worst} {unit} bei {angle}</translation>
+    </message>
+    <message>
+        <source>Half angle θh (°)</source>
+        <translation>Halbwinkel θh (°)</translation>
+    </message>
+    <message>
+        <source>Difference angle θd (°)</source>
+        <translation>Differenzwinkel θd (°)</translation>
+    </message>
+    <message>
+        <source>Half-angle slice: θh and θd</source>
+        <translation>Halbwinkelschnitt: θh und θd</translation>
+    </message>
+    <message>
+        <source>updating…</source>
+        <translation>wird aktualisiert …</translation>
+    </message>
+    <message>
+        <source>No reflectance shown. Add one.</source>
+        <translation>Keine Reflexion gezeigt. Eine hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{name}: measured (1) or filled in (0)</source>
+        <translation>{name}: gemessen (1) oder aufgefüllt (0)</translation>
+    </message>
+    <message>
+        <source>Lobe Visualizer, incidence {theta}°, azimuth {phi}°</source>
+        <translation>Lobe Visualizer, Einfall {theta}°, Azimut {phi}°</translation>
+    </message>
+    <message>
+        <source>{name}, fit</source>
+        <translation>{name}, Anpassung</translation>
+    </message>
+    <message>
+        <source>{name}, difference</source>
+        <translation>{name}, Differenz</translation>
+    </message>
+    <message>
+        <source>Polar</source>
+        <translation>Polar</translation>
+    </message>
+    <message>
+        <source>Unrolled</source>
+        <translation>Abgewickelt</translation>
+    </message>
+    <message>
+        <source>Half angle</source>
+        <translation>Halbwinkel</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Copy Curves</source>
+        <translation>Kurven kopieren</translation>
+    </message>
+    <message>
+        <source>Save Curves as CSV…</source>
+        <translation>Kurven als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Save Curves as CSV</source>
+        <translation>Kurven als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation>Kommagetrennte Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>RMS {share} %</source>
+        <translation>quadr. Mittel {share} %</translation>
+    </message>
+    <message>
+        <source>− {name}</source>
+        <translation>− {name}</translation>
+    </message>
+    <message>
+        <source>fit − target</source>
+        <translation>Anpassung − Ziel</translation>
+    </message>
+    <message>
+        <source>holes</source>
+        <translation>Lücken</translation>
+    </message>
+    <message>
+        <source>linear radius</source>
+        <translation>linearer Radius</translation>
+    </message>
+    <message>
+        <source>cube-root radius</source>
+        <translation>Kubikwurzelradius</translation>
+    </message>
+    <message>
+        <source>log radius</source>
+        <translation>log. Radius</translation>
+    </message>
+    <message>
+        <source>Polar plot of the plane of incidence</source>
+        <translation>Polardiagramm der Einfallsebene</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>absolute differences</source>
+        <translation>Beträge der Differenzen</translation>
+    </message>
+    <message>
+        <source>θi {theta}°</source>
+        <translation>θi {theta}°</translation>
+    </message>
+    <message>
+        <source>φi {phi}°</source>
+        <translation>φi {phi}°</translation>
+    </message>
+    <message>
+        <source>gaps: not measured</source>
+        <translation>Lücken: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Gamma (sRGB)</source>
+        <translation>Gamma (sRGB)</translation>
+    </message>
+    <message>
+        <source>Logarithmic, 4 decades</source>
+        <translation>Logarithmisch, 4 Dekaden</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Cube root</source>
+        <translation>Kubikwurzel</translation>
+    </message>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Square root</source>
+        <translation>Quadratwurzel</translation>
+    </message>
+    <message>
+        <source>At the incidence</source>
+        <translation>Beim Einfall</translation>
+    </message>
+    <message>
+        <source>θd of the θh cut</source>
+        <translation>θd des θh-Schnitts</translation>
+    </message>
+    <message>
+        <source>θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value</source>
+        <translation>θd des Schnitts über θh: das der Spiegelstellung (der Einfallswinkel) oder ein fester Wert</translation>
+    </message>
+    <message>
+        <source>θh of the θd cut</source>
+        <translation>θh des θd-Schnitts</translation>
+    </message>
+    <message>
+        <source>θh of the cut over θd</source>
+        <translation>θh des Schnitts über θd</translation>
+    </message>
+    <message>
+        <source>φd</source>
+        <translation>φd</translation>
+    </message>
+    <message>
+        <source>Azimuth of the light about the half vector, for the cuts over θh and θd and the half-angle image</source>
+        <translation>Azimut des Lichts um den Halbvektor, für die Schnitte über θh und θd und das Halbwinkelbild</translation>
+    </message>
+    <message>
+        <source>φd, degrees</source>
+        <translation>φd, Grad</translation>
+    </message>
+    <message>
+        <source>Light of column {number}, degrees</source>
+        <translation>Licht der Spalte {number}, Grad</translation>
+    </message>
+    <message>
+        <source>Unrolled at</source>
+        <translation>Abgewickelt bei</translation>
+    </message>
+    <message>
+        <source>Incidences of the unrolled hemispheres (10°, 40° and 70° in the paper)</source>
+        <translation>Einfallswinkel der abgewickelten Halbkugeln (10°, 40° und 70° in der Veröffentlichung)</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Mapping from values to brightness, shown by the scale bar</source>
+        <translation>Abbildung der Werte auf Helligkeiten, durch den Skalenbalken gezeigt</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Stops above the automatic exposure of the selected reflectance</source>
+        <translation>Blenden über der automatischen Belichtung der gewählten Reflexion</translation>
+    </message>
+    <message>
+        <source>θh of images</source>
+        <translation>θh der Bilder</translation>
+    </message>
+    <message>
+        <source>Spacing of θh along the half-angle image</source>
+        <translation>Teilung von θh entlang dem Halbwinkelbild</translation>
+    </message>
+    <message>
+        <source>Polar radius</source>
+        <translation>Polarradius</translation>
+    </message>
+    <message>
+        <source>Mapping from values to radii of the polar plot. Automatic: logarithmic for high peaks.</source>
+        <translation>Abbildung der Werte auf Radien des Polardiagramms. Automatisch: logarithmisch bei hohen Spitzen.</translation>
+    </message>
+    <message>
+        <source>Measured samples</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Draw samples near a cut as rings, and samples of an image&apos;s incidence as dots</source>
+        <translation>Messpunkte nahe einem Schnitt als Ringe und solche beim Einfall eines Bildes als Punkte zeichnen</translation>
+    </message>
+    <message>
+        <source>Reset Slices</source>
+        <translation>Schnitte zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Hemisphere of views on the unit square</source>
+        <translation>Halbkugel der Blicke auf dem Einheitsquadrat</translation>
+    </message>
+    <message>
+        <source>Aspecular angle γ (°)</source>
+        <translation>Aspekularwinkel γ (°)</translation>
+    </message>
+    <message>
+        <source>View angle θo (°)</source>
+        <translation>Blickwinkel θo (°)</translation>
+    </message>
+    <message>
+        <source>In the plane of incidence, over the angle from the mirror direction (positive towards the normal)</source>
+        <translation>In der Einfallsebene, über dem Winkel von der Spiegelrichtung (positiv zur Normalen)</translation>
+    </message>
+    <message>
+        <source>In the plane of incidence, over the view angle from the normal (positive on the side of the mirror direction)</source>
+        <translation>In der Einfallsebene, über dem Blickwinkel von der Normalen (positiv auf der Seite der Spiegelrichtung)</translation>
+    </message>
+    <message>
+        <source>Over the angle between half vector and normal, at the θd and φd set in Slices</source>
+        <translation>Über dem Winkel zwischen Halbvektor und Normale, bei θd und φd aus „Schnitte“</translation>
+    </message>
+    <message>
+        <source>Over the angle between light and half vector, at the θh and φd set in Slices</source>
+        <translation>Über dem Winkel zwischen Licht und Halbvektor, bei θh und φd aus „Schnitte“</translation>
+    </message>
+    <message>
+        <source>Channel of the maps</source>
+        <translation>Kanal der Karten</translation>
+    </message>
+    <message>
+        <source>Scale of the maps</source>
+        <translation>Skala der Karten</translation>
+    </message>
+    <message>
+        <source>Each map is scaled to its maximum. The logarithmic scale covers four decades.</source>
+        <translation>Jede Karte ist auf ihr Maximum bezogen. Die logarithmische Skala umfasst vier Dekaden.</translation>
+    </message>
+    <message>
+        <source>Factors</source>
+        <translation>Faktoren</translation>
+    </message>
+    <message>
+        <source>&amp;Factors</source>
+        <translation>&amp;Faktoren</translation>
+    </message>
+    <message>
+        <source>Show or hide the maps of a factored reflectance</source>
+        <translation>Die Karten einer faktorisierten Reflexion zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>{name} is not factored.</source>
+        <translation>{name} ist nicht faktorisiert.</translation>
+    </message>
+    <message>
+        <source>Create a factored reflectance with brdf-suite factorize.</source>
+        <translation>Eine faktorisierte Reflexion entsteht mit brdf-suite factorize.</translation>
+    </message>
+    <message>
+        <source>{name}: α {alpha} 1/sr; texels: {texels}</source>
+        <translation>{name}: α {alpha} 1/sr; Texel: {texels}</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>luminance</source>
+        <translation>Leuchtdichte</translation>
+    </message>
+    <message>
+        <source>perceptual</source>
+        <translation>empfindungsgemäß</translation>
+    </message>
+    <message>
+        <source>logarithmic</source>
+        <translation>logarithmisch</translation>
+    </message>
+    <message>
+        <source>added peak</source>
+        <translation>addierte Spitze</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>relative to maximum</source>
+        <translation>bezogen auf das Maximum</translation>
+    </message>
+    <message>
+        <source>Maps of the factors</source>
+        <translation>Karten der Faktoren</translation>
+    </message>
+    <message>
+        <source>{map}: θ {theta}°, φ {phi}°</source>
+        <translation>{map}: θ {theta}°, φ {phi}°</translation>
+    </message>
+    <message>
+        <source>{map}: at {x}</source>
+        <translation>{map}: bei {x}</translation>
+    </message>
+    <message>
+        <source>{map}: at {x}, {y}</source>
+        <translation>{map}: bei {x}, {y}</translation>
+    </message>
+    <message>
+        <source>Polar angle</source>
+        <translation>Polarwinkel</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Polar angle of the light</source>
+        <translation>Polarwinkel des Lichts</translation>
+    </message>
+    <message>
+        <source>Polar angle θi</source>
+        <translation>Polarwinkel θi</translation>
+    </message>
+    <message>
+        <source>Angle between the normal and the light. The yellow handle in the view sets it, too.</source>
+        <translation>Winkel zwischen der Normalen und dem Licht. Der gelbe Griff in der Ansicht stellt ihn ebenfalls ein.</translation>
+    </message>
+    <message>
+        <source>Polar angle of the light, tenths of a degree</source>
+        <translation>Polarwinkel des Lichts, Zehntelgrad</translation>
+    </message>
+    <message>
+        <source>Azimuth of the light</source>
+        <translation>Azimut des Lichts</translation>
+    </message>
+    <message>
+        <source>Azimuth φi</source>
+        <translation>Azimut φi</translation>
+    </message>
+    <message>
+        <source>Azimuth of the plane of incidence. Affects only anisotropic reflectances, such as brushed metal.</source>
+        <translation>Azimut der Einfallsebene. Wirkt nur bei anisotropen Reflexionen wie gebürstetem Metall.</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>Angle that the sweep changes</source>
+        <translation>Winkel, den der Durchlauf ändert</translation>
+    </message>
+    <message>
+        <source>Speed of the sweep</source>
+        <translation>Geschwindigkeit des Durchlaufs</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Move the light continuously (Space in the view)</source>
+        <translation>Das Licht fortlaufend bewegen (Leertaste in der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Sky blue</source>
+        <translation>Himmelblau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Vermilion</source>
+        <translation>Zinnober</translation>
+    </message>
+    <message>
+        <source>Yellow</source>
+        <translation>Gelb</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashes</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dots</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>Dash and dot</source>
+        <translation>Strichpunkt</translation>
+    </message>
+    <message>
+        <source>Long dashes</source>
+        <translation>Lang gestrichelt</translation>
+    </message>
+    <message>
+        <source>Relative RMS difference: {rms} away from the mirror direction, {all} over all directions</source>
+        <translation>Relative Differenz (quadr. Mittel): {rms} abseits der Spiegelrichtung, {all} über alle Richtungen</translation>
+    </message>
+    <message>
+        <source>Mean ΔE00 at 15°, 45°, 110°: {value}</source>
+        <translation>Mittleres ΔE00 bei 15°, 45°, 110°: {value}</translation>
+    </message>
+    <message>
+        <source>Fit: worst ΔE00 {value}</source>
+        <translation>Anpassung: größtes ΔE00 {value}</translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>So&amp;lo</source>
+        <translation>&amp;Nur diese</translation>
+    </message>
+    <message>
+        <source>Set as &amp;Reference</source>
+        <translation>Als &amp;Referenz nehmen</translation>
+    </message>
+    <message>
+        <source>Compute differences and errors against this reflectance</source>
+        <translation>Differenzen und Fehler gegen diese Reflexion berechnen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Um&amp;benennen</translation>
+    </message>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Nach u&amp;nten</translation>
+    </message>
+    <message>
+        <source>Re&amp;move</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>&amp;Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Remove All &amp;Others</source>
+        <translation>Alle ande&amp;ren entfernen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt Reflectance</source>
+        <translation>Nä&amp;chste Reflexion</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious Reflectance</source>
+        <translation>&amp;Vorige Reflexion</translation>
+    </message>
+    <message>
+        <source>Al&amp;ternate with Reference</source>
+        <translation>Mit der Referenz ab&amp;wechseln</translation>
+    </message>
+    <message>
+        <source>Show the selected reflectance and the reference alternately</source>
+        <translation>Die gewählte Reflexion und die Referenz abwechselnd zeigen</translation>
+    </message>
+    <message>
+        <source>L&amp;ine</source>
+        <translation>L&amp;inie</translation>
+    </message>
+    <message>
+        <source>Other Colour…</source>
+        <translation>Andere Farbe …</translation>
+    </message>
+    <message>
+        <source>Reset All Lines</source>
+        <translation>Alle Linien zurücksetzen</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>verborgen</translation>
+    </message>
+    <message>
+        <source>solo</source>
+        <translation>nur diese</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>error {error}</source>
+        <translation>Fehler {error}</translation>
+    </message>
+    <message>
+        <source>Legend of reflectances</source>
+        <translation>Legende der Reflexionen</translation>
+    </message>
+    <message>
+        <source>Space: show or hide. S: solo. R: set as reference. C: colour. D: dash. F2: rename. Delete: remove. Alt+Up, Alt+Down: move.</source>
+        <translation>Leertaste: zeigen oder verbergen. S: nur diese. R: als Referenz nehmen. C: Farbe. D: Strichart. F2: umbenennen. Entf: entfernen. Alt+Pfeil auf, Alt+Pfeil ab: verschieben.</translation>
+    </message>
+    <message>
+        <source>Reflectance</source>
+        <translation>Reflexion</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Nur</translation>
+    </message>
+    <message>
+        <source>Ref.</source>
+        <translation>Ref.</translation>
+    </message>
+    <message>
+        <source>Visibility, and line style in the plots</source>
+        <translation>Sichtbarkeit, und Strichart in den Diagrammen</translation>
+    </message>
+    <message>
+        <source>Solo: show only the reflectances ticked here</source>
+        <translation>Nur: nur die hier angekreuzten Reflexionen zeigen</translation>
+    </message>
+    <message>
+        <source>Reference for differences and errors</source>
+        <translation>Referenz für Differenzen und Fehler</translation>
+    </message>
+    <message>
+        <source>RMS difference relative to the reference, away from the mirror direction</source>
+        <translation>Differenz zur Referenz (relativ, quadr. Mittel), abseits der Spiegelrichtung</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
+    </message>
+    <message>
+        <source>Open a file</source>
+        <translation>Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Add from the library of reflectances</source>
+        <translation>Aus der Bibliothek der Reflexionen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>No reflectances. Drop files here, or</source>
+        <translation>Keine Reflexionen. Dateien hierher ziehen, oder</translation>
+    </message>
+    <message>
+        <source>Open a File…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Add from Library…</source>
+        <translation>Aus der Bibliothek hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Albedo</source>
+        <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>three angles, ASTM E2194</source>
+        <translation>drei Winkel, ASTM E2194</translation>
+    </message>
+    <message>
+        <source>five angles</source>
+        <translation>fünf Winkel</translation>
+    </message>
+    <message>
+        <source>six angles</source>
+        <translation>sechs Winkel</translation>
+    </message>
+    <message>
+        <source>two illumination angles, ASTM E2539</source>
+        <translation>zwei Lichtwinkel, ASTM E2539</translation>
+    </message>
+    <message>
+        <source>Colour geometries</source>
+        <translation>Farbgeometrien</translation>
+    </message>
+    <message>
+        <source>Geometries of the L*a*b* values (D65, 10° observer)</source>
+        <translation>Geometrien der L*a*b*-Werte (D65, 10°-Beobachter)</translation>
+    </message>
+    <message>
+        <source>Show {name}</source>
+        <translation>{name} zeigen</translation>
+    </message>
+    <message>
+        <source>Copy the table</source>
+        <translation>Die Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Export all figures as CSV</source>
+        <translation>Alle Zahlen als CSV exportieren</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Zahlen</translation>
+    </message>
+    <message>
+        <source>Show or hide the figures</source>
+        <translation>Die Zahlen zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Figures</source>
+        <translation>Zahlen &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the visible table</source>
+        <translation>Die sichtbare Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export Figures…</source>
+        <translation>Zahlen &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>There are no figures to export yet.</source>
+        <translation>Noch gibt es keine Zahlen zu exportieren.</translation>
+    </message>
+    <message>
+        <source>Open the panel Numbers (Ctrl+N) and wait until they are computed.</source>
+        <translation>Die Tafel „Zahlen“ öffnen (Strg+N) und warten, bis sie berechnet sind.</translation>
+    </message>
+    <message>
+        <source>Figures of {count} reflectances exported to {path}.</source>
+        <translation>Zahlen von {count} Reflexionen nach {path} exportiert.</translation>
+    </message>
+    <message>
+        <source>No reflectance shown.</source>
+        <translation>Keine Reflexion gezeigt.</translation>
+    </message>
+    <message>
+        <source>{fresh} of {count} computed</source>
+        <translation>{fresh} von {count} berechnet</translation>
+    </message>
+    <message>
+        <source>Set a reference in the legend (R) to see differences.</source>
+        <translation>Eine Referenz in der Legende (R) setzen, um Differenzen zu sehen.</translation>
+    </message>
+    <message>
+        <source>Albedo over the incidence</source>
+        <translation>Albedo über dem Einfallswinkel</translation>
+    </message>
+    <message>
+        <source>No albedo yet.</source>
+        <translation>Noch keine Albedo.</translation>
+    </message>
+    <message>
+        <source>Incidence θi (°)</source>
+        <translation>Einfallswinkel θi (°)</translation>
+    </message>
+    <message>
+        <source>Luminous albedo</source>
+        <translation>Licht-Albedo</translation>
+    </message>
+    <message>
+        <source>Total reflection</source>
+        <translation>Totale Reflexion</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>{title}: outdated, being recomputed</source>
+        <translation>{title}: veraltet, wird neu berechnet</translation>
+    </message>
+    <message>
+        <source>Figures of the reflectances</source>
+        <translation>Zahlen der Reflexionen</translation>
+    </message>
+    <message>
+        <source>Computing statistics for {name}</source>
+        <translation>Statistik für {name} wird berechnet</translation>
+    </message>
+    <message>
+        <source>Its figures are not shown.</source>
+        <translation>Ihre Zahlen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Show plot {name}</source>
+        <translation>Diagramm {name} zeigen</translation>
+    </message>
+    <message>
+        <source>Designer</source>
+        <translation>Designer</translation>
+    </message>
+    <message>
+        <source>Viewer</source>
+        <translation>Viewer</translation>
+    </message>
+    <message>
+        <source>Lobe Visualizer</source>
+        <translation>Lobe Visualizer</translation>
+    </message>
+    <message>
+        <source>Color Swatch</source>
+        <translation>Color Swatch</translation>
+    </message>
+    <message>
+        <source>Selected reflectance</source>
+        <translation>Gewählte Reflexion</translation>
+    </message>
+    <message>
+        <source>Fitted lobes and fitting time</source>
+        <translation>Angepasste Keulen und Zeit der Anpassung</translation>
+    </message>
+    <message>
+        <source>Notes on the reflectance</source>
+        <translation>Hinweise zur Reflexion</translation>
+    </message>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Richtung des Lichts</translation>
+    </message>
+    <message>
+        <source>Connected programs of the suite</source>
+        <translation>Verbundene Programme der Suite</translation>
+    </message>
+    <message>
+        <source>Connected: {names}</source>
+        <translation>Verbunden: {names}</translation>
+    </message>
+    <message>
+        <source>no fit yet</source>
+        <translation>noch keine Anpassung</translation>
+    </message>
+    <message>
+        <source>fit {ms} ms</source>
+        <translation>Anpassung {ms} ms</translation>
+    </message>
+    <message>
+        <source>worst ΔE00 {value}</source>
+        <translation>größtes ΔE00 {value}</translation>
+    </message>
+    <message>
+        <source>exact fit follows</source>
+        <translation>genaue Anpassung folgt</translation>
+    </message>
+    <message>
+        <source>best result so far</source>
+        <translation>bisher bestes Ergebnis</translation>
+    </message>
+    <message>
+        <source>time limit: {what}</source>
+        <translation>Zeitlimit: {what}</translation>
+    </message>
+    <message>
+        <source>light {theta}°, {phi}°</source>
+        <translation>Licht {theta}°, {phi}°</translation>
+    </message>
+    <message>
+        <source>Fitting lobes to {name}</source>
+        <translation>Keulen werden an {name} angepasst</translation>
+    </message>
+    <message>
+        <source>The reflectance is shown without a fit.</source>
+        <translation>Die Reflexion wird ohne Anpassung gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Follow Designer</source>
+        <translation>&amp;Designer folgen</translation>
+    </message>
+    <message>
+        <source>Show the paint being edited in Designer and follow every change</source>
+        <translation>Den in Designer bearbeiteten Lack zeigen und jeder Änderung folgen</translation>
+    </message>
+    <message>
+        <source>Designer: {name}</source>
+        <translation>Designer: {name}</translation>
+    </message>
+    <message>
+        <source>The previous paint is still shown.</source>
+        <translation>Der vorige Lack wird weiter gezeigt.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Fit over target</source>
+        <translation>Anpassung über Ziel</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Three parts</source>
+        <translation>Drei Teile</translation>
+    </message>
+    <message>
+        <source>Stacked</source>
+        <translation>Gestapelt</translation>
+    </message>
+    <message>
+        <source>Separate lobes</source>
+        <translation>Einzelne Keulen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>What all views show of each reflectance. Differences are against the legend&apos;s reference, or else between fit and target.</source>
+        <translation>Was alle Ansichten von jeder Reflexion zeigen. Differenzen gelten gegen die Referenz der Legende, sonst zwischen Anpassung und Ziel.</translation>
+    </message>
+    <message>
+        <source>Fit style</source>
+        <translation>Stil der Anpassung</translation>
+    </message>
+    <message>
+        <source>Style of the fit where it overlays its target</source>
+        <translation>Stil der Anpassung, wo sie über ihrem Ziel liegt</translation>
+    </message>
+    <message>
+        <source>How the lobes of a fit are shown</source>
+        <translation>Wie die Keulen einer Anpassung gezeigt werden</translation>
+    </message>
+    <message>
+        <source>The selected reflectance has no fit.</source>
+        <translation>Die gewählte Reflexion hat keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>Reset Parts</source>
+        <translation>Teile zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Switch all lobes on and restore the default display</source>
+        <translation>Alle Keulen einschalten und die Vorgabe der Anzeige wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Switch all lobes of this part on or off</source>
+        <translation>Alle Keulen dieses Teils ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>KD</source>
+        <translation>KD</translation>
+    </message>
+    <message>
+        <source>E = {exponent}</source>
+        <translation>E = {exponent}</translation>
+    </message>
+    <message>
+        <source>is a palette without a paint</source>
+        <translation>ist eine Palette ohne Lack</translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the directions have no value (drawn as holes).</source>
+        <translation>{share:.0f} % der Richtungen haben keinen Wert (als Lücken gezeichnet).</translation>
+    </message>
+    <message>
+        <source>The reflectance is zero in every sampled direction.</source>
+        <translation>Die Reflexion ist in jeder abgetasteten Richtung null.</translation>
+    </message>
+    <message>
+        <source>All light is reflected into one narrow lobe; other views are dark.</source>
+        <translation>Alles Licht wird in eine schmale Keule reflektiert; andere Blicke sind dunkel.</translation>
+    </message>
+    <message>
+        <source>Reading {name}</source>
+        <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>The previous picture stays.</source>
+        <translation>Das vorige Bild bleibt.</translation>
+    </message>
+    <message>
+        <source>The others are listed in the panel Reflectances (Ctrl+L).</source>
+        <translation>Die anderen stehen in der Tafel „Reflexionen“ (Strg+L).</translation>
+    </message>
+    <message>
+        <source>{count} entries of {title} cannot be shown.</source>
+        <translation>{count} Einträge von {title} lassen sich nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>{title} has {count} paints; the first {shown} are shown.</source>
+        <translation>{title} hat {count} Lacke; die ersten {shown} werden gezeigt.</translation>
+    </message>
+    <message>
+        <source>{title} imported with notes.</source>
+        <translation>{title} mit Hinweisen importiert.</translation>
+    </message>
+    <message>
+        <source>Measured paints of Table 1</source>
+        <translation>Gemessene Lacke der Tabelle 1</translation>
+    </message>
+    <message>
+        <source>Models</source>
+        <translation>Modelle</translation>
+    </message>
+    <message>
+        <source>Search paints and models by name</source>
+        <translation>Lacke und Modelle nach Namen suchen</translation>
+    </message>
+    <message>
+        <source>Available reflectances</source>
+        <translation>Verfügbare Reflexionen</translation>
+    </message>
+    <message>
+        <source>Add the selected reflectances to the legend (Enter or double click)</source>
+        <translation>Die gewählten Reflexionen zur Legende hinzufügen (Eingabe oder Doppelklick)</translation>
+    </message>
+    <message>
+        <source>No reflectance matches.</source>
+        <translation>Keine passende Reflexion.</translation>
+    </message>
+    <message>
+        <source>Three-quarter view</source>
+        <translation>Schrägansicht</translation>
+    </message>
+    <message>
+        <source>Side view of the plane of incidence</source>
+        <translation>Seitenansicht der Einfallsebene</translation>
+    </message>
+    <message>
+        <source>From the light</source>
+        <translation>Vom Licht aus</translation>
+    </message>
+    <message>
+        <source>From the mirror direction</source>
+        <translation>Aus der Spiegelrichtung</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Von oben</translation>
+    </message>
+    <message>
+        <source>Three-quarter view from behind</source>
+        <translation>Schrägansicht von hinten</translation>
+    </message>
+    <message>
+        <source>Side view from behind</source>
+        <translation>Seitenansicht von hinten</translation>
+    </message>
+    <message>
+        <source>Low, along the plane of incidence</source>
+        <translation>Flach, entlang der Einfallsebene</translation>
+    </message>
+    <message>
+        <source>From below</source>
+        <translation>Von unten</translation>
+    </message>
+    <message>
+        <source>{title} and {count} more</source>
+        <translation>{title} und {count} weitere</translation>
+    </message>
+    <message>
+        <source>All lobes are switched off.</source>
+        <translation>Alle Keulen sind ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Diffuse, directional diffuse and gloss, separately</source>
+        <translation>Diffus, gerichtet diffus und Glanz, einzeln</translation>
+    </message>
+    <message>
+        <source>{count} lobes stacked, widest innermost</source>
+        <translation>{count} Keulen gestapelt, die breiteste innen</translation>
+    </message>
+    <message>
+        <source>Fit: {count} lobes</source>
+        <translation>Anpassung: {count} Keulen</translation>
+    </message>
+    <message>
+        <source>minus {title}</source>
+        <translation>minus {title}</translation>
+    </message>
+    <message>
+        <source>fit minus target</source>
+        <translation>Anpassung minus Ziel</translation>
+    </message>
+    <message>
+        <source>Only the reference is shown. Show another reflectance to see its difference.</source>
+        <translation>Nur die Referenz wird gezeigt. Eine andere Reflexion einblenden, um deren Differenz zu sehen.</translation>
+    </message>
+    <message>
+        <source>The reflectance is zero in every direction.</source>
+        <translation>Die Reflexion ist in jeder Richtung null.</translation>
+    </message>
+    <message>
+        <source>maximum {value} {unit}</source>
+        <translation>Maximum {value} {unit}</translation>
+    </message>
+    <message>
+        <source>{text}, cut off in the picture</source>
+        <translation>{text}, im Bild abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Target with its fit overlaid</source>
+        <translation>Ziel mit überlagerter Anpassung</translation>
+    </message>
+    <message>
+        <source>Computing the values…</source>
+        <translation>Werte werden berechnet …</translation>
+    </message>
+    <message>
+        <source>{title} has no fit.</source>
+        <translation>{title} hat keine Anpassung.</translation>
+    </message>
+    <message>
+        <source>Outdated: computing the new values…</source>
+        <translation>Veraltet: Die neuen Werte werden berechnet …</translation>
+    </message>
+    <message>
+        <source>No values in {share} of the directions (holes).</source>
+        <translation>Keine Werte in {share} der Richtungen (Lücken).</translation>
+    </message>
+    <message>
+        <source>No values in any direction.</source>
+        <translation>Keine Werte in irgendeiner Richtung.</translation>
+    </message>
+    <message>
+        <source>Incidence</source>
+        <translation>Einfall</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>OpenGL is not available, so the lobes cannot be drawn.</source>
+        <translation>OpenGL ist nicht verfügbar, daher können die Keulen nicht gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Frame the Hemisphere</source>
+        <translation>Halbkugel einrahmen</translation>
+    </message>
+    <message>
+        <source>Sweep the Incidence</source>
+        <translation>Einfall durchlaufen</translation>
+    </message>
+    <message>
+        <source>θo {theta}°  φo {phi}°  γ {gamma}°  {value} {unit}</source>
+        <translation>θo {theta}°  φo {phi}°  γ {gamma}°  {value} {unit}</translation>
+    </message>
+    <message>
+        <source>No samples within {reach}° of this incidence; the nearest is at {angle}°.</source>
+        <translation>Keine Messpunkte innerhalb von {reach}° um diesen Einfall; der nächste liegt bei {angle}°.</translation>
+    </message>
+    <message>
+        <source>Save Picture as PNG</source>
+        <translation>Bild als PNG speichern</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Save Picture as SVG</source>
+        <translation>Bild als SVG speichern</translation>
+    </message>
+    <message>
+        <source>SVG picture (*.svg)</source>
+        <translation>SVG-Bild (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save Surface as OBJ</source>
+        <translation>Fläche als OBJ speichern</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ (*.obj)</source>
+        <translation>Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Save Surface as PLY</source>
+        <translation>Fläche als PLY speichern</translation>
+    </message>
+    <message>
+        <source>PLY with colours (*.ply)</source>
+        <translation>PLY mit Farben (*.ply)</translation>
+    </message>
+    <message>
+        <source>Width of the picture</source>
+        <translation>Breite des Bildes</translation>
+    </message>
+    <message>
+        <source>Height of the picture</source>
+        <translation>Höhe des Bildes</translation>
+    </message>
+    <message>
+        <source>Length of radius 1</source>
+        <translation>Länge des Radius 1</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Size of PNG and SVG pictures. PNG uses 16 samples per pixel.</source>
+        <translation>Größe der PNG- und SVG-Bilder. PNG verwendet 16 Abtastwerte je Pixel.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Length of radius 1 in OBJ and PLY. The file states the value it stands for.</source>
+        <translation>Länge des Radius 1 in OBJ und PLY. Die Datei nennt den Wert, für den sie steht.</translation>
+    </message>
+    <message>
+        <source>Reset Sizes</source>
+        <translation>Größen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Saved: {path}</source>
+        <translation>Gespeichert: {path}</translation>
+    </message>
+    <message>
+        <source>No surface to save. Add a reflectance, or show one in the legend.</source>
+        <translation>Keine Fläche zu speichern. Eine Reflexion hinzufügen oder in der Legende einblenden.</translation>
+    </message>
+    <message>
+        <source>Logarithm</source>
+        <translation>Logarithmus</translation>
+    </message>
+    <message>
+        <source>f_r</source>
+        <translation>f_r</translation>
+    </message>
+    <message>
+        <source>f_r·cosθi</source>
+        <translation>f_r·cosθi</translation>
+    </message>
+    <message>
+        <source>f_r·cosθi·cosθo</source>
+        <translation>f_r·cosθi·cosθo</translation>
+    </message>
+    <message>
+        <source>Luminance, grey</source>
+        <translation>Leuchtdichte, grau</translation>
+    </message>
+    <message>
+        <source>Reflected light</source>
+        <translation>Reflektiertes Licht</translation>
+    </message>
+    <message>
+        <source>Legend colour</source>
+        <translation>Legendenfarbe</translation>
+    </message>
+    <message>
+        <source>False colour</source>
+        <translation>Falschfarbe</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Maximum away from R</source>
+        <translation>Maximum abseits R</translation>
+    </message>
+    <message>
+        <source>Fixed value</source>
+        <translation>Fester Wert</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagert</translation>
+    </message>
+    <message>
+        <source>Hemisphere</source>
+        <translation>Halbkugel</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>Mapping from values to distances from the centre</source>
+        <translation>Abbildung der Werte auf Abstände vom Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Decades</source>
+        <translation>Dekaden</translation>
+    </message>
+    <message>
+        <source>Range of the logarithmic radius below its maximum</source>
+        <translation>Umfang des logarithmischen Radius unter seinem Maximum</translation>
+    </message>
+    <message>
+        <source>Value at the hemisphere; larger values are cut off. Automatic: the maximum, or less if the body would be shorter than half a radius. Away from R: more than 5° from the mirror direction.</source>
+        <translation>Wert an der Halbkugel; größere Werte werden abgeschnitten. Automatisch: das Maximum, oder weniger, falls der Körper sonst kürzer als ein halber Radius wäre. Abseits R: mehr als 5° von der Spiegelrichtung.</translation>
+    </message>
+    <message>
+        <source>Value of radius 1</source>
+        <translation>Wert des Radius 1</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Stays fixed while the light moves</source>
+        <translation>Bleibt fest, während sich das Licht bewegt</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo</source>
+        <translation>Größe in allen Ansichten: f_r, reflektierte Strahldichte f_r·cosθi oder Strahlstärke f_r·cosθi·cosθo</translation>
+    </message>
+    <message>
+        <source>Channel that the radius shows (linear Rec. 2020)</source>
+        <translation>Kanal, den der Radius zeigt (lineares Rec. 2020)</translation>
+    </message>
+    <message>
+        <source>Reflected light is shown in its colour at full brightness</source>
+        <translation>Reflektiertes Licht wird in seiner Farbe bei voller Helligkeit gezeigt</translation>
+    </message>
+    <message>
+        <source>Multiple</source>
+        <translation>Mehrere</translation>
+    </message>
+    <message>
+        <source>Arrangement of several reflectances</source>
+        <translation>Anordnung mehrerer Reflexionen</translation>
+    </message>
+    <message>
+        <source>Separate scale for each panel</source>
+        <translation>Eigener Maßstab für jedes Feld</translation>
+    </message>
+    <message>
+        <source>Maximum distance of samples</source>
+        <translation>Größter Abstand der Messpunkte</translation>
+    </message>
+    <message>
+        <source>Within</source>
+        <translation>Innerhalb</translation>
+    </message>
+    <message>
+        <source>Maximum angle between a sample&apos;s incidence and the current incidence</source>
+        <translation>Größter Winkel zwischen dem Einfall eines Messpunkts und dem jetzigen Einfall</translation>
+    </message>
+    <message>
+        <source>Reset Radius</source>
+        <translation>Radius zurücksetzen</translation>
+    </message>
+    <message>
+        <source>3-D lobe plot</source>
+        <translation>3-D-Keulendiagramm</translation>
+    </message>
+    <message>
+        <source>The lobes cannot be drawn: {reason}</source>
+        <translation>Die Keulen können nicht gezeichnet werden: {reason}</translation>
+    </message>
+    <message>
+        <source>Diffuse</source>
+        <translation>Diffus</translation>
+    </message>
+    <message>
+        <source>Directional diffuse</source>
+        <translation>Gerichtet diffus</translation>
+    </message>
+    <message>
+        <source>Gloss</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>{part}, E = {exponent}</source>
+        <translation>{part}, E = {exponent}</translation>
+    </message>
+    <message>
+        <source>{red} · {green} · {blue} 1/sr</source>
+        <translation>{red} · {green} · {blue} 1/sr</translation>
+    </message>
+    <message>
+        <source>&amp;Reflectance</source>
+        <translation>&amp;Reflexion</translation>
+    </message>
+    <message>
+        <source>No 3-D view</source>
+        <translation>Keine 3-D-Ansicht</translation>
+    </message>
+    <message>
+        <source>palette</source>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Color Swatch closed unexpectedly. Recover your unsaved work on “{name}” of {when}?</source>
+        <translation>Color Swatch wurde unerwartet beendet. Ungespeicherte Arbeit an „{name}“ von {when} wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>Color Swatch closed unexpectedly. Recover unsaved work on {count} palettes (newest: {when}): {names}?</source>
+        <translation>Color Swatch wurde unerwartet beendet. Ungespeicherte Arbeit an {count} Paletten (neueste: {when}) wiederherstellen: {names}?</translation>
+    </message>
+    <message>
+        <source>{palette}, tag {tag}</source>
+        <translation>{palette}, Stichwort {tag}</translation>
+    </message>
+    <message>
+        <source>{palette}, nearest to {paint}</source>
+        <translation>{palette}, am nächsten zu {paint}</translation>
+    </message>
+    <message>
+        <source>1 swatch</source>
+        <translation>1 Muster</translation>
+    </message>
+    <message>
+        <source>{count} swatches</source>
+        <translation>{count} Muster</translation>
+    </message>
+    <message>
+        <source>{shown} of {count}</source>
+        <translation>{shown} von {count}</translation>
+    </message>
+    <message>
+        <source>({count}, working)</source>
+        <translation>({count}, in Arbeit)</translation>
+    </message>
+    <message>
+        <source>New Palette</source>
+        <translation>Neue Palette</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose a palette in the library, open one, or create a new one.
+Files can be dropped here.</source>
+        <translation>Eine Palette in der Bibliothek wählen, eine öffnen oder eine neue anlegen.
+Dateien lassen sich hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Reading {name}…</source>
+        <translation>{name} wird gelesen …</translation>
+    </message>
+    <message>
+        <source>{problem}
+Repair the file or restore it from a backup, then reload it.</source>
+        <translation>{problem}
+Die Datei reparieren oder aus einer Sicherungskopie wiederherstellen, dann neu laden.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Remove from Library</source>
+        <translation>Aus der Bibliothek entfernen</translation>
+    </message>
+    <message>
+        <source>This palette is not loaded.</source>
+        <translation>Diese Palette ist nicht geladen.</translation>
+    </message>
+    <message>
+        <source>Open Palette</source>
+        <translation>Palette öffnen</translation>
+    </message>
+    <message>
+        <source>This palette is empty. Drop paints here, paste colours, or add the paint from Designer.</source>
+        <translation>Diese Palette ist leer. Lacke hierher ziehen, Farben einfügen oder den Lack aus Designer hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add Paints…</source>
+        <translation>Lacke hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Add Paint from Designer</source>
+        <translation>Lack aus Designer hinzufügen</translation>
+    </message>
+    <message>
+        <source>No swatch matches the search and filters.</source>
+        <translation>Kein Muster passt zu Suche und Filtern.</translation>
+    </message>
+    <message>
+        <source>Clear Filters</source>
+        <translation>Filter aufheben</translation>
+    </message>
+    <message>
+        <source>This group is empty. Drop swatches here.</source>
+        <translation>Diese Gruppe ist leer. Muster hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>{count} shown</source>
+        <translation>{count} gezeigt</translation>
+    </message>
+    <message>
+        <source>{count} shown, {selected} selected</source>
+        <translation>{count} gezeigt, {selected} gewählt</translation>
+    </message>
+    <message>
+        <source>Flop {flop}</source>
+        <translation>Flop {flop}</translation>
+    </message>
+    <message>
+        <source>Gloss 20°: {gloss} GU</source>
+        <translation>Glanz 20°: {gloss} GU</translation>
+    </message>
+    <message>
+        <source>60°: {gloss} GU</source>
+        <translation>60°: {gloss} GU</translation>
+    </message>
+    <message>
+        <source>Flakes: {density} /mm², {size} µm</source>
+        <translation>Flakes: {density} /mm², {size} µm</translation>
+    </message>
+    <message>
+        <source>Spot colour</source>
+        <translation>Sonderfarbe</translation>
+    </message>
+    <message>
+        <source>Global colour</source>
+        <translation>Globale Farbe</translation>
+    </message>
+    <message>
+        <source>Date {date}</source>
+        <translation>Datum {date}</translation>
+    </message>
+    <message>
+        <source>Export Palette</source>
+        <translation>Palette exportieren</translation>
+    </message>
+    <message>
+        <source>All palette formats ({endings})</source>
+        <translation>Alle Palettenformate ({endings})</translation>
+    </message>
+    <message>
+        <source>Palettes ({endings})</source>
+        <translation>Paletten ({endings})</translation>
+    </message>
+    <message>
+        <source>&amp;Export Palette…</source>
+        <translation>Palette &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Export the palette for another program: ASE, ACO, GPL, KPL, CxF, CSV and others</source>
+        <translation>Die Palette für ein anderes Programm exportieren: ASE, ACO, GPL, KPL, CxF, CSV und andere</translation>
+    </message>
+    <message>
+        <source>Export Se&amp;lection…</source>
+        <translation>Aus&amp;wahl exportieren …</translation>
+    </message>
+    <message>
+        <source>Nothing was written. Choose another name or format.</source>
+        <translation>Nichts wurde geschrieben. Einen anderen Namen oder ein anderes Format wählen.</translation>
+    </message>
+    <message>
+        <source>“{name}” cannot store everything in the palette:</source>
+        <translation>„{name}“ kann nicht alles aus der Palette speichern:</translation>
+    </message>
+    <message>
+        <source>Export Anyway</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
+    <message>
+        <source>Another Format…</source>
+        <translation>Anderes Format …</translation>
+    </message>
+    <message>
+        <source>Saved: {name}</source>
+        <translation>Gespeichert: {name}</translation>
+    </message>
+    <message>
+        <source>{format} files cannot be exported. Choose another format.</source>
+        <translation>{format}-Dateien lassen sich nicht exportieren. Ein anderes Format wählen.</translation>
+    </message>
+    <message>
+        <source>Contact S&amp;heet…</source>
+        <translation>&amp;Kontaktbogen …</translation>
+    </message>
+    <message>
+        <source>Save the visible or selected swatches with figures as PDF or PNG</source>
+        <translation>Die sichtbaren oder gewählten Muster mit Zahlen als PDF oder PNG speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Print Contact Sheet…</source>
+        <translation>Kontaktbogen &amp;drucken …</translation>
+    </message>
+    <message>
+        <source>Sheets (*.pdf *.png)</source>
+        <translation>Bögen (*.pdf *.png)</translation>
+    </message>
+    <message>
+        <source>Print Contact Sheet</source>
+        <translation>Kontaktbogen drucken</translation>
+    </message>
+    <message>
+        <source>The printer did not respond. Check it and print again.</source>
+        <translation>Der Drucker hat nicht geantwortet. Den Drucker prüfen und erneut drucken.</translation>
+    </message>
+    <message>
+        <source>Printed: {count} pages</source>
+        <translation>Gedruckt: {count} Seiten</translation>
+    </message>
+    <message>
+        <source>Rendering contact sheet: {name}</source>
+        <translation>Kontaktbogen wird gerendert: {name}</translation>
+    </message>
+    <message>
+        <source>Rendering contact sheet</source>
+        <translation>Kontaktbogen wird gerendert</translation>
+    </message>
+    <message>
+        <source>The palette is unchanged.</source>
+        <translation>Die Palette ist unverändert.</translation>
+    </message>
+    <message>
+        <source>ΔE00</source>
+        <translation>ΔE00</translation>
+    </message>
+    <message>
+        <source>ΔL*</source>
+        <translation>ΔL*</translation>
+    </message>
+    <message>
+        <source>Δa*</source>
+        <translation>Δa*</translation>
+    </message>
+    <message>
+        <source>Δb*</source>
+        <translation>Δb*</translation>
+    </message>
+    <message>
+        <source>ΔC*</source>
+        <translation>ΔC*</translation>
+    </message>
+    <message>
+        <source>Δh</source>
+        <translation>Δh</translation>
+    </message>
+    <message>
+        <source>Aspecular angle</source>
+        <translation>Aspekularwinkel</translation>
+    </message>
+    <message>
+        <source>Colour difference CIEDE2000</source>
+        <translation>Farbabstand CIEDE2000</translation>
+    </message>
+    <message>
+        <source>Lightness difference, second minus first</source>
+        <translation>Helligkeitsdifferenz, zweites minus erstes</translation>
+    </message>
+    <message>
+        <source>Red–green difference, second minus first</source>
+        <translation>Rot-Grün-Differenz, zweites minus erstes</translation>
+    </message>
+    <message>
+        <source>Yellow–blue difference, second minus first</source>
+        <translation>Gelb-Blau-Differenz, zweites minus erstes</translation>
+    </message>
+    <message>
+        <source>Chroma difference, second minus first</source>
+        <translation>Buntheitsdifferenz, zweites minus erstes</translation>
+    </message>
+    <message>
+        <source>Hue angle difference in degrees, second minus first</source>
+        <translation>Differenz der Bunttonwinkel in Grad, zweites minus erstes</translation>
+    </message>
+    <message>
+        <source>Both paints at each angle</source>
+        <translation>Beide Lacke an jedem Winkel</translation>
+    </message>
+    <message>
+        <source>Differences at each angle</source>
+        <translation>Abstände an jedem Winkel</translation>
+    </message>
+    <message>
+        <source>Select two swatches to compare, or one in each of two panes.</source>
+        <translation>Zum Vergleichen zwei Muster wählen, oder eines in jedem von zwei Bereichen.</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(kein Name)</translation>
+    </message>
+    <message>
+        <source>Above: {first}
+Below: {second}</source>
+        <translation>Oben: {first}
+Unten: {second}</translation>
+    </message>
+    <message>
+        <source>Mean ΔE00 {mean}, worst {worst}</source>
+        <translation>Mittleres ΔE00 {mean}, größtes {worst}</translation>
+    </message>
+    <message>
+        <source>Flop {first} and {second}</source>
+        <translation>Flop {first} und {second}</translation>
+    </message>
+    <message>
+        <source>Gloss 20°: {first} and {second} GU</source>
+        <translation>Glanz 20°: {first} und {second} GU</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare the Two Selected</source>
+        <translation>Die zwei gewählten &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Move Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move Do&amp;wn</source>
+        <translation>Nach u&amp;nten</translation>
+    </message>
+    <message>
+        <source>Appl&amp;y Current Sort</source>
+        <translation>Jetzige &amp;Sortierung anwenden</translation>
+    </message>
+    <message>
+        <source>Make the current sort the palette order</source>
+        <translation>Die jetzige Sortierung zur Reihenfolge der Palette machen</translation>
+    </message>
+    <message>
+        <source>Apply current sort</source>
+        <translation>Jetzige Sortierung anwenden</translation>
+    </message>
+    <message>
+        <source>Move {what}</source>
+        <translation>{what} verschieben</translation>
+    </message>
+    <message>
+        <source>Tag {what}</source>
+        <translation>{what}: Stichwort vergeben</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Titel</translation>
+    </message>
+    <message>
+        <source>Copy {what}</source>
+        <translation>{what} kopieren</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>A&amp;usschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>E&amp;infügen</translation>
+    </message>
+    <message>
+        <source>D&amp;uplicate</source>
+        <translation>Du&amp;plizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>&amp;Alle wählen</translation>
+    </message>
+    <message>
+        <source>Select N&amp;one</source>
+        <translation>K&amp;eine wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Invert Selection</source>
+        <translation>Auswahl u&amp;mkehren</translation>
+    </message>
+    <message>
+        <source>Ta&amp;gs</source>
+        <translation>S&amp;tichwörter</translation>
+    </message>
+    <message>
+        <source>Not&amp;es</source>
+        <translation>N&amp;otizen</translation>
+    </message>
+    <message>
+        <source>Cut {what}</source>
+        <translation>{what} ausschneiden</translation>
+    </message>
+    <message>
+        <source>The clipboard contains no swatch, paint or colour.</source>
+        <translation>Die Zwischenablage enthält kein Muster, keinen Lack und keine Farbe.</translation>
+    </message>
+    <message>
+        <source>Copy swatches, a paint, or text with colours such as #3366cc or L*a*b* values.</source>
+        <translation>Muster, einen Lack oder Text mit Farben wie #3366cc oder L*a*b*-Werten kopieren.</translation>
+    </message>
+    <message>
+        <source>Paste {what}</source>
+        <translation>{what} einfügen</translation>
+    </message>
+    <message>
+        <source>Duplicate {what}</source>
+        <translation>{what} duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete {what}</source>
+        <translation>{what} löschen</translation>
+    </message>
+    <message>
+        <source>Rename to “{name}”</source>
+        <translation>In „{name}“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Change code</source>
+        <translation>Code ändern</translation>
+    </message>
+    <message>
+        <source>Rename {what}</source>
+        <translation>{what} umbenennen</translation>
+    </message>
+    <message>
+        <source>Change notes</source>
+        <translation>Notizen ändern</translation>
+    </message>
+    <message>
+        <source>Change tags of {what}</source>
+        <translation>Stichwörter von {what} ändern</translation>
+    </message>
+    <message>
+        <source>one swatch</source>
+        <translation>ein Muster</translation>
+    </message>
+    <message>
+        <source>New G&amp;roup</source>
+        <translation>Neue &amp;Gruppe</translation>
+    </message>
+    <message>
+        <source>New group from selection</source>
+        <translation>Neue Gruppe aus der Auswahl</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me Group</source>
+        <translation>Gruppe umbe&amp;nennen</translation>
+    </message>
+    <message>
+        <source>Dissol&amp;ve Group</source>
+        <translation>Gruppe auf&amp;lösen</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve Group and Swatches</source>
+        <translation>Gruppe und Muster ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>Change colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Neue Gruppe</translation>
+    </message>
+    <message>
+        <source>New group {number}</source>
+        <translation>Neue Gruppe {number}</translation>
+    </message>
+    <message>
+        <source>Dissolve group</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Remove group</source>
+        <translation>Gruppe entfernen</translation>
+    </message>
+    <message>
+        <source>Move group</source>
+        <translation>Gruppe verschieben</translation>
+    </message>
+    <message>
+        <source>Move group “{name}”</source>
+        <translation>Gruppe „{name}“ verschieben</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Designer</source>
+        <translation>An &amp;Designer senden</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Viewer</source>
+        <translation>An &amp;Viewer senden</translation>
+    </message>
+    <message>
+        <source>Send to &amp;Lobe Visualizer</source>
+        <translation>An &amp;Lobe Visualizer senden</translation>
+    </message>
+    <message>
+        <source>&amp;Add Paint from Designer</source>
+        <translation>Lack aus Designer &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the paint being edited in Designer to this palette</source>
+        <translation>Den in Designer bearbeiteten Lack zu dieser Palette hinzufügen</translation>
+    </message>
+    <message>
+        <source>Find Nearest to &amp;Designer&apos;s Paint</source>
+        <translation>Nächste zum Lack in &amp;Designer suchen</translation>
+    </message>
+    <message>
+        <source>“{paint}” consists of Cook-Torrance lobes; the live link sends designed paints only.</source>
+        <translation>„{paint}“ besteht aus Cook-Torrance-Keulen; die Verbindung sendet nur entworfene Lacke.</translation>
+    </message>
+    <message>
+        <source>Open its file in {program}.</source>
+        <translation>Seine Datei in {program} öffnen.</translation>
+    </message>
+    <message>
+        <source>{program} could not be started.</source>
+        <translation>{program} konnte nicht gestartet werden.</translation>
+    </message>
+    <message>
+        <source>Start it manually; the paint is then sent to it.</source>
+        <translation>Das Programm von Hand starten; der Lack wird dann gesendet.</translation>
+    </message>
+    <message>
+        <source>Starting {program} with “{paint}”.</source>
+        <translation>{program} wird mit „{paint}“ gestartet.</translation>
+    </message>
+    <message>
+        <source>Add “{paint}”</source>
+        <translation>„{paint}“ hinzufügen</translation>
+    </message>
+    <message>
+        <source>No paint is being edited.</source>
+        <translation>Kein Lack wird bearbeitet.</translation>
+    </message>
+    <message>
+        <source>Open a paint in Designer, then try again.</source>
+        <translation>Einen Lack in Designer öffnen, dann erneut versuchen.</translation>
+    </message>
+    <message>
+        <source>{link} · in Designer: {paint}</source>
+        <translation>{link} · in Designer: {paint}</translation>
+    </message>
+    <message>
+        <source>Find &amp;Nearest</source>
+        <translation>&amp;Nächste suchen</translation>
+    </message>
+    <message>
+        <source>Sort by mean ΔE00 over 15°, 45° and 110° to the selected swatch</source>
+        <translation>Nach mittlerem ΔE00 über 15°, 45° und 110° zum gewählten Muster sortieren</translation>
+    </message>
+    <message>
+        <source>Find Nearest in &amp;Other Pane</source>
+        <translation>Nächste im &amp;anderen Bereich suchen</translation>
+    </message>
+    <message>
+        <source>Sort the other pane by mean ΔE00 to the swatch selected here</source>
+        <translation>Den anderen Bereich nach mittlerem ΔE00 zum hier gewählten Muster sortieren</translation>
+    </message>
+    <message>
+        <source>Find Nearest to Clip&amp;board</source>
+        <translation>Nächste zur &amp;Zwischenablage suchen</translation>
+    </message>
+    <message>
+        <source>Sort by mean ΔE00 to the paint, colour or L*a*b* values on the clipboard</source>
+        <translation>Nach mittlerem ΔE00 zum Lack, zur Farbe oder zu den L*a*b*-Werten der Zwischenablage sortieren</translation>
+    </message>
+    <message>
+        <source>The order is unchanged.</source>
+        <translation>Die Reihenfolge ist unverändert.</translation>
+    </message>
+    <message>
+        <source>The swatches on the clipboard are damaged.</source>
+        <translation>Die Muster der Zwischenablage sind beschädigt.</translation>
+    </message>
+    <message>
+        <source>The text on the clipboard is not a valid paint ({reason}).</source>
+        <translation>Der Text der Zwischenablage ist kein gültiger Lack ({reason}).</translation>
+    </message>
+    <message>
+        <source>Show as &amp;Spheres</source>
+        <translation>Als &amp;Kugeln zeigen</translation>
+    </message>
+    <message>
+        <source>Show as Curved &amp;Panels</source>
+        <translation>Als gewölbte &amp;Bleche zeigen</translation>
+    </message>
+    <message>
+        <source>Show as &amp;Flop Strips</source>
+        <translation>Als &amp;Flop-Streifen zeigen</translation>
+    </message>
+    <message>
+        <source>Show as Flat &amp;Chips</source>
+        <translation>Als flache &amp;Plättchen zeigen</translation>
+    </message>
+    <message>
+        <source>Show as &amp;List</source>
+        <translation>Als &amp;Liste zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Larger Swatches</source>
+        <translation>&amp;Größere Muster</translation>
+    </message>
+    <message>
+        <source>S&amp;maller Swatches</source>
+        <translation>&amp;Kleinere Muster</translation>
+    </message>
+    <message>
+        <source>Searc&amp;h</source>
+        <translation>S&amp;uchen</translation>
+    </message>
+    <message>
+        <source>Clear Filte&amp;rs</source>
+        <translation>Filt&amp;er aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Two Panes</source>
+        <translation>&amp;Zwei Bereiche</translation>
+    </message>
+    <message>
+        <source>Go to the &amp;Other Pane</source>
+        <translation>In den &amp;anderen Bereich</translation>
+    </message>
+    <message>
+        <source>Ungrouped</source>
+        <translation>Ohne Gruppe</translation>
+    </message>
+    <message>
+        <source>{count} similar</source>
+        <translation>{count} ähnliche</translation>
+    </message>
+    <message>
+        <source>{count} similar, differences up to ΔE00 {widest}</source>
+        <translation>{count} ähnliche, Abstände bis ΔE00 {widest}</translation>
+    </message>
+    <message>
+        <source>{title}, by steps</source>
+        <translation>{title}, in Stufen</translation>
+    </message>
+    <message>
+        <source>Gloss 20° (GU)</source>
+        <translation>Glanz 20° (GU)</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Stichwörter</translation>
+    </message>
+    <message>
+        <source>Name of the paint (rename: F2)</source>
+        <translation>Name des Lacks (umbenennen: F2)</translation>
+    </message>
+    <message>
+        <source>Manufacturer&apos;s code or your own</source>
+        <translation>Code des Herstellers oder ein eigener</translation>
+    </message>
+    <message>
+        <source>Gloss at 20° in gloss units (GU), coat and base together</source>
+        <translation>Glanz bei 20° in Glanzeinheiten (GU), Klarlack und Basis zusammen</translation>
+    </message>
+    <message>
+        <source>Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 for a solid colour</source>
+        <translation>Flop-Index 2.69 (L*15 − L*110)^1.11 / L*45^0.86; 0 für eine Unifarbe</translation>
+    </message>
+    <message>
+        <source>Search terms</source>
+        <translation>Suchbegriffe</translation>
+    </message>
+    <message>
+        <source>Date of the last change (year-month-day)</source>
+        <translation>Datum der letzten Änderung (Jahr-Monat-Tag)</translation>
+    </message>
+    <message>
+        <source>CIE {axis}* (D65, 10°) at the aspecular angle {angle}°</source>
+        <translation>CIE {axis}* (D65, 10°) am Aspekularwinkel {angle}°</translation>
+    </message>
+    <message>
+        <source>Swatches</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Swatches, second pane</source>
+        <translation>Muster, zweiter Bereich</translation>
+    </message>
+    <message>
+        <source>Grid of swatches</source>
+        <translation>Raster der Muster</translation>
+    </message>
+    <message>
+        <source>Active pane</source>
+        <translation>Aktiver Bereich</translation>
+    </message>
+    <message>
+        <source>Close pane</source>
+        <translation>Bereich schließen</translation>
+    </message>
+    <message>
+        <source>List of swatches</source>
+        <translation>Liste der Muster</translation>
+    </message>
+    <message>
+        <source>Code {code}</source>
+        <translation>Code {code}</translation>
+    </message>
+    <message>
+        <source>Flat colour, {model}</source>
+        <translation>Flache Farbe, {model}</translation>
+    </message>
+    <message>
+        <source>ΔE00 to the search target: {value}</source>
+        <translation>ΔE00 zum Suchziel: {value}</translation>
+    </message>
+    <message>
+        <source>Tags: {tags}</source>
+        <translation>Stichwörter: {tags}</translation>
+    </message>
+    <message>
+        <source>Group: {group}</source>
+        <translation>Gruppe: {group}</translation>
+    </message>
+    <message>
+        <source>{name}, L* {L}, a* {a}, b* {b} at 45°, flop {flop}</source>
+        <translation>{name}, L* {L}, a* {a}, b* {b} bei 45°, Flop {flop}</translation>
+    </message>
+    <message>
+        <source>&amp;New Palette</source>
+        <translation>&amp;Neue Palette</translation>
+    </message>
+    <message>
+        <source>Open S&amp;ample Paints</source>
+        <translation>&amp;Beispiellacke öffnen</translation>
+    </message>
+    <message>
+        <source>Save A&amp;ll</source>
+        <translation>A&amp;lle speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Close Palette</source>
+        <translation>Palette &amp;schließen</translation>
+    </message>
+    <message>
+        <source>Add paint</source>
+        <translation>Lack hinzufügen</translation>
+    </message>
+    <message>
+        <source>“{name}” imported with 1 note.</source>
+        <translation>„{name}“ mit 1 Hinweis importiert.</translation>
+    </message>
+    <message>
+        <source>“{name}” imported with {count} notes.</source>
+        <translation>„{name}“ mit {count} Hinweisen importiert.</translation>
+    </message>
+    <message>
+        <source>The palette stays in the library; nothing else has changed.</source>
+        <translation>Die Palette bleibt in der Bibliothek; sonst hat sich nichts geändert.</translation>
+    </message>
+    <message>
+        <source>The open palette is unchanged.</source>
+        <translation>Die offene Palette ist unverändert.</translation>
+    </message>
+    <message>
+        <source>“{name}” was changed by another program.</source>
+        <translation>„{name}“ wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>Reload loads the current file. It can be undone.</source>
+        <translation>„Neu laden“ lädt die jetzige Datei. Es lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Keep Mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+    <message>
+        <source>You have unsaved changes. Merge combines both versions; Reload discards yours. Both can be undone.</source>
+        <translation>Es gibt ungespeicherte Änderungen. „Zusammenführen“ vereint beide Fassungen; „Neu laden“ verwirft die eigene. Beides lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Merge</source>
+        <translation>Zusammenführen</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Von der Platte neu laden</translation>
+    </message>
+    <message>
+        <source>Merge with file</source>
+        <translation>Mit der Datei zusammenführen</translation>
+    </message>
+    <message>
+        <source>File merged with 1 conflict; your version was kept.</source>
+        <translation>Datei mit 1 Konflikt zusammengeführt; die eigene Fassung wurde behalten.</translation>
+    </message>
+    <message>
+        <source>File merged with {count} conflicts; your version was kept.</source>
+        <translation>Datei mit {count} Konflikten zusammengeführt; die eigene Fassung wurde behalten.</translation>
+    </message>
+    <message>
+        <source>File merged with your changes.</source>
+        <translation>Datei mit den eigenen Änderungen zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>Library: palettes, groups and tags</source>
+        <translation>Bibliothek: Paletten, Gruppen und Stichwörter</translation>
+    </message>
+    <message>
+        <source>Not saved to a file</source>
+        <translation>Nicht in einer Datei gespeichert</translation>
+    </message>
+    <message>
+        <source>{file}
+Not loaded; select it to load it.</source>
+        <translation>{file}
+Nicht geladen; zum Laden wählen.</translation>
+    </message>
+    <message>
+        <source>{file}
+Unsaved changes.</source>
+        <translation>{file}
+Ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Ungespeicherte Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>a* b* L*</source>
+        <translation>a* b* L*</translation>
+    </message>
+    <message>
+        <source>All swatches in three dimensions. Left drag rotates, Ctrl+left drag selects</source>
+        <translation>Alle Muster in drei Dimensionen. Ziehen links dreht, Strg+Ziehen links wählt</translation>
+    </message>
+    <message>
+        <source>Flop over L*</source>
+        <translation>Flop über L*</translation>
+    </message>
+    <message>
+        <source>Flop index over lightness at 45°. Left drag selects</source>
+        <translation>Flop-Index über der Helligkeit bei 45°. Ziehen links wählt</translation>
+    </message>
+    <message>
+        <source>a* b*</source>
+        <translation>a* b*</translation>
+    </message>
+    <message>
+        <source>b* over a* at 45°. Left drag selects</source>
+        <translation>b* über a* bei 45°. Ziehen links wählt</translation>
+    </message>
+    <message>
+        <source>Gloss over flop</source>
+        <translation>Glanz über Flop</translation>
+    </message>
+    <message>
+        <source>Gloss at 20° over flop index. Left drag selects</source>
+        <translation>Glanz bei 20° über dem Flop-Index. Ziehen links wählt</translation>
+    </message>
+    <message>
+        <source>Type of map</source>
+        <translation>Art der Karte</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Left drag selects swatches with a lasso. Ctrl adds to the selection, Alt removes</source>
+        <translation>Ziehen links wählt Muster mit einem Lasso. Strg fügt zur Auswahl hinzu, Alt nimmt heraus</translation>
+    </message>
+    <message>
+        <source>Colour &amp;Map</source>
+        <translation>Farb&amp;karte</translation>
+    </message>
+    <message>
+        <source>Fra&amp;me All in Map</source>
+        <translation>Alles in der Karte &amp;einrahmen</translation>
+    </message>
+    <message>
+        <source>No swatches to show.</source>
+        <translation>Keine Muster zu zeigen.</translation>
+    </message>
+    <message>
+        <source>The three-dimensional map needs OpenGL, which is not available here. Use one of the planes.</source>
+        <translation>Die dreidimensionale Karte braucht OpenGL, das hier nicht verfügbar ist. Eine der Ebenen verwenden.</translation>
+    </message>
+    <message>
+        <source>Lightness L* at 45°</source>
+        <translation>Helligkeit L* bei 45°</translation>
+    </message>
+    <message>
+        <source>a* at 45°, green to red</source>
+        <translation>a* bei 45°, Grün bis Rot</translation>
+    </message>
+    <message>
+        <source>b* at 45°, blue to yellow</source>
+        <translation>b* bei 45°, Blau bis Gelb</translation>
+    </message>
+    <message>
+        <source>Gloss at 20° (GU)</source>
+        <translation>Glanz bei 20° (GU)</translation>
+    </message>
+    <message>
+        <source>Two-dimensional colour map</source>
+        <translation>Zweidimensionale Farbkarte</translation>
+    </message>
+    <message>
+        <source>Three-dimensional colour map</source>
+        <translation>Dreidimensionale Farbkarte</translation>
+    </message>
+    <message>
+        <source>CIE hue angle at 45°. A range from 330° to 30° passes through 0°</source>
+        <translation>CIE-Bunttonwinkel bei 45°. Ein Bereich von 330° bis 30° geht durch 0°</translation>
+    </message>
+    <message>
+        <source>CIE L* at 45°</source>
+        <translation>CIE L* bei 45°</translation>
+    </message>
+    <message>
+        <source>CIE C* at 45°</source>
+        <translation>CIE C* bei 45°</translation>
+    </message>
+    <message>
+        <source>Flop index from 15°, 45° and 110° (0: solid)</source>
+        <translation>Flop-Index aus 15°, 45° und 110° (0: Uni)</translation>
+    </message>
+    <message>
+        <source>Gloss at 20° in gloss units</source>
+        <translation>Glanz bei 20° in Glanzeinheiten</translation>
+    </message>
+    <message>
+        <source>Duplicates within</source>
+        <translation>Doppelte innerhalb</translation>
+    </message>
+    <message>
+        <source>Show only swatches within this ΔE00 of another at every angle, by group</source>
+        <translation>Nur Muster zeigen, die an jedem Winkel innerhalb dieses ΔE00 von einem anderen liegen, nach Gruppen</translation>
+    </message>
+    <message>
+        <source>Duplicate tolerance</source>
+        <translation>Toleranz für Doppelte</translation>
+    </message>
+    <message>
+        <source>Name of the palette or group</source>
+        <translation>Name der Palette oder Gruppe</translation>
+    </message>
+    <message>
+        <source>Colour that marks the palette or group in the library</source>
+        <translation>Farbe, die die Palette oder Gruppe in der Bibliothek kennzeichnet</translation>
+    </message>
+    <message>
+        <source>Colour of the palette or group</source>
+        <translation>Farbe der Palette oder Gruppe</translation>
+    </message>
+    <message>
+        <source>No colour</source>
+        <translation>Keine Farbe</translation>
+    </message>
+    <message>
+        <source>Notes of the palette or group</source>
+        <translation>Notizen der Palette oder Gruppe</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Colour of the Palette</source>
+        <translation>Farbe der Palette</translation>
+    </message>
+    <message>
+        <source>{name}, from</source>
+        <translation>{name}, von</translation>
+    </message>
+    <message>
+        <source>{name}, to</source>
+        <translation>{name}, bis</translation>
+    </message>
+    <message>
+        <source>Measured colours</source>
+        <translation>Gemessene Farben</translation>
+    </message>
+    <message>
+        <source>comma-separated</source>
+        <translation>kommagetrennt</translation>
+    </message>
+    <message>
+        <source>Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.</source>
+        <translation>Suchbegriffe, kommagetrennt. Bei mehreren Mustern fügt +Wort ein Stichwort hinzu, -Wort entfernt es.</translation>
+    </message>
+    <message>
+        <source>No swatch selected. Click one, or drag around several.</source>
+        <translation>Kein Muster gewählt. Eines anklicken oder mehrere mit Ziehen umfahren.</translation>
+    </message>
+    <message>
+        <source>{count} swatches selected. Edits apply to all.</source>
+        <translation>{count} Muster gewählt. Änderungen gelten für alle.</translation>
+    </message>
+    <message>
+        <source>Palette order</source>
+        <translation>Reihenfolge der Palette</translation>
+    </message>
+    <message>
+        <source>Hue path</source>
+        <translation>Bunttonpfad</translation>
+    </message>
+    <message>
+        <source>Nearest first</source>
+        <translation>Nächste zuerst</translation>
+    </message>
+    <message>
+        <source>Sphere in the light booth</source>
+        <translation>Kugel in der Lichtkabine</translation>
+    </message>
+    <message>
+        <source>Panel</source>
+        <translation>Blech</translation>
+    </message>
+    <message>
+        <source>Curved panel in the light booth</source>
+        <translation>Gewölbtes Blech in der Lichtkabine</translation>
+    </message>
+    <message>
+        <source>Flop from 15° (left) to 110° (right)</source>
+        <translation>Flop von 15° (links) bis 110° (rechts)</translation>
+    </message>
+    <message>
+        <source>Chips</source>
+        <translation>Plättchen</translation>
+    </message>
+    <message>
+        <source>Measured colours at 15°, 45° and 110° as flat chips</source>
+        <translation>Gemessene Farben bei 15°, 45° und 110° als flache Plättchen</translation>
+    </message>
+    <message>
+        <source>Search names, codes, tags, notes</source>
+        <translation>Namen, Codes, Stichwörter, Notizen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search names, codes, tags and notes</source>
+        <translation>Namen, Codes, Stichwörter und Notizen durchsuchen</translation>
+    </message>
+    <message>
+        <source>Every word must occur in name, code, tags, notes or group (Ctrl+F)</source>
+        <translation>Jedes Wort muss in Name, Code, Stichwörtern, Notizen oder Gruppe vorkommen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Order of the swatches</source>
+        <translation>Reihenfolge der Muster</translation>
+    </message>
+    <message>
+        <source>Order of the swatches. Swatches can be moved by hand in palette order</source>
+        <translation>Reihenfolge der Muster. In der Reihenfolge der Palette lassen sie sich von Hand verschieben</translation>
+    </message>
+    <message>
+        <source>Light for all swatches</source>
+        <translation>Licht für alle Muster</translation>
+    </message>
+    <message>
+        <source>List with columns (Ctrl+L)</source>
+        <translation>Liste mit Spalten (Strg+L)</translation>
+    </message>
+    <message>
+        <source>List with columns</source>
+        <translation>Liste mit Spalten</translation>
+    </message>
+    <message>
+        <source>Swatch size in pixels</source>
+        <translation>Größe der Muster in Pixeln</translation>
+    </message>
+    <message>
+        <source>Descending; click for ascending</source>
+        <translation>Absteigend; Klick für aufsteigend</translation>
+    </message>
+    <message>
+        <source>Ascending; click for descending</source>
+        <translation>Aufsteigend; Klick für absteigend</translation>
+    </message>
+    <message>
+        <source>Swatch size: {size} pixels (Ctrl+wheel)</source>
+        <translation>Größe der Muster: {size} Pixel (Strg+Mausrad)</translation>
+    </message>
+    <message>
+        <source>{count} pictures pending</source>
+        <translation>{count} Bilder ausstehend</translation>
+    </message>
+    <message>
+        <source>The swatches cannot be rendered here.</source>
+        <translation>Die Muster können hier nicht gerendert werden.</translation>
+    </message>
+    <message>
+        <source>Measured colours are shown instead; everything else works.</source>
+        <translation>Stattdessen werden gemessene Farben gezeigt; alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>The rendering process ended repeatedly. Choose another form or light.</source>
+        <translation>Der Renderprozess endete wiederholt. Eine andere Form oder ein anderes Licht wählen.</translation>
+    </message>
+    <message>
+        <source>The rendering process ended while rendering this paint.</source>
+        <translation>Der Renderprozess endete beim Rendern dieses Lacks.</translation>
+    </message>
+    <message>
+        <source>The swatches cannot be rendered: {reason}.</source>
+        <translation>Die Muster können nicht gerendert werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>Swatch</source>
+        <translation>Muster</translation>
+    </message>
+    <message>
+        <source>Filters</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Palette or Group</source>
+        <translation>Palette oder Gruppe</translation>
+    </message>
+    <message>
+        <source>Swatches shown and selected</source>
+        <translation>Gezeigte und gewählte Muster</translation>
+    </message>
+    <message>
+        <source>Visible pictures still pending</source>
+        <translation>Noch ausstehende sichtbare Bilder</translation>
+    </message>
+    <message>
+        <source>Notes on the colours shown</source>
+        <translation>Hinweise zu den gezeigten Farben</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>The work could not be started: {reason}.</source>
+        <translation>Die Berechnung konnte nicht gestartet werden: {reason}.</translation>
+    </message>
+    <message>
+        <source>The work ended without a message.</source>
+        <translation>Die Berechnung endete ohne Meldung.</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.acquisition.geometry.lens import Lens
-from brdf_suite.acquisition.session.session import Intrinsics
 from brdf_suite.errors import ValueRangeError
 
 _SMALL = st.floats(-0.15, 0.15)
@@ -33,14 +32,13 @@ def test_distortion_is_that_of_opencv() -> None:
     np.testing.assert_allclose(lens.pixels(points), expected[:, 0], atol=1e-8)
 
 
-def test_a_lens_is_made_of_a_sessions_intrinsics() -> None:
-    lens = Lens.of(Intrinsics(fx=1000.0, fy=1001.0, cx=320.0, cy=240.0, k1=0.1, p2=0.002))
-    assert lens == Lens(1000.0, 1001.0, 320.0, 240.0, k1=0.1, p2=0.002)
+def test_a_lens_is_read_back_from_its_numbers() -> None:
+    lens = Lens(1000.0, 1001.0, 320.0, 240.0, k1=0.1, p2=0.002)
     assert Lens(**lens.to_json()) == lens
 
 
 def test_numbers_that_are_none_are_refused() -> None:
-    with pytest.raises(ValueRangeError, match=r"lens\.k1"):
+    with pytest.raises(ValueRangeError, match="k1"):
         Lens(900.0, 900.0, 1.0, 1.0, float("nan"))
-    with pytest.raises(ValueRangeError, match="focal"):
+    with pytest.raises(ValueRangeError, match="fx"):
         Lens(0.0, 900.0, 1.0, 1.0)

@@ -13,11 +13,11 @@ from brdf_suite.acquisition.geometry.refinement.refinement import (
     format_movement_notice,
     refine,
 )
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight, find_highlight
+from brdf_suite.acquisition.geometry.sphere.nominal_geometry import nominal_geometry
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline, find_outline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,
-    Intrinsics,
     Light,
     Position,
     Session,
@@ -44,7 +44,7 @@ def _session() -> Session:
             "srgb",
             -2.5,
             ((0.9, 0.1, 0.0), (0.0, 1.0, 0.0), (0.0, 0.1, 0.9)),
-            Intrinsics(900.0, 901.0, 320.5, 240.25, -0.1),
+            Lens(900.0, 901.0, 320.5, 240.25, -0.1),
             Board(9, 6, 0.025, ("board/0.png", "board/1.png")),
         ),
         Sphere(0.05, (0.0, 0.001, 0.0)),

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from brdf_suite.appearance.clearcoat_gloss import gloss_units, haze_units
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import (
     DEFAULT_SET,
@@ -16,7 +17,6 @@ from brdf_suite.appearance.geometries import (
     geometry_set,
     measured_set,
 )
-from brdf_suite.appearance.gloss import gloss_units, haze_units
 from brdf_suite.errors import ValueRangeError
 
 

@@ -16,13 +16,13 @@ from brdf_suite.fitting.homomorphic.factorization import Factorization, normaliz
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
 from brdf_suite.fitting.homomorphic.projected import average_samples
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
-from brdf_suite.fitting.homomorphic.separable import separate
-from brdf_suite.fitting.homomorphic.storage import STORES, compression, quantize_maps
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from tools.evaluation.factor_storage import STORES, compression, quantize_maps
+from tools.evaluation.separable_expansion import separate
 
 _held_out = load_module(Path(__file__).parent / "parts" / "factorization_held_out.py")
 _samples = load_module(Path(__file__).parent / "parts" / "factorization_samples.py")

@@ -114,18 +114,8 @@ def _seconds(*command: str | Path, home: Path) -> float:
 def _installed(folder: Path, figures: dict[str, float | None]) -> Path:
     """Install the wheel without extras; return the folder of its programs."""
     quiet = {"check": True, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    build = [
-        sys.executable,
-        "-m",
-        "build",
-        "--wheel",
-        "--no-isolation",
-        "--outdir",
-        str(folder),
-        str(_CHECKOUT),
-    ]
-    subprocess.run(build, **quiet)
-    (wheel,) = folder.glob("*.whl")
+    packing = load_module(_PACKAGING / "wheel.py")
+    wheel = packing.build_wheel(folder)
     environment = folder / "env"
     uv = [sys.executable, "-m", "uv"]
     subprocess.run([*uv, "venv", "--python", sys.executable, str(environment)], **quiet)
@@ -146,8 +136,7 @@ def _installed(folder: Path, figures: dict[str, float | None]) -> Path:
         **quiet,
     )
     site_packages = next(environment.rglob("site-packages"))
-    measure = load_module(_PACKAGING / "installed_size.py")
-    sizes = measure.installed_sizes(site_packages)
+    sizes = packing.installed_sizes(site_packages)
     figures["installed_mb"] = sum(sizes.values()) / 1e6
     TABLES["installed_mb"] = {package: round(size / 1e6, 1) for package, size in sizes.items()}
     largest = list(TABLES["installed_mb"].items())[:6]

@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import gloss_units
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.geometries import geometry_set, measured_set
-from brdf_suite.appearance.gloss import gloss_units
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.pipeline.material import load_shipped_paint, paint_names

@@ -164,7 +164,7 @@ def searching(large):
 
 
 def window(file):
-    from brdf_suite.lighting.cache.maps import default_root
+    from brdf_suite.files.cache.disk_cache import default_root
 
     # The light and the form are there already, as they are after any start but the first; no picture is.
     cache = file.parent / "own cache"

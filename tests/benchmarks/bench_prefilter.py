@@ -149,7 +149,7 @@ def _large() -> tuple[float, float]:
 
 
 def _cache_hits() -> float:
-    from brdf_suite.lighting.cache.maps import MapCache
+    from brdf_suite.lighting.lobe_map_cache import MapCache
     from brdf_suite.pipeline.scene import load_environment
     from brdf_suite.realtime.environment.textures import EnvironmentTextures
     from brdf_suite.realtime.gl.context import create_context

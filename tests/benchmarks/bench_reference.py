@@ -14,7 +14,7 @@ from time import process_time
 
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
-from brdf_suite.lighting.cache.maps import default_root
+from brdf_suite.files.cache.disk_cache import default_root
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.table_1 import TABLE_1

@@ -1,4 +1,4 @@
-"""A real Designer with settings and a live link of its own, on Qt's offscreen platform unless told otherwise."""
+"""A real Designer with settings and a live link of its own, on Qt's offscreen platform unless the caller sets one."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_designer.assembly import FIRST_PAINT, Designer
-from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_designer.preview import thumbnails
 from brdf_qt.window.dialogs import Answer, Overwrite
 from PySide6.QtCore import QCoreApplication, QEvent
 
@@ -20,7 +20,7 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 
 class ScriptedDialogs:
-    """Answers as told, and notes what was asked."""
+    """Gives the answers that a test sets, and notes what was asked."""
 
     def __init__(self) -> None:
         self.answer = Answer.CANCEL
@@ -65,7 +65,7 @@ def dialogs() -> ScriptedDialogs:
 @pytest.fixture
 def designer(qtbot, dialogs, monkeypatch) -> Designer:
     """Designer, shown, with its plot there; placeholders stand for the small pictures, which need a process."""
-    monkeypatch.setattr(Thumbnails, "_ask_next", lambda _self: None)
+    monkeypatch.setattr(thumbnails, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
@@ -82,7 +82,7 @@ def lasting(qapp, tmp_path_factory):
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
         patched.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
-        patched.setattr(Thumbnails, "_ask_next", lambda _self: None)
+        patched.setattr(thumbnails, "child_command", lambda _module: [])
         designer = Designer(dialogs=lambda _window: dialogs)
         designer.window.show()
         while not designer.window.plot.is_built:
@@ -103,7 +103,6 @@ def fresh(lasting, own_session):
     for document in documents.row:
         if document is not first:
             documents.close(document)
-    documents._closed.clear()
     vars(dialogs).update(vars(ScriptedDialogs()))
     first.pristine = True
     for key in designer.window.messages.shown():
@@ -115,7 +114,7 @@ def fresh(lasting, own_session):
 def desk(fresh, qtbot) -> Designer:
     """The Designer of the module at its first paint, with strip and curves there."""
     designer, _ = fresh
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     return designer
 
 

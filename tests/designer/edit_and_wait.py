@@ -16,7 +16,7 @@ from PySide6.QtTest import QTest
 
 
 class Hand(QObject):
-    told = Signal(str)
+    line_read = Signal(str)
 
 
 app = create_application("Designer")
@@ -26,7 +26,8 @@ hand = Hand()
 
 def grip() -> None:
     slider = designer.window.editors.editors[0].sliders[0]
-    start = QPoint(round(slider._x(slider.amount())), slider.height() // 2)
+    low, high = slider.positions()[[0, -1]]
+    start = QPoint(round(slider.width() * (slider.amount() - low) / (high - low)), slider.height() // 2)
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
     QTest.mouseMove(slider, start + QPoint(30, 0))
 
@@ -51,7 +52,7 @@ def obey(line: str) -> None:
 
 def listen() -> None:
     for line in sys.stdin:
-        hand.told.emit(line)
+        hand.line_read.emit(line)
 
 
 def begin() -> None:
@@ -60,6 +61,6 @@ def begin() -> None:
     Thread(target=listen, daemon=True).start()
 
 
-hand.told.connect(obey, Qt.ConnectionType.QueuedConnection)
+hand.line_read.connect(obey, Qt.ConnectionType.QueuedConnection)
 designer.window.first_painted.connect(lambda: QTimer.singleShot(100, begin))
 sys.exit(run(app, designer.window))

@@ -1,7 +1,9 @@
-"""The controller with a real fitter and a window that only notes what it is told."""
+"""The controller with a real fitter and a window that only notes what it is shown."""
 
 from __future__ import annotations
 
+from concurrent.futures import Future
+from dataclasses import replace
 from unittest.mock import create_autospec
 
 import numpy as np
@@ -10,6 +12,7 @@ from brdf_designer.assembly import paint_format
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.controller import Controller, View
 from brdf_designer.documents.tabs import Documents
+from brdf_designer.session.edits import SetLab, SetNumber, SetText
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import DeskStatus
@@ -17,7 +20,7 @@ from brdf_qt.link.messages import BadMessageError, encode
 from brdf_qt.window.status_line import StatusLine
 
 from brdf_suite.documents.store import paint_from_json
-from brdf_suite.fitting.lobes.solver import SolverOutcome
+from brdf_suite.errors import FittingError
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
 
@@ -27,6 +30,17 @@ def fitter() -> PaintFitter:
     return PaintFitter(time_limit_s=60.0)  # exact, however busy the machine is
 
 
+class LosingFitter(PaintFitter):
+    """A fitter out of time, whose solver then loses the optimum: no paint is known that does this."""
+
+    def __init__(self) -> None:
+        super().__init__(time_limit_s=1e-6)
+        self.optimum: Future = Future()
+
+    def fit(self, paint):
+        return replace(super().fit(paint), exact=self.optimum)
+
+
 class Parts:
     """A controller and all that it works with."""
 
@@ -34,9 +48,8 @@ class Parts:
         self.view = create_autospec(View, instance=True)
         self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
-        self.desk = PaintSession(
-            self.documents, fitter, lambda *message: self.published.append(message), self.view
-        )
+        self.publish = lambda *message: self.published.append(message)
+        self.desk = PaintSession(self.documents, fitter, lambda *message: self.publish(*message), self.view)
         self.controller = Controller(self.view, self.desk)
 
     @property
@@ -56,7 +69,7 @@ def desk(qapp, fitter, dialogs) -> Parts:
 
 
 def test_an_edit_reaches_document_view_and_link(desk, qtbot):
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     assert desk.store.value.lab_at(45.0)[0] == 30.0
     assert desk.view.show_colours.call_args.args[0].paint == desk.store.value
     assert desk.view.show_fit.call_args.args[0].worst_delta_e < 0.5
@@ -68,7 +81,7 @@ def test_an_edit_reaches_document_view_and_link(desk, qtbot):
 
 def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
     for lightness in (30.0, 31.0, 32.0):
-        desk.controller.edit(("lab", 1, 0), lightness)
+        desk.desk.edit(SetLab(1, 0, lightness))
     qtbot.waitUntil(lambda: len(desk.published) >= 1)
     qtbot.wait(20)
     assert len(desk.published) == 1
@@ -77,7 +90,7 @@ def test_many_changes_of_one_turn_are_published_once_the_newest(desk, qtbot):
 
 def test_the_curves_follow_the_numbers_once_a_turn(desk, qtbot):
     for lightness in (30.0, 31.0, 32.0):
-        desk.controller.edit(("lab", 1, 0), lightness)
+        desk.desk.edit(SetLab(1, 0, lightness))
     assert desk.view.show_fit.call_count == 3
     desk.view.show_curves.assert_not_called()
     qtbot.waitUntil(lambda: desk.view.show_curves.called)
@@ -88,21 +101,21 @@ def test_the_curves_follow_the_numbers_once_a_turn(desk, qtbot):
 
 
 def test_what_stays_of_a_refused_paint_is_the_last_one_that_can_be(desk):
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     due = curves_of(desk.desk.fit)
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     names = [call[0] for call in desk.view.method_calls]
     assert names.index("show_curves") < names.index("mark_fit_stale")
     assert np.array_equal(desk.view.show_curves.call_args.args[0].strip_rgb, due.strip_rgb)
 
 
-def test_a_paint_that_the_link_refuses_is_told(desk, qtbot):
-    desk.desk._publish = lambda topic, value: encode(topic, value, "me", 1)
-    desk.controller.edit(("source",), "\u20ac" * 10_000)
+def test_a_paint_that_the_link_refuses_is_reported(desk, qtbot):
+    desk.publish = lambda topic, value: encode(topic, value, "me", 1)
+    desk.desk.edit(SetText("source", "\u20ac" * 10_000))
     qtbot.wait(20)
     desk.view.show_message.assert_not_called()
-    desk.desk._publish = refuse
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.publish = refuse
+    desk.desk.edit(SetLab(1, 0, 30.0))
     qtbot.waitUntil(lambda: desk.view.show_message.called)
     assert desk.view.show_message.call_args.args[0].key == "link"
 
@@ -111,12 +124,12 @@ def refuse(topic, value) -> None:
     raise BadMessageError("longer than a message may be")
 
 
-def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
+def test_an_unreachable_gloss_is_reported_and_the_last_state_stays(desk, qtbot):
     desk.desk.refresh()
     qtbot.waitUntil(lambda: len(desk.published) >= 1)
     assert len(desk.published) == 1
     fits = desk.view.show_fit.call_count
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     message = desk.view.show_message.call_args.args[0]
     assert message.key == "fit"
     assert "199 GU" in message.what
@@ -125,16 +138,16 @@ def test_an_unreachable_gloss_is_told_and_the_last_state_stays(desk, qtbot):
     assert desk.store.value.gloss.gu_20 == 199.0
     qtbot.wait(20)
     assert len(desk.published) == 1
-    desk.controller.edit(("gloss", "gu_20"), 88.0)
+    desk.desk.edit(SetNumber("gloss.gu_20", 88.0))
     desk.view.dismiss_message.assert_any_call("fit")
     assert desk.view.show_fit.call_count == fits + 1
 
 
 def test_an_edit_of_another_field_ends_the_gesture(desk):
-    desk.controller.begin_gesture(("lab", 0, 0))
-    desk.controller.edit(("lab", 0, 0), 63.0)
-    desk.controller.edit(("gloss", "gu_20"), 85.0)
-    desk.controller.edit(("lab", 0, 0), 64.0)
+    desk.desk.begin_gesture()
+    desk.desk.edit(SetLab(0, 0, 63.0))
+    desk.desk.edit(SetNumber("gloss.gu_20", 85.0))
+    desk.desk.edit(SetLab(0, 0, 64.0))
     assert [desk.store.stack.text(i) for i in range(desk.store.stack.count())] == [
         "Change L* at 15°",
         "Change Gloss 20°",
@@ -142,13 +155,13 @@ def test_an_edit_of_another_field_ends_the_gesture(desk):
     ]
 
 
-def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
-    desk.controller.begin_gesture(("name",))
-    desk.controller.edit(("name",), "")
+def test_a_refused_value_is_reported_and_the_field_shows_the_document_again(desk):
+    desk.desk.begin_gesture()
+    desk.desk.edit(SetText("name", ""))
     assert desk.store.value.name == "Blue"
     assert "name" in desk.view.show_message.call_args.args[0].what
     shown = desk.view.show_colours.call_count
-    desk.controller.end_gesture()
+    desk.desk.end_gesture()
     assert desk.view.show_colours.call_count == shown + 1
     desk.view.dismiss_message.assert_any_call("edit")
 
@@ -156,7 +169,7 @@ def test_a_refused_value_is_told_and_the_field_shows_the_document_again(desk):
 def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
-    desk.controller.edit(("lab", 1, 0), 30.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
     limited = desk.view.show_fit.call_args.args[0]
     assert limited.time_limited
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
@@ -164,7 +177,7 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
     exact = desk.view.show_fit.call_args.args[0]
     assert not exact.time_limited
     assert exact.worst_delta_e < min(0.5, limited.worst_delta_e)
-    # The other programs were told of the paint once; its weights are theirs to find.
+    # The paint was sent to the other programs once; its weights are theirs to find.
     qtbot.wait(20)
     assert len(desk.published) == 1
     hurried.close()
@@ -172,15 +185,12 @@ def test_the_optimum_replaces_a_time_limited_answer(qapp, dialogs, qtbot):
 
 
 def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot):
-    hurried = PaintFitter(time_limit_s=1e-6)
+    hurried = LosingFitter()
     desk = Parts(hurried, dialogs)
-    with hurried.lobe_fitter.solver.background.lock:
-        hurried.lobe_fitter.solver.solver.run = lambda *_: (
-            SolverOutcome.LOST
-        )  # no paint is known that loses it
-        desk.controller.edit(("lab", 1, 0), 30.0)
-        before = desk.view.show_fit.call_args.args[0]
-        assert (before.time_limited, before.exact_follows) == (True, True)
+    desk.desk.edit(SetLab(1, 0, 30.0))
+    before = desk.view.show_fit.call_args.args[0]
+    assert (before.time_limited, before.exact_follows) == (True, True)
+    hurried.optimum.set_exception(FittingError("the solver gave up"))
     qtbot.waitUntil(lambda: desk.view.show_fit.call_count >= 2)
     assert desk.view.show_fit.call_count == 2
     qtbot.waitUntil(lambda: desk.view.show_curves.called)
@@ -194,12 +204,12 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
     qtbot.addWidget(row)
     row.show_colours(desk.view.show_colours.call_args.args[0])
     large = [2.0] * len(after.delta_e)
-    for state, told in ((before, "follows automatically"), (after, "no exact")):
+    for state, words in ((before, "follows automatically"), (after, "no exact")):
         status.show_fit(state)
         status.show_curves(desk.view.show_curves.call_args.args[0])
-        assert told in status._fit.toolTip()
+        assert words in line.cell("Fit").toolTip()
         row.show_differences(large, time_limited=True, exact_follows=state.exact_follows)
-        assert told in row._cells[0][3].toolTip()
+        assert words in row.patches[0].fit.toolTip()
     hurried.close()
     desk.close()
 
@@ -207,8 +217,8 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(qapp, dialogs, qtbot
 def test_the_optimum_of_a_paint_that_is_no_longer_shown_stays_away(qapp, dialogs, qtbot):
     hurried = PaintFitter(time_limit_s=1e-6)
     desk = Parts(hurried, dialogs)
-    desk.controller.edit(("lab", 1, 0), 30.0)
-    desk.controller.edit(("gloss", "gu_20"), 199.0)
+    desk.desk.edit(SetLab(1, 0, 30.0))
+    desk.desk.edit(SetNumber("gloss.gu_20", 199.0))
     qtbot.wait(200)
     assert desk.view.show_fit.call_count == 1
     desk.view.mark_fit_stale.assert_called_once()

@@ -34,7 +34,8 @@ def field(designer, index: int, component: int):
 
 
 def drag(widget, distances: list[int]) -> None:
-    start = QPoint(round(widget._x(widget.amount())), widget.height() // 2)
+    low, high = widget.positions()[[0, -1]]
+    start = QPoint(round(widget.width() * (widget.amount() - low) / (high - low)), widget.height() // 2)
     QTest.mousePress(widget, Qt.MouseButton.LeftButton, pos=start)
     for dx in distances:
         place = start + QPoint(dx, 0)
@@ -71,7 +72,7 @@ def test_a_drag_on_a_slider_is_one_step_with_its_name(designer):
 
 def test_a_typed_number_moves_slider_patch_curve_and_readouts(designer):
     window = designer.window
-    patch = window.patches._cells[1][0]
+    patch = window.patches.patches[1].field
     before = patch.grab().toImage().pixelColor(30, 30)
     flop = window.status.cell("Flop index").text()
     type_in(field(designer, 1, 0), "40")
@@ -82,7 +83,7 @@ def test_a_typed_number_moves_slider_patch_curve_and_readouts(designer):
     assert window.status.cell("Flop index").text() != flop
     window.plot.draw_now()
     assert window.plot.plots[0].points[1].pos().y() == 40.0
-    assert "40.0" in window.patches._cells[1][2].text()
+    assert "40.0" in window.patches.patches[1].numbers.text()
 
 
 def test_undo_by_keyboard_reaches_the_document_from_a_number_field(designer, qtbot):
@@ -133,7 +134,7 @@ def test_the_picker_is_one_step_and_does_not_stop_the_work(designer, qtbot):
     assert not dialog.isModal()
     for name in ("#808080", "#c02020"):
         dialog.setCurrentColor(QColor(name))
-    patch = designer.window.patches._cells[1][0]
+    patch = designer.window.patches.patches[1].field
     assert patch.grab().toImage().pixelColor(30, 30).name() == "#c02020"
     dialog.close()
     assert designer.window.pickers.dialogs == {}
@@ -145,7 +146,7 @@ def test_the_picker_is_one_step_and_does_not_stop_the_work(designer, qtbot):
 def test_the_picker_shows_the_paint_and_changes_nothing_by_opening(designer):
     designer.window.pick_colour(0)
     shown = designer.window.pickers.dialogs[0].currentColor()
-    patch = designer.window.patches._cells[0][0].grab().toImage().pixelColor(30, 30)
+    patch = designer.window.patches.patches[0].field.grab().toImage().pixelColor(30, 30)
     assert shown == patch
     designer.window.pickers.dialogs[0].close()
     assert designer.store.is_clean
@@ -158,9 +159,9 @@ def test_a_picker_goes_with_its_document(designer):
     assert designer.store.is_clean
 
 
-def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
+def test_an_unreachable_gloss_is_reported_in_the_window_and_mended(designer, qtbot):
     window = designer.window
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     strip = window.strip.band.grab().toImage()
     gloss = window.coat.panel.fields["gloss.gu_20"]
     type_in(gloss, "199")
@@ -174,7 +175,7 @@ def test_an_unreachable_gloss_is_told_in_the_window_and_mended(designer, qtbot):
         assert any(word in window.plot.caption.text() for word in ("last possible paint", "Earlier"))
         assert "last possible paint" in window.plot.caption.accessibleName()
     type_in(gloss, "88")
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     assert "last possible paint" not in window.plot.caption.accessibleName()
     assert window.messages.shown() == {}
     assert "last possible paint" not in window.strip.caption.text()
@@ -188,13 +189,13 @@ def test_the_60_degree_reading_is_optional(designer):
     _, due = total_gloss(designer.desk.fit.reflectance.base, designer.desk.fit.reflectance.coat)
     coat.has_60.click()
     assert designer.store.value.gloss.gu_60 == pytest.approx(due, abs=0.06)
-    designer.controller.undo()
-    designer.controller.undo()
+    designer.desk.undo()
+    designer.desk.undo()
     coat.has_60.click()
     # What the coat reads at 60° as it is: switching the reading on changes nothing of the look.
     assert designer.store.value.gloss.gu_60 == pytest.approx(94.8, abs=0.06)
     assert coat.panel.fields["gloss.gu_60"].isEnabled()
-    designer.controller.undo()
+    designer.desk.undo()
     assert designer.store.value.gloss.gu_60 is None
     assert not coat.has_60.isChecked()
 
@@ -212,7 +213,7 @@ def test_flakes_and_model_are_edited(designer):
     assert designer.store.value.interpolation == "monotone"
 
 
-def test_the_unmeasured_range_is_told_by_the_nearest_angle_on_either_side(designer):
+def test_the_unmeasured_range_is_shown_by_the_nearest_angle_on_either_side(designer):
     paint = designer.store.value
     both_sides = (*paint.measurements, Measurement(45.0, -20.0, (50.0, 0.0, 0.0)))
     designer.store.replace(replace(paint, measurements=both_sides), None)
@@ -235,9 +236,9 @@ def test_a_measured_paint_of_table_1_is_measured_and_a_design_starts_from_it(des
     assert not designer.store.is_clean
     assert designer.store.path is None
     designer.open("table1_blau")
-    told = designer.window.messages.shown()["open"].what
-    assert "copper" in told
-    assert "table1_blue" in told
+    what = designer.window.messages.shown()["open"].what
+    assert "copper" in what
+    assert "table1_blue" in what
 
 
 def test_a_name_typed_is_one_step(designer):
@@ -288,7 +289,7 @@ def test_a_paint_that_another_program_changed_is_not_written_over(designer, dial
 
 
 @pytest.mark.parametrize("cure", ["edit", "undo", "save", "new"])
-def test_what_is_told_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, dialogs, tmp_path, cure):
+def test_the_message_of_a_failed_save_leaves_when_it_is_no_longer_so(designer, dialogs, tmp_path, cure):
     type_in(field(designer, 0, 0), "70")
     dialogs.path = tmp_path / "missing" / "mine"
     action(designer, "File ▸ Save").trigger()
@@ -315,7 +316,7 @@ def test_the_flakes_section_says_what_they_do(designer, qtbot):
     qtbot.waitUntil(lambda: label.text() == "no spots")
 
 
-def test_a_bad_file_is_told_and_the_open_paint_stays(designer, dialogs, tmp_path):
+def test_a_bad_file_is_reported_and_the_open_paint_stays(designer, dialogs, tmp_path):
     bad = tmp_path / "bad.brdfpaint"
     save_paint(load_shipped_paint("red"), bad)
     content = json.loads(bad.read_text())

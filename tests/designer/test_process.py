@@ -91,7 +91,7 @@ def test_a_screenshot_shows_the_paint(tmp_path):
     assert reds > 400
 
 
-def test_a_missing_file_is_told_and_the_program_runs(tmp_path):
+def test_a_missing_file_is_reported_and_the_program_runs(tmp_path):
     done = run(str(tmp_path / "none.brdfpaint"), "--quit-after", "0")
     assert done.returncode == 0
     assert "Traceback" not in done.stderr
@@ -153,10 +153,10 @@ def test_a_kill_in_the_middle_of_a_drag_keeps_the_work_of_every_tab(qtbot, dialo
     qtbot.addWidget(designer.window)
     designer.window.show()
     qtbot.waitUntil(lambda: "recovery" in designer.window.messages.shown())
-    told = designer.window.messages.shown()["recovery"].what
-    assert "2 paints" in told
+    offer = designer.window.messages.shown()["recovery"].what
+    assert "2 paints" in offer
     # The newest is named first.
-    assert told.index("Red") < told.index("Blue")
+    assert offer.index("Red") < offer.index("Blue")
     button = designer.window.messages.findChild(object, "message_action_Recover All")
     qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
     row = designer.documents.row

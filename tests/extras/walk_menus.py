@@ -109,8 +109,8 @@ def designer(folder: Path) -> Walk:
     program = Designer()
 
     def more() -> Iterator[Step]:
-        yield lambda: program.is_complete
-        (control,) = (part for part in program.sections if isinstance(part, AcquireControl))
+        yield lambda: program.is_idle
+        control = program.feature(AcquireControl)
         assistant = control.open()
         bench = assistant.bench
         assistant.sessions.open(folder / "session")
@@ -148,11 +148,11 @@ def lobes(_folder: Path) -> Walk:
     """Open the Lobe Visualizer."""
     from brdf_lobe_visualizer.assembly import LobeVisualizer
 
-    program = LobeVisualizer()
+    program = LobeVisualizer(asked=["blue"])
 
     def more() -> Iterator[Step]:
-        program.start(["blue"])
-        yield lambda: program.is_complete
+        program.start()
+        yield lambda: program.is_idle
 
     return Walk(program.window, more, program.close)
 

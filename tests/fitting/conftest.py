@@ -7,18 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting import LobeFitter
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Layer:
-    function: Callable[[FloatArray, FloatArray], FloatArray]
+    function: Callable[[Floats, Floats], Floats]
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
         wi, wo = np.broadcast_arrays(wi, wo)
         above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
         return np.where(above[..., None], self.function(wi, wo), 0.0)
@@ -41,11 +39,11 @@ def analytic_paint(
 ) -> AnalyticPaint:
     """``reflected``: the coat's Fresnel factor, taken as the same for all directions."""
 
-    def base(wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def base(wi: Floats, wo: Floats) -> Floats:
         dot = wi[..., 2] * wo[..., 2] - wi[..., 0] * wo[..., 0] - wi[..., 1] * wo[..., 1]
         return np.array(floor) + np.array(face) * np.clip(dot, 0.0, 1.0)[..., None] ** exponent
 
-    def coat(wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def coat(wi: Floats, wo: Floats) -> Floats:
         half = wi + wo
         tan2 = (half[..., 0] ** 2 + half[..., 1] ** 2) / np.maximum(half[..., 2] ** 2, 1e-30)
         facets = np.exp(-tan2 / roughness**2) * (1.0 + tan2) ** 2 / (np.pi * roughness**2)

@@ -12,7 +12,7 @@ FILL = """
 import json, os, sys
 from pathlib import Path
 import numpy as np
-from brdf_suite.lighting.cache.maps import MapCache
+from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.lighting.environment import Environment
 disk = Path(sys.argv[1])
 cache = MapCache(disk)

@@ -67,7 +67,6 @@ def asked(lasting) -> Asked:
 def program(lasting, asked) -> LobeVisualizer:
     """The program with nothing in its session, all options at their defaults and no message."""
     program, _ = lasting
-    program.skip_start()
     program.session.set_subjects(())
     program.session.show_all()
     program.session.reset_options()
@@ -87,7 +86,7 @@ def opened(program, qtbot):
         for name in names:
             with qtbot.waitSignal(program.sources.idle, timeout=60_000):
                 program.sources.open(name)
-        qtbot.waitUntil(lambda: program.is_complete, timeout=60_000)
+        qtbot.waitUntil(lambda: program.is_idle, timeout=60_000)
         return program
 
     return open_and_wait
@@ -135,9 +134,8 @@ def window_with_factors(qapp, tmp_path_factory):
 def slices(window_with_slices, qtbot) -> Slices:
     """The part that shows slices, with its polar plot and its curves, all options at their defaults."""
     program = window_with_slices
-    part = next(part for part in program.parts if isinstance(part, Slices))
+    part = program.feature(Slices)
     qtbot.waitUntil(lambda: part.polar.plot is not None)
-    program.skip_start()
     program.session.set_subjects(())
     program.session.show_all()
     program.session.reset_options()

@@ -25,12 +25,11 @@ STORED = Path(str(resource("basis", STORED_NAME)))
 @pytest.fixture
 def basis(window_with_basis, qtbot) -> Basis:
     program = window_with_basis
-    part = next(part for part in program.parts if isinstance(part, Basis))
-    program.skip_start()
+    part = program.feature(Basis)
     program.session.set_subjects(())
     program.window.plots.set_shown(BASIS, True)
     part.show_shipped()
-    qtbot.waitUntil(lambda: part.is_complete)
+    qtbot.waitUntil(lambda: part.is_idle)
     return part
 
 
@@ -104,7 +103,7 @@ def test_a_folder_is_searched_in_a_process_and_can_be_stopped(basis, qtbot, tmp_
     assert [result.count for result in basis.search.results] == [1]
     assert basis.search.default_count == 1
     assert basis.view.progress.jobs == ()
-    qtbot.waitUntil(lambda: basis.is_complete)
+    qtbot.waitUntil(lambda: basis.is_idle)
     assert "changed" not in basis.view.note.text()
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", paints)
     qtbot.waitUntil(lambda: "changed since" in basis.view.note.text())
@@ -148,15 +147,15 @@ def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
     below.mkdir()
     shutil.copy(resource_root() / "paints" / "solid_red.brdfpaint", below)
     basis.show_folder(tmp_path)
-    qtbot.waitUntil(lambda: basis.is_complete)
+    qtbot.waitUntil(lambda: basis.is_idle)
     known = basis.paints.known
     assert (known.count, known.sha256) == (1, read(tmp_path))
     basis.show_shipped()
-    qtbot.waitUntil(lambda: basis.is_complete)
+    qtbot.waitUntil(lambda: basis.is_idle)
     threads.clear()
     basis.show_folder(tmp_path)
     basis.show_note()
-    qtbot.waitUntil(lambda: basis.is_complete)
+    qtbot.waitUntil(lambda: basis.is_idle)
     assert not threads  # nothing has changed
     shutil.copy(resource_root() / "paints" / "satin_blue.brdfpaint", below)
     basis.paints.look()
@@ -164,5 +163,5 @@ def test_paints_are_read_on_a_thread_and_again_only_where_they_have_changed(
     assert len(threads) == 1
     assert main_thread() not in threads
     basis.show_folder(tmp_path / "gone")
-    qtbot.waitUntil(lambda: basis.is_complete)
+    qtbot.waitUntil(lambda: basis.is_idle)
     assert basis.paints.known.count == 0

@@ -90,7 +90,7 @@ def test_a_channel_shows_its_own_values(channel: str, index: int) -> None:
 
 def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_with_factors, qtbot) -> None:
     program = window_with_factors
-    part = next(one for one in program.parts if isinstance(one, Factors))
+    part = program.feature(Factors)
     part.dock.show()
     program.sources.add(PlottedMaterial("", "Satin", Material("Satin", product())))
     program.sources.add(PlottedMaterial("", "Matt", Material("Matt", MODELS["lambertian"].default)))
@@ -105,9 +105,9 @@ def test_the_panel_shows_the_front_one_and_says_where_there_is_nothing(window_wi
     part.panel.tone.set_choice("log")
     part.panel.tone.chosen.emit("log")
     assert not np.array_equal(view.grid.pictures[0, 0].codes, before)
-    assert part.set_from_script("factor-channel", "red")
+    assert part.run_script("factor-channel", "red")
     assert part.panel.channel.choice == "red"
-    assert not part.set_from_script("factor-channel", "mauve")
+    assert not part.run_script("factor-channel", "mauve")
     program.session.set_front(matt.key)
     qtbot.waitUntil(lambda: not view.grid.columns)
     assert "Matt" in view.empty.text()

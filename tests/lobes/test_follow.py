@@ -37,7 +37,7 @@ def front_lab(program) -> float:
 
 def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbot, own_session) -> None:
     following.link.start()
-    designer = LiveLink("designer", name=following.link._name)
+    designer = LiveLink("designer", name=following.link.name)
     designer.start()
     try:
         qtbot.waitUntil(lambda: designer.peers == ("lobes",) and following.link.peers == ("designer",))
@@ -64,7 +64,7 @@ def test_designers_paint_comes_over_the_link_and_changes_with_it(following, qtbo
 def test_of_many_edits_the_newest_is_shown(following, qtbot) -> None:
     for lightness in (30.0, 40.0, 50.0, 60.0):
         publish(following, solid_paint("Grey", (lightness, 0.0, 0.0)))
-    qtbot.waitUntil(lambda: following.followed.is_complete)
+    qtbot.waitUntil(lambda: following.followed.is_idle)
     qtbot.waitUntil(lambda: front_lab(following) == 60.0)
 
 
@@ -86,7 +86,7 @@ def test_taken_out_of_the_legend_it_is_followed_no_more_until_requested(followin
     following.session.remove(KEY)
     assert not following.followed.action.isChecked()
     publish(following, solid_paint("Grey", (60.0, 0.0, 0.0)))
-    assert following.followed.is_complete
+    assert following.followed.is_idle
     following.followed.action.setChecked(True)
     qtbot.waitUntil(lambda: following.session.subject(KEY) is not None)
     assert front_lab(following) == 60.0
@@ -145,9 +145,9 @@ def test_a_drag_is_shown_while_it_lasts(following, qtbot) -> None:
     following.followed.arrived.connect(lambda: shown.append(front_lab(following)))
     publish(following, solid_paint("Grey", (10.0, 0.0, 0.0)))
     for lightness in range(11, 60):
-        assert not following.followed.is_complete
+        assert not following.followed.is_idle
         publish(following, solid_paint("Grey", (float(lightness), 0.0, 0.0)))
-    qtbot.waitUntil(lambda: following.followed.is_complete)
+    qtbot.waitUntil(lambda: following.followed.is_idle)
     assert shown[0] == 10.0
     assert shown[-1] == 59.0
     following.followed.arrived.disconnect()

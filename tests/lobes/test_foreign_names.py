@@ -21,7 +21,6 @@ def whole(qapp, own_session):
     program = LobeVisualizer()
     program.window.resize(1400, 900)
     program.window.show()
-    program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()
@@ -45,7 +44,7 @@ def test_names_are_plain_text_in_the_whole_window(whole, walks, qtbot, tmp_path:
         whole.window.plots.set_shown(key, True)
     whole.panel_dock.show()
     whole.numbers.dock.show()
-    qtbot.waitUntil(lambda: whole.is_complete)
+    qtbot.waitUntil(lambda: whole.is_idle)
     whole.window.show_recent([paint])
     assert whole.window.messages.shown()
     wrong, seen = walks.drawn_as_html()
@@ -58,7 +57,7 @@ def test_a_wheel_changes_nothing_in_the_window(whole, walks, qtbot) -> None:
         whole.sources.open("copper")
     whole.panel_dock.show()
     whole.numbers.dock.show()
-    qtbot.waitUntil(lambda: whole.is_complete)
+    qtbot.waitUntil(lambda: whole.is_idle)
     options = whole.session.options
     changed, count = walks.changed_by_wheel(whole.window)
     assert changed == []

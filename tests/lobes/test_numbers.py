@@ -28,7 +28,7 @@ def two(program, qtbot, monkeypatch):
 
 
 def wait(program, qtbot) -> None:
-    qtbot.waitUntil(lambda: program.numbers.is_complete and _fresh(program), timeout=30_000)
+    qtbot.waitUntil(lambda: program.numbers.is_idle and _fresh(program), timeout=30_000)
 
 
 def _fresh(program) -> bool:
@@ -92,7 +92,7 @@ def test_nothing_is_worked_out_while_nobody_looks(two) -> None:
     two.numbers.dock.hide()
     before = two.numbers.work.figures(two.session.subjects[0].key)
     two.session.change(two.session.subjects[0].key, material=Material("Grey", Lambertian((0.1, 0.1, 0.1))))
-    assert two.numbers.is_complete
+    assert two.numbers.is_idle
     assert two.numbers.work.figures(two.session.subjects[0].key) is before
 
 

@@ -21,7 +21,7 @@ from brdf_suite.reflectance.models.lambertian import Lambertian
 SLOW = {
     "brdf_suite.inspection.measuring",
     "brdf_suite.pipeline.scene",
-    "brdf_suite.fitting.lobes.undivided",
+    "brdf_suite.fitting.lobes.measured",
     "trimesh",
     "moderngl",
     "colour",
@@ -40,7 +40,7 @@ def test_a_run_reports_its_start_imports_nothing_slow_and_saves_its_picture(tmp_
     code = (
         "import sys; from brdf_lobe_visualizer import __main__ as m; from brdf_lobe_visualizer import assembly;"
         "start = assembly.LobeVisualizer.start;"
-        "assembly.LobeVisualizer.start = lambda self, asked=(): (print(sorted(sys.modules)), start(self, asked));"
+        "assembly.LobeVisualizer.start = lambda self: (print(sorted(sys.modules)), start(self));"
         f"status = m.main(['lambertian', 'blue', '--theme', 'light', '--size', '900x600', '--report-startup',"
         "'--panels', 'numbers', '--plots', 'albedo,curves',"
         f"'--screenshot', {str(picture)!r}]); sys.exit(status)"

@@ -59,7 +59,7 @@ def move(widget, place: QPointF) -> None:
 def test_the_unrolled_images_have_target_above_and_fit_below(slices, session, qtbot) -> None:
     session.add(subject("spike", Spike(), fit=matt_fit()))
     slices.window.plots.set_shown(UNROLLED, True)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     grid = slices.unrolled.grid
     assert grid.columns == ("10°", "40°", "70°")
     assert set(grid.pictures) == {(row, column) for row in range(2) for column in range(3)}
@@ -87,7 +87,7 @@ def test_the_unrolled_images_have_target_above_and_fit_below(slices, session, qt
     assert "target" in slices.unrolled.readout.text()
     assert "fit" in slices.unrolled.readout.text()
     session.set_options(shown="difference", channel="r")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert len(slices.unrolled.grid.rows) == 3
     assert slices.unrolled.grid.rows[2].startswith("fit − target")
 
@@ -96,10 +96,10 @@ def test_the_half_angle_slice_follows_its_slider(slices, session, qtbot) -> None
     metal = PoulinFournier()
     session.add(subject("metal", metal))
     slices.window.plots.set_shown(HALF_ANGLE, True)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     before = slices.half_angle.grid.pictures[0, 0].value
     slices.section.phi_d_slider.setValue(20)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     after = slices.half_angle.grid.pictures[0, 0].value
     assert slices.state.options.phi_d_deg == 20.0
     assert not np.array_equal(before, after, equal_nan=True)

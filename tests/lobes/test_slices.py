@@ -91,7 +91,7 @@ def test_the_lines_are_eval_at_those_directions(slices, session, qtbot) -> None:
     session.add(subject("metal", paint))
     session.set_options(cosine="light", channel="g")
     session.set_incidence(35.0, 70.0)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     wanted = paint.eval(light_at(35.0, 70.0), view_at(20.0, 70.0))[1] * np.cos(np.radians(35.0))
     polar, curves = slices.polar.lines, slices.curves.lines
     assert np.interp(20.0, polar.cut.angle_deg, line(polar, "metal").value) == pytest.approx(wanted, rel=1e-2)
@@ -99,7 +99,7 @@ def test_the_lines_are_eval_at_those_directions(slices, session, qtbot) -> None:
         wanted, rel=1e-2
     )
     session.set_incidence(35.0, 0.0)  # the azimuth matters
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     other = np.interp(20.0, slices.polar.lines.cut.angle_deg, line(slices.polar.lines, "metal").value)
     assert abs(other - wanted) > 0.01 * wanted
 
@@ -112,7 +112,7 @@ def test_the_lobe_is_drawn_where_the_mirror_direction_is(slices, session, qtbot)
     session.add(subject("spike", Spike(), 3))
     for theta, to_right in ((50.0, True), (0.0, None)):
         session.set_incidence(theta, 0.0)
-        qtbot.waitUntil(lambda: slices.is_complete)
+        qtbot.waitUntil(lambda: slices.is_idle)
         plot = slices.polar.plot
         for item in plot.getPlotItem().items:
             if isinstance(item, TextItem):  # the edges of letters may have any colour
@@ -141,7 +141,7 @@ def test_curves_know_their_axes_logs_and_marks(slices, session, qtbot) -> None:
     session.add(subject("spike", Spike()))
     for axis in ("gamma", "theta_o", "theta_h", "theta_d"):
         slices.curves.axis_buttons[axis].click()
-        qtbot.waitUntil(lambda: slices.is_complete)
+        qtbot.waitUntil(lambda: slices.is_idle)
         assert slices.curves.lines.cut.axis == axis
         assert slices.curves.plot.getAxis("bottom").labelText.split(" ")[-1] == "(°)"
         peak = slices.curves.lines.cut.angle_deg[np.nanargmax(line(slices.curves.lines, "spike").value)]
@@ -151,19 +151,19 @@ def test_curves_know_their_axes_logs_and_marks(slices, session, qtbot) -> None:
     slices.curves.axis_buttons["theta_h"].click()
     slices.curves.log_angle.click()
     assert slices.curves.logs == (True, True)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     (low, high), (bottom, top) = slices.curves.plot.viewRange()
     assert (low, high) == pytest.approx((-2.0, np.log10(90.0)))
     assert top >= 4.0 + np.log10(np.cos(np.radians(45.0))) - 1e-6
     assert bottom == pytest.approx(top - 7.0)
     slices.curves.log_value.click()
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert slices.curves.plot.viewRange()[1][0] == 0.0
 
 
 def test_numbers_of_a_logarithmic_axis_keep_apart(slices, session, qtbot) -> None:
     session.add(subject("one", Lambertian(0.5)))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     axis = slices.curves.plot.getAxis("left")
     axis.setLogMode(y=True)
     ticks = np.log10(np.arange(1, 10) * 0.1)
@@ -178,7 +178,7 @@ def test_the_crosshair_shows_every_visible_value_with_its_unit(slices, session, 
     session.add(subject("dark <b>", Lambertian(0.2), 1))
     session.set_options(cosine="none")
     slices.state.set(log_value=False)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     hover(slices.curves.plot, 30.0, 0.1)
     shown_text = slices.curves.readout.text()
     assert slices.curves.readout.isVisible()
@@ -187,7 +187,7 @@ def test_the_crosshair_shows_every_visible_value_with_its_unit(slices, session, 
     for words in ("bright", "0.2546", "dark &lt;b&gt;", "0.06366", "(1/sr)"):
         assert words in shown_text, shown_text
     session.set_hidden("bright", True)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     hover(slices.polar.plot, 0.3, 0.5)
     assert "bright" not in slices.polar.readout.text()
     assert "θo 3" in slices.polar.readout.text()
@@ -199,7 +199,7 @@ def test_target_fit_and_difference(slices, session, qtbot) -> None:
     session.add(subject("one", Lambertian(0.5), fit=fit_of(0.1)))
     session.add(subject("two", Lambertian(0.2), 1))
     session.set_options(cosine="none", shown="both")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     lines = slices.curves.lines
     assert {(one.key, one.kind) for one in lines.lines} == {
         ("one", "target"),
@@ -210,18 +210,18 @@ def test_target_fit_and_difference(slices, session, qtbot) -> None:
     assert "Fit: RMS " in slices.curves.note.text()
     assert "one: RMS " in slices.curves.note.toolTip()
     session.set_options(shown="difference")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert [(one.key, one.kind) for one in slices.curves.lines.lines] == [("one", "difference")]
     assert np.nanmax(line(slices.curves.lines, "one", "difference").value) == pytest.approx(0.1 - 0.5 / np.pi)
     session.set_reference("two")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     against = line(slices.curves.lines, "one", "difference").value
     assert np.nanmax(np.abs(against - 0.3 / np.pi)) < 1e-12
     low, high = slices.curves.plot.viewRange()[1]
     assert low == -high
     # A lobe that is switched off is missing in the fit.
     session.set_options(shown="fit", lobes_off=frozenset({("diffuse", 0)}))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert np.nanmax(line(slices.curves.lines, "one", "fit").value) == 0.0
 
 
@@ -235,7 +235,7 @@ def test_zero_nothing_and_holes_are_reported_and_no_exception(slices, session, q
     for key in (UNROLLED, HALF_ANGLE):
         slices.window.plots.set_shown(key, True)
     session.set_options(shown="both")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     note = slices.curves.note.text()
     for words in ("hatched: not measured", "zero: 0 everywhere", "nothing: no values here"):
         assert words in note
@@ -245,10 +245,10 @@ def test_zero_nothing_and_holes_are_reported_and_no_exception(slices, session, q
     assert not holes[:, 0].any()
     for key in ("zero", "nothing"):
         session.set_front(key)
-        qtbot.waitUntil(lambda: slices.is_complete)
+        qtbot.waitUntil(lambda: slices.is_idle)
         slices.unrolled.grab()
     session.set_subjects(())
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert not slices.polar.plot.isVisible()
     assert slices.polar.empty.isVisible()
     assert slices.unrolled.empty.isVisible()
@@ -261,7 +261,7 @@ def test_a_model_that_fails_is_reported_and_the_others_are_drawn(slices, session
 
     session.add(subject("broken", Broken()))
     session.add(subject("matt", Lambertian(0.5), 1))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert "slices broken target" in slices.window.messages.shown()
     for plot in (slices.polar, slices.curves):
         assert np.isnan(line(plot.lines, "broken").value).all()
@@ -278,7 +278,7 @@ def test_samples_lie_on_the_line(slices, session, qtbot) -> None:
     points = SamplePoints(wi, wo, matt.eval(wi, wo))
     session.add(subject("points", matt, samples=points))
     session.set_options(cosine="none")
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     found = slices.curves.lines.points["points"]
     assert np.sort(found.angle_deg) == pytest.approx(
         [15.0, 95.5]
@@ -286,7 +286,7 @@ def test_samples_lie_on_the_line(slices, session, qtbot) -> None:
     assert found.value == pytest.approx(0.5 / np.pi)
     slices.window.plots.set_shown(UNROLLED, True)
     slices.state.set(incidences_deg=(10.0, 45.0, 70.0))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     shown = [slices.unrolled.grid.pictures[0, column].points for column in range(3)]
     # One light of 10°; three of 45°, and none of 70°; swapped pairs count where their light fits.
     assert [len(points) for points in shown] == [1, 3, 0]
@@ -314,11 +314,11 @@ def test_hidden_plots_are_drawn_when_they_are_shown(slices, session, qtbot) -> N
     plots = slices.window.plots
     plots.set_shown(POLAR, False)
     session.add(subject("one", Lambertian(0.5)))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     seen = slices.polar.lines
     assert seen is None or not seen.lines or seen.lines[0].key != "one"
     plots.set_shown(POLAR, True)
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     assert slices.polar.lines.lines[0].key == "one"
 
 
@@ -331,7 +331,7 @@ def test_a_drag_evaluates_each_subject_once_a_step(slices, session, qtbot) -> No
             return super().eval(wi, wo)
 
     session.add(subject("one", Counted(0.5)))
-    qtbot.waitUntil(lambda: slices.is_complete)
+    qtbot.waitUntil(lambda: slices.is_idle)
     Counted.calls = 0
     session.set_incidence(30.0, 0.0)
     slices.draw_now()
@@ -351,8 +351,8 @@ def test_options_are_remembered_and_what_cannot_be_is_not(slices) -> None:
     for broken in ('{"axis": "up"}', "no json", '{"incidences_deg": [1]}', '{"ev": NaN}'):
         settings().setValue("lobes/slices", broken)
         assert SliceState().options == SliceOptions()
-    assert slices.set_from_script("slices.tone", "gamma")
+    assert slices.run_script("slices.tone", "gamma")
     assert slices.state.options.tone == "gamma"
-    assert not slices.set_from_script("slices.tone", "bright")
-    assert not slices.set_from_script("slices.nothing", "1")
-    assert not slices.set_from_script("other.tone", "log")
+    assert not slices.run_script("slices.tone", "bright")
+    assert not slices.run_script("slices.nothing", "1")
+    assert not slices.run_script("other.tone", "log")

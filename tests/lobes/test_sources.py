@@ -282,7 +282,7 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
     with qtbot.waitSignal(program.sources.failed):
         strip.findChild(QWidget, f"job_{job}").findChild(QPushButton).click()
     assert strip.jobs == ()
-    assert not program.sources.busy
+    assert program.sources.is_idle
     qtbot.waitUntil(ended.is_set)
     assert program.window.messages.shown() == {}
     assert program.session.subjects == ()

@@ -122,7 +122,6 @@ def whole(qapp, tmp_path_factory):
         program = LobeVisualizer(PARTS)
         program.window.resize(1100, 760)
         program.window.show()
-        program.skip_start()
     yield program
     program.close()
     program.window.deleteLater()
@@ -147,7 +146,7 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
         whole.session.set_options(shown=shown)
     for radius in ("linear", "log", "cbrt"):
         whole.session.set_options(radius=radius)
-    qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
+    qtbot.waitUntil(lambda: whole.is_idle, timeout=60_000)
     assert whole.numbers.work.figures(key) is not None
     picture = whole.window.grab()
     assert not picture.isNull()
@@ -155,7 +154,7 @@ def test_odd_reflectances_have_a_picture_and_figures_and_no_exception(whole, qtb
 
 
 def test_the_whole_program_has_its_parts_and_no_shortcut_twice(whole) -> None:
-    assert any(isinstance(part, Numbers) for part in whole.parts)
+    assert any(isinstance(part, Numbers) for part in whole.features)
     keys = [
         shortcut.toString()
         for _text, action in commands(whole.window, also_disabled=True)
@@ -176,7 +175,7 @@ def test_keys_of_the_legend_are_the_legends_own(whole, qtbot) -> None:
     qtbot.keyClick(rows, Qt.Key.Key_Space)
     assert not whole.session.is_hidden(key)
     assert whole.session.incidence == before
-    qtbot.waitUntil(lambda: whole.is_complete, timeout=60_000)
+    qtbot.waitUntil(lambda: whole.is_idle, timeout=60_000)
 
 
 @pytest.mark.parametrize("command", ["Keyboard Shortcuts", "About BRDF Suite", "Find a Command"])

@@ -7,6 +7,8 @@ import uuid
 from pathlib import Path
 
 import pytest
+from brdf_lobe_visualizer.assembly import LobeVisualizer
+from brdf_lobe_visualizer.view3d.panel import Space
 from PySide6.QtCore import QCoreApplication, QEvent
 
 _FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
@@ -31,9 +33,6 @@ def own_session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture(scope="module")
 def lasting(screen, qapp, tmp_path_factory):
     """One window for a whole module, with the view in three dimensions and nothing else."""
-    from brdf_lobe_visualizer.assembly import LobeVisualizer
-    from brdf_lobe_visualizer.view3d.panel import Space
-
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
@@ -49,7 +48,7 @@ def lasting(screen, qapp, tmp_path_factory):
 @pytest.fixture
 def program(lasting, qtbot):
     """The program with nothing in its session and all options at their defaults, its view there."""
-    program, space = lasting, lasting.parts[0]
+    program, space = lasting, lasting.feature(Space)
     qtbot.waitUntil(lambda: space.view is not None and space.view.isValid())
     program.session.set_subjects(())
     program.session.show_all()
@@ -71,4 +70,4 @@ def program(lasting, qtbot):
 @pytest.fixture
 def space(program):
     """The part that shows lobes."""
-    return program.parts[0]
+    return program.feature(Space)

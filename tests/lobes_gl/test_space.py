@@ -42,7 +42,7 @@ def picture(space) -> QImage:
 def settle(space) -> None:
     """Draw what was asked for; what took long once comes from another thread."""
     space.draw_now()
-    while not space.is_complete:
+    while not space.is_idle:
         QCoreApplication.processEvents()
 
 
@@ -177,7 +177,7 @@ def test_what_is_slow_follows_a_drag_and_holds_nothing_up(space, program, qtbot)
     assert space.view.scene.panels[0].layers, "of what is edited, too"
     assert not any(model.threads)
     model.may.set()
-    qtbot.waitUntil(lambda: space.is_complete)
+    qtbot.waitUntil(lambda: space.is_idle)
     assert (panel := space.view.scene.panels[0]).note == ""
     light = np.cos(np.radians(60.0))
     assert panel.layers[0].surface.values[3, 3] == pytest.approx(light * light, rel=1e-5)

@@ -12,13 +12,11 @@ from filelock import FileLock
 from meshes.car import car
 from meshes.car.body import body
 from meshes.car.proportions import FRONT_AXLE_Z, REAR_AXLE_Z, WHEEL_RADIUS
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.resources import resource
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-
-Floats = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")

@@ -113,11 +113,12 @@ def install_optional_libraries():
 # Stands in for ensurepip, which takes seconds to compile the same pip for each environment, and for the installation of
 # uv from a network, where this environment has it.
 COPY_TOOLS = """
-import os, shutil, sysconfig, venv
+import os, sysconfig, venv
 
 def copy_tools(builder, context):
     packages = sysconfig.get_path("purelib", "venv", {{"base": context.env_dir}})
-    shutil.copytree({pip!r}, packages, dirs_exist_ok=True)
+    for name in os.listdir({pip!r}):
+        os.symlink(os.path.join({pip!r}, name), os.path.join(packages, name))
     if os.path.exists({uv!r}):
         os.symlink({uv!r}, os.path.join(context.bin_path, "uv"))
 

@@ -10,12 +10,12 @@ import pytest
 from brdf_designer.preview.scene import LIGHT_WIDTH
 
 from brdf_suite.documents.view import View
-from brdf_suite.lighting.cache import maps as cache
-from brdf_suite.lighting.cache.map_file import DamagedMapFileError
-from brdf_suite.lighting.cache.maps import MapCache
-from brdf_suite.lighting.cache.packed_maps import pack_maps, read_packed_maps
+from brdf_suite.errors import FileError
+from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps, prefilter
+from brdf_suite.lighting.lobe_map_cache import MapCache
+from brdf_suite.lighting.lobe_map_file import pack_maps, read_packed_maps
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.pipeline.picture import OffscreenScene
@@ -76,7 +76,7 @@ def test_what_was_packed_comes_back_bit_by_bit(grey: bool, tmp_path: Path) -> No
         assert np.array_equal(one.faces, other.faces)
         assert not one.faces.flags.writeable
     assert found.lobes[1] is found.lobes[2] is found.background
-    with pytest.raises(DamagedMapFileError, match="another environment"):
+    with pytest.raises(FileError, match="another environment"):
         read_packed_maps(path, "1" * 64)
 
 

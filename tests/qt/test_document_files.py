@@ -8,7 +8,8 @@ from datetime import datetime
 from pathlib import Path
 
 import pytest
-from brdf_qt.documents.files import MOST_RECENT, DocumentFiles, DocumentFormat
+from brdf_qt.documents.files import DocumentFiles, DocumentFormat
+from brdf_qt.documents.recent_files import MOST_RECENT
 from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.window.dialogs import Answer, Overwrite, QtDialogs

@@ -7,10 +7,11 @@ import threading
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer
+from brdf_designer.preview import thumbnails
 from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview.preview import PreviewControl
 from brdf_designer.preview.scene import LIGHT_WIDTH
-from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
@@ -32,7 +33,7 @@ class NoDialogs:
 @pytest.fixture
 def designer(qtbot, monkeypatch) -> Designer:
     # The pictures of the history come from a process of their own, which is no matter of these tests.
-    monkeypatch.setattr(Thumbnails, "_ask_next", lambda _self: None)
+    monkeypatch.setattr(thumbnails, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: NoDialogs())
     qtbot.addWidget(designer.window)
     designer.window.resize(800, 560)
@@ -43,7 +44,7 @@ def designer(qtbot, monkeypatch) -> Designer:
 
 @pytest.fixture
 def preview(designer, qtbot) -> PreviewControl:
-    control = next(part for part in designer.sections if isinstance(part, PreviewControl))
+    control = designer.feature(PreviewControl)
     qtbot.waitUntil(lambda: control.drawn is not None)
     return control
 
@@ -75,15 +76,15 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     # A slow picture is not drawn while edits come; each of them puts it off anew.
     preview.pace = PreviewPace(full_ms=10 * FAST_MS)
     for lightness in (50.0, 55.0, 60.0):
-        designer.controller.edit(("lab", 0, 0), lightness)
+        designer.desk.edit(SetLab(0, 0, lightness))
         assert preview._drawing.isActive()
         assert preview._drawing.interval() == REST_MS
     assert preview.drawn is not designer.desk.fit
     qtbot.waitUntil(lambda: preview.drawn is designer.desk.fit)
     # First a draft, then, when the hand rests, the whole.
-    qtbot.waitUntil(lambda: preview.is_complete and not preview._drawer.draft)
+    qtbot.waitUntil(lambda: preview.is_idle and not preview._drawer.draft)
     preview.pace = PreviewPace(full_ms=FAST_MS)
-    designer.controller.edit(("lab", 0, 0), 61.0)
+    designer.desk.edit(SetLab(0, 0, 61.0))
     assert preview._drawing.interval() == 0
     preview.pace = PreviewPace()
 
@@ -92,7 +93,7 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     row = preview.panel.light.findData("sunny")
     preview.panel.light.setCurrentIndex(row)
     preview.panel.light.activated.emit(row)
-    qtbot.waitUntil(lambda: preview._view.environment == "sunny" and preview.is_complete)
+    qtbot.waitUntil(lambda: preview._view.environment == "sunny" and preview.is_idle)
     assert np.abs(picture(preview) - booth).mean() > 5.0
 
     # A drag turns the form, and nothing of the paint.
@@ -103,22 +104,22 @@ def test_it_shows_the_paint_follows_edits_light_and_hand_and_waits_for_the_numbe
     QTest.mouseMove(canvas, start + QPoint(60, 10))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(60, 10))
     assert preview._view.camera.azimuth_deg != pytest.approx(35.0)
-    qtbot.waitUntil(lambda: preview.is_complete)
+    qtbot.waitUntil(lambda: preview.is_idle)
     assert np.abs(picture(preview) - before).mean() > 2.0
     assert designer.store.stack.count() == steps
     QTest.keyClick(canvas, Qt.Key.Key_F)
     assert preview._view.camera.distance is None
 
     # A paint that cannot be leaves the picture, and says so.
-    designer.controller.edit(("gloss", "gu_20"), 199.0)
+    designer.desk.edit(SetNumber("gloss.gu_20", 199.0))
     assert "last possible paint" in preview.panel.caption.accessibleName()
-    designer.controller.undo()
+    designer.desk.undo()
     assert "last possible paint" not in preview.panel.caption.accessibleName()
 
     # Hidden, it draws nothing.
     preview.show(False)
     kept = preview.drawn
-    designer.desk.edit(load_shipped_paint("copper"), "Copper")
+    designer.desk.set_paint(load_shipped_paint("copper"), "Copper")
     qtbot.wait(2 * REST_MS)
     assert preview.drawn is kept
     preview.show(True)
@@ -152,7 +153,7 @@ def test_weights_for_every_angle_of_the_view_come_later_and_are_drawn(designer, 
 
     monkeypatch.setattr(SeenWeights, "find", find_when_allowed)
     designer.open("gold_green_shift")
-    qtbot.waitUntil(lambda: preview.is_complete and preview.drawn is designer.desk.fit)
+    qtbot.waitUntil(lambda: preview.is_idle and preview.drawn is designer.desk.fit)
     frames = []
     preview.panel.surface.frame_drawn.connect(lambda *_: frames.append(1))
     go_on.set()

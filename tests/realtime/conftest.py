@@ -9,8 +9,8 @@ from pathlib import Path
 import moderngl
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import CameraMatrices
@@ -19,7 +19,6 @@ from brdf_suite.realtime.gl.shader_source import SHADERS, compile_program, compo
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MaterialWeights, MeshPart
 
-Array = NDArray[np.float64]
 BALL = load_module(Path(__file__).resolve().parents[1] / "benchmarks" / "parts" / "ball.py")
 EXPONENTS = (8.0, 200.0, 20000.0)
 
@@ -55,7 +54,7 @@ class Scenes:
     exponents: tuple[float, ...] = EXPONENTS
 
     @staticmethod
-    def directions(size: int) -> Array:
+    def directions(size: int) -> Floats:
         """Directions of the texels, written out from table 3.10 of the OpenGL 3.3 specification."""
         a = (np.arange(size) + 0.5) / size * 2 - 1
         s, t = np.meshgrid(a, a)
@@ -65,7 +64,7 @@ class Scenes:
         return d / np.linalg.norm(d, axis=-1, keepdims=True)
 
     @staticmethod
-    def cube(radiance: Array, scale: float = 1.0) -> CubeFaces:
+    def cube(radiance: Floats, scale: float = 1.0) -> CubeFaces:
         return CubeFaces((radiance / scale).astype(np.float16), scale)
 
     def constant(
@@ -77,7 +76,7 @@ class Scenes:
         maps = [self.cube(faces, 0.5 + i) for i in range(len(exponents) + 2)]
         return EnvironmentMaps(exponents, tuple(maps[2:]), maps[0], maps[1])
 
-    def from_function(self, radiance: Callable[[Array], Array], size: int = 64) -> EnvironmentMaps:
+    def from_function(self, radiance: Callable[[Floats], Floats], size: int = 64) -> EnvironmentMaps:
         """The same picture in every map: a mirror in each lobe."""
         faces = self.cube(radiance(self.directions(size)))
         return EnvironmentMaps(self.exponents, (faces,) * len(self.exponents), faces, faces)
@@ -106,7 +105,7 @@ class Scenes:
         return MaterialWeights(self.exponents, np.full(3, kd / np.pi), kdd, kg, **others)  # type: ignore[arg-type]
 
     @staticmethod
-    def rays(camera: CameraMatrices, size: tuple[int, int]) -> Array:
+    def rays(camera: CameraMatrices, size: tuple[int, int]) -> Floats:
         """Unit directions (h, w, 3) from the eye through the pixel centres, top row first."""
         x = (np.arange(size[0]) + 0.5) / size[0] * 2 - 1
         y = 1 - (np.arange(size[1]) + 0.5) / size[1] * 2
@@ -116,7 +115,7 @@ class Scenes:
 
     def sphere_normals(
         self, renderer: Renderer, view: View, size: tuple[int, int], radius: float = 0.1
-    ) -> tuple[Array, Array]:
+    ) -> tuple[Floats, Floats]:
         """Normals (h, w, 3), NaN off the sphere, and directions to the viewer: the exact sphere at the origin."""
         camera = renderer.camera_matrices(view, size)
         d = self.rays(camera, size)
@@ -132,10 +131,10 @@ def scenes() -> Scenes:
 
 
 @pytest.fixture
-def evaluate(context: moderngl.Context, tmp_path: Path) -> Callable[..., Array]:
+def evaluate(context: moderngl.Context, tmp_path: Path) -> Callable[..., Floats]:
     """Evaluate a GLSL expression of ``vec4 x`` for many x (n, 4) with float32 output."""
 
-    def run(include: str, expression: str, x: Array, **uniforms: object) -> Array:
+    def run(include: str, expression: str, x: Floats, **uniforms: object) -> Floats:
         declared = "".join(
             f"uniform {'float' if isinstance(v, float) else 'int'} {k};\n" for k, v in uniforms.items()
         )

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
 from brdf_suite.errors import ValueRangeError
@@ -17,14 +18,13 @@ from brdf_suite.realtime.environment.ground import environment_harmonics, ground
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, GroundField, MeshPart
 
-Array = np.ndarray
 SIZE = (96, 64)
 FRONT = Camera(azimuth_deg=0.0, elevation_deg=0.0)
 LIT = SurfaceLook(occlusion=True)
 PLAIN = SurfaceLook(occlusion=False)
 
 
-def with_light(part: MeshPart, alone: float, grounded: float, towards: Array | None = None) -> MeshPart:
+def with_light(part: MeshPart, alone: float, grounded: float, towards: AnyArray | None = None) -> MeshPart:
     """The part with the same share of light everywhere, coming from ``towards`` (the normals by default)."""
     mean = part.normals * (2 / 3) if towards is None else np.broadcast_to(towards, part.normals.shape)
     count = len(part.positions)
@@ -36,7 +36,7 @@ def view(look: SurfaceLook, **fields: object) -> View:
     return View(camera=FRONT, surface_look=look, background="grey", fresnel="off", **fields)  # type: ignore[arg-type]
 
 
-def test_the_function_is_the_one_in_the_docs(evaluate: Callable[..., Array]) -> None:
+def test_the_function_is_the_one_in_the_docs(evaluate: Callable[..., AnyArray]) -> None:
     rng = np.random.default_rng(2)
     cosine, ao = rng.uniform(0.001, 1, 500), rng.uniform(0, 1, 500)
     exponent = 10 ** rng.uniform(0, 5, 500)
@@ -137,7 +137,7 @@ def test_parts_take_the_material_that_the_view_gives_them(renderer: Renderer, sc
 def test_harmonics_of_a_cube_map(scenes: Any) -> None:
     light = np.random.default_rng(4).normal(size=(16, 3))
 
-    def radiance(d: Array) -> Array:
+    def radiance(d: AnyArray) -> AnyArray:
         return 10.0 + low_harmonics(d, 3) @ light
 
     found = environment_harmonics(scenes.cube(radiance(scenes.directions(64)), 3.0), 4)

@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from brdf_suite.cli.main import main
-from brdf_suite.cli.tools.agreement import FORM_NAMES
 from brdf_suite.errors import FileError, MissingExtraError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
@@ -53,7 +52,7 @@ def test_flip_and_delta_e_of_pictures() -> None:
     brighter = errors_of(np.clip(first + 0.1, 0, 1), first, inside)
     assert brighter.mean > 1.0
     assert brighter.flip > 0.02
-    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.Errors(0.0, 0.0, 0.0)
+    assert errors_of(first, first, np.zeros((40, 40), bool)) == agreement.PictureErrors(0.0, 0.0, 0.0)
 
 
 def test_without_flip_it_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -124,10 +123,6 @@ def test_a_comparison_is_kept_and_becomes_a_page(tmp_path: Path, light: Path, mo
         "Designed paints on the roof",
     }
     assert set(found["summary"]["Designed paints on the sphere"]) == {DEFAULT_FORM, "Fresnel off"}
-
-
-def test_the_command_knows_the_forms_that_there_are() -> None:
-    assert tuple(agreement.FORMS) == FORM_NAMES
 
 
 def test_a_page_that_cannot_be_is_refused_before_the_work(tmp_path: Path) -> None:

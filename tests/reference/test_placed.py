@@ -17,9 +17,9 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.flakes.countable import visible_flake_part
 from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.tilt import tilt_place
+from tools.evaluation.visible_flake_part import visible_flake_part
 
 pytestmark = pytest.mark.usefixtures("variant")
 FLAKES = Flakes(120.0, 20.0, 0.17, 0.3)
@@ -64,7 +64,9 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
     )
     wanted = glint_ratio(field, *tilt_place(slope, 0.17), 0.01)
     layer = flakes.FlakeLayer(FLAKES, IOR)
-    found = np.array(flakes._Field.of(placed(at, across, down), layer).ratio(vectors(slope, "Vector2f"))).T
+    found = np.array(
+        flakes.FlakeField.of(placed(at, across, down), layer).ratio(vectors(slope, "Vector2f"))
+    ).T
     assert np.abs(found - wanted).max() < 1e-4 * wanted.max()
     assert np.quantile(np.abs(found - wanted), 0.99) < 1e-3
     assert wanted.std() > 1.0
@@ -98,7 +100,7 @@ def test_flakes_send_their_mean_over_the_surface(variant) -> None:
     for slope in (0.0, 0.2):
         slopes = np.broadcast_to([slope, 0.0], at.shape)
         found = np.array(
-            flakes._Field.of(placed(at, across, down), layer).ratio(vectors(slopes, "Vector2f"))
+            flakes.FlakeField.of(placed(at, across, down), layer).ratio(vectors(slopes, "Vector2f"))
         ).T
         error = found.std(axis=0) / math.sqrt(len(found))
         assert np.all(np.abs(found.mean(axis=0) - 1.0) < 4.5 * error), slope

@@ -128,7 +128,7 @@ def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkey
         raise MemoryError
 
     with monkeypatch.context() as patched:
-        patched.setattr(frames, "Film", huge)
+        patched.setattr(raytraced, "Film", huge)
         with pytest.raises(ReferenceUnavailableError, match="not enough memory to trace 24 × 20"):
             render_raytraced("copper", VIEW, SIZE, tmp_path / "c.png", quality=FOUR)
 
@@ -141,7 +141,7 @@ def test_what_fails_is_reported_and_what_is_there_is_kept(tmp_path: Path, monkey
 
 
 def test_remaining_time_is_reported_as_a_person_would() -> None:
-    words = raytraced_file._clock_words
+    words = raytraced_file.duration_text
     assert [words(s) for s in (0.4, 99.0, 130.0, 7300.0)] == ["0 s", "99 s", "3 min", "2 h 2 min"]
 
 

@@ -278,7 +278,7 @@ def test_another_camera_or_paint_builds_and_compiles_nothing_anew(session, spher
     session.show("copper", view, SIZE, "fast", **args)
     session.frame()
     before = session.frame().sums.radiance
-    surface = session._stage(0).surface
+    surface = session.tracer_scene(0).surface
     with dr.scoped_set_flag(dr.JitFlag.KernelHistory, True):
         dr.kernel_history_clear()
         for paint, other in (
@@ -291,7 +291,7 @@ def test_another_camera_or_paint_builds_and_compiles_nothing_anew(session, spher
         kernels = dr.kernel_history()
     assert kernels
     assert [k for k in kernels if not k.get("cache_hit", True)] == []
-    assert session._stage(0).surface is surface
+    assert session.tracer_scene(0).surface is surface
     session.show("copper", view, SIZE, "fast", **args)
     np.testing.assert_array_equal(session.frame().sums.radiance, before)
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from meshes.forms.sphere import sphere
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import Cancelled
 from brdf_suite.geometry.low_harmonics import low_harmonics
 from brdf_suite.surface.mesh import Mesh, PartGeometry
@@ -13,8 +14,6 @@ from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import open_floor
 from brdf_suite.surface.occlusion.rays import RayScene
-
-Array = np.ndarray
 
 
 def quad(name: str, corners: list[tuple[float, float, float]]) -> PartGeometry:
@@ -33,7 +32,7 @@ def level(name: str, height: float, half: float) -> PartGeometry:
     return quad(name, [(-h, height, h), (h, height, h), (h, height, -h), (-h, height, -h)])
 
 
-def at(part: BakedPart, points: Array) -> Array:
+def at(part: BakedPart, points: AnyArray) -> AnyArray:
     """The interpolated light (m, 8) at points that lie on the part."""
     corners = part.positions[part.triangles].astype(float)
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
@@ -53,7 +52,7 @@ def at(part: BakedPart, points: Array) -> Array:
     return result
 
 
-def share(part: BakedPart, points: Array, *, floor: bool = False) -> Array:
+def share(part: BakedPart, points: AnyArray, *, floor: bool = False) -> AnyArray:
     return at(part, points)[:, 7 if floor else 3]
 
 

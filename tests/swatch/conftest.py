@@ -13,6 +13,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.export.dialog import Choice
+from brdf_color_swatch.features.link_part import LinkPart
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
 from brdf_color_swatch.pictures.pictures import Pictures
 from brdf_qt.window.dialogs import Answer, Overwrite
@@ -115,7 +116,7 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
         program = ColorSwatch(dialogs=lambda _window: dialogs)
         program.window.resize(1200, 800)
         program.window.show()
-        (link,) = (part.link for part in program.parts if hasattr(part, "link"))
+        link = program.feature(LinkPart).link
         deadline = QDeadlineTimer(_HUB_MS)
         while not link.is_hub:
             if deadline.hasExpired():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from brdf_color_swatch.features.link_part import LinkPart
 from brdf_qt.link.link import LiveLink
 from brdf_qt.window.message_bar import Message
 
@@ -45,8 +46,8 @@ def test_names_are_plain_text_in_the_whole_window(swatch, command, walks, qtbot,
     command(swatch, "two_panes")
     swatch.window.show_message(Message("test", walks.HOSTILE, where=walks.HOSTILE))
     swatch.window.show_recent([path])
-    (link,) = (part for part in swatch.parts if hasattr(part, "link"))
-    designer = LiveLink("designer", name=link.link._name)
+    link = swatch.feature(LinkPart)
+    designer = LiveLink("designer", name=link.link.name)
     designer.start()
     try:
         qtbot.waitUntil(lambda: "designer" in link.link.peers)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from brdf_color_swatch.features.link_part import LinkPart
 from brdf_qt.link.link import LiveLink
 from brdf_qt.link.messages import OFFER, document_checks
 
@@ -17,7 +18,7 @@ from brdf_suite.errors import SuiteError
 
 @pytest.fixture
 def part(swatch):
-    found = next(part for part in swatch.parts if hasattr(part, "link"))
+    found = swatch.feature(LinkPart)
     found.edited = None
     found.started = []
     found.start_program = lambda program, arguments: (found.started.append(arguments) or True, 1)
@@ -27,7 +28,7 @@ def part(swatch):
 @pytest.fixture
 def designer(part, qtbot) -> Iterator[LiveLink]:
     """Another program on the link of this module's program."""
-    link = LiveLink("designer", name=part.link._name)
+    link = LiveLink("designer", name=part.link.name)
     link.start()
     qtbot.waitUntil(lambda: "designer" in part.link.peers)
     yield link

@@ -9,7 +9,7 @@ from time import sleep
 
 import pytest
 from brdf_color_swatch.export import sheet_part
-from brdf_color_swatch.export.sheet_part import SheetRequest, run_sheets
+from brdf_color_swatch.export.sheet_part import SheetPart, SheetRequest, run_sheets
 from PySide6.QtGui import QImage
 from PySide6.QtPrintSupport import QPrinter
 
@@ -19,7 +19,7 @@ from brdf_suite.errors import SuiteError
 
 @pytest.fixture
 def part(swatch):
-    return next(part for part in swatch.parts if hasattr(part, "print_on"))
+    return swatch.feature(SheetPart)
 
 
 def test_what_is_shown_goes_in_in_its_order_or_the_several_selected(swatch, part, select) -> None:

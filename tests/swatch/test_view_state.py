@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from brdf_color_swatch.grid.view_state import Look
+from brdf_color_swatch.pictures.part import PicturePart
 from brdf_qt.program.settings import settings
 
 GOOD = Look("panel", 64, "overcast", True)
@@ -39,7 +40,7 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
 
 
 def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
-    part = next(part for part in swatch.parts if hasattr(part, "pictures"))
+    part = swatch.feature(PicturePart)
     qtbot.waitUntil(lambda: part.is_started)
     part.pictures.give_up("no driver")
     assert "pictures" in swatch.window.messages.shown()

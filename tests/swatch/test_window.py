@@ -18,7 +18,7 @@ from brdf_suite.documents.palette import Entry, Palette
 
 
 def test_the_return_that_ends_a_name_opens_nothing(swatch: ColorSwatch, select, qtbot, monkeypatch) -> None:
-    (link,) = (part for part in swatch.parts if isinstance(part, LinkPart))
+    link = swatch.feature(LinkPart)
     monkeypatch.setattr(
         link, "start_program", lambda program, arguments: (True, 1)
     )  # no Designer is left running
@@ -59,7 +59,7 @@ def test_a_click_on_a_title_makes_the_pane_the_one_worked_in(swatch: ColorSwatch
 @pytest.fixture
 def map_part(swatch: ColorSwatch):
     """The map in a window with room for it beside the inspector; hidden before and after."""
-    (part,) = (part for part in swatch.parts if isinstance(part, MapPart))
+    part = swatch.feature(MapPart)
     window = swatch.window
     size = window.size()
     window.resize(1500, 900)

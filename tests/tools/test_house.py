@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -107,9 +105,3 @@ def test_figures_of_a_small_checkout(tmp_path: Path) -> None:
     assert figures["names_passed_largest"] == 6
     assert figures["class_names_in_several_rooms"] == 1
     assert figures["files_over_500_lines"] == {"brdf_suite/pipeline/table.py": "the standard's table is"}
-
-
-def test_this_checkout_keeps_the_rules(checkout: Path) -> None:
-    script = str(checkout / "tools" / "house.py")
-    done = subprocess.run([sys.executable, script, "--check"], capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stdout

@@ -77,6 +77,39 @@ def coarse_lights(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(environment_textures, "MIPMAPPED_FROM", 4096)
 
 
+@pytest.fixture(scope="session")
+def read_before() -> dict[tuple, object]:
+    """What :func:`shared_scene` has read: the light, surface and occlusion that nearly all tests begin with."""
+    return {}
+
+
+@pytest.fixture(autouse=True)
+def shared_scene(read_before: dict, lights: dict[str, Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Read the light and the surface that Viewers start with once a session, instead of twice a second."""
+    from brdf_viewer.scene import loading
+    from brdf_viewer.surface import control
+
+    first_light = str(lights["dim"])
+
+    def share(module, name: str, key: Callable[..., object | None]) -> None:
+        read = getattr(module, name)
+
+        def read_once(*arguments, **options):
+            place = name, key(*arguments)
+            if place[1] is None:
+                return read(*arguments, **options)
+            if place not in read_before:
+                read_before[place] = read(*arguments, **options)
+            return read_before[place]
+
+        monkeypatch.setattr(module, name, read_once)
+
+    share(loading, "load_environment", lambda path, *_: path if path == first_light else None)
+    share(loading, "load_shaped", lambda path, look, *_: (path, look) if path == "sphere" else None)
+    spheres = {id(value) for place, value in read_before.items() if place[0] == "load_shaped"}
+    share(control, "baked_occlusion", lambda mesh, *_: id(mesh) if id(mesh) in spheres else None)
+
+
 def write_light(path: Path, up: float, front: float, back: float) -> Path:
     """Write a small environment: a bright sky, and another grey in front (+z) than behind."""
     from brdf_suite.files.images.environments import write_exr

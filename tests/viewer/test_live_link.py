@@ -197,7 +197,7 @@ def test_an_optimum_that_is_not_found_is_no_longer_promised(viewer, qtbot) -> No
     viewer.controller.paint.fitter = hurried
     cell, section = viewer.window.status.cell("fit"), viewer.window.paint
     with hurried.lobe_fitter.solver.background.lock:
-        hurried.lobe_fitter.solver.solver.run = lambda *_: (
+        hurried.lobe_fitter.solver.model.run = lambda *_: (
             SolverOutcome.LOST
         )  # no paint is known that loses it
         viewer.controller.paint.open("copper")

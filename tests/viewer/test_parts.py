@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from brdf_qt.documents.recent_files import MOST_RECENT, RecentFiles
 from brdf_viewer.camera.presets import PRESETS, look_from, signed_deg
 from brdf_viewer.compare import frozen_paints
 from brdf_viewer.compare.frozen_paints import freeze, touch
 from brdf_viewer.documents.file_kinds import kind_of
-from brdf_viewer.documents.recent_files import MOST, RecentFiles
 from brdf_viewer.fields.slider import SliderField
 from brdf_viewer.fields.source_chooser import Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches, Patch
@@ -83,8 +83,8 @@ def test_the_state_reports_only_changes(qtbot) -> None:
 
 
 def test_recent_files_are_newest_first_once_and_present(qapp, tmp_path) -> None:
-    recent = RecentFiles("environment")
-    files = [tmp_path / f"{n}.exr" for n in range(MOST + 3)]
+    recent = RecentFiles("recent/environment")
+    files = [tmp_path / f"{n}.exr" for n in range(MOST_RECENT + 3)]
     for file in files:
         file.touch()
         recent.add(str(file))
@@ -92,7 +92,7 @@ def test_recent_files_are_newest_first_once_and_present(qapp, tmp_path) -> None:
     files[7].unlink()
     paths = recent.paths()
     assert paths[0] == str(files[5])
-    assert len(paths) == len(set(paths)) == MOST - 1
+    assert len(paths) == len(set(paths)) == MOST_RECENT - 1
     assert str(files[7]) not in paths
     recent.clear()
     assert recent.paths() == []

@@ -164,8 +164,8 @@ def test_every_command_has_a_name_and_a_key_only_once(viewer) -> None:
 def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
     monkeypatch, arguments, follows
 ) -> None:
+    from brdf_qt.program import run as shared
     from brdf_viewer import __main__ as program
-    from brdf_viewer import controller
 
     reported = []
 
@@ -173,8 +173,8 @@ def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
         reported.append((paint, follow))
         raise SystemExit
 
-    monkeypatch.setattr(program, "create_application", lambda *_, **__: None)
-    monkeypatch.setattr(controller, "ViewerController", made)
+    monkeypatch.setattr(shared, "create_application", lambda *_, **__: None)
+    monkeypatch.setattr(program, "ViewerController", made)
     with pytest.raises(SystemExit):
         program.main(arguments)
     assert reported == [("red" if "red" in arguments else "blue", follows)]

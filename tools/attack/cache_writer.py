@@ -21,12 +21,12 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.lighting.cache import folder as cache_folder
-from brdf_suite.lighting.cache import maps as cache
-from brdf_suite.lighting.cache.maps import MapCache, cache_key
+from brdf_suite.files.cache import disk_cache as cache_folder
+from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
+from brdf_suite.lighting.lobe_map_cache import MapCache, cache_key
 
 EXPONENTS = (3.0, 40.0)
 ENTRIES = 4
@@ -60,7 +60,7 @@ def limit(size: int) -> int:
 
 def entry_path(store: MapCache, index: int) -> Path:
     """Return where an entry is kept."""
-    return store.folder / f"{cache_key(environment(index), EXPONENTS)}{cache_folder.ENDING}"
+    return store.path(cache_key(environment(index), EXPONENTS))
 
 
 def same(one: LobeMaps, other: LobeMaps) -> bool:
@@ -100,9 +100,9 @@ def each_announced(parts: Parts) -> Iterator[bytes | memoryview]:
         stand_still("piece", index + 1, len(every))
 
 
-def write_straight(folder: Path, key: str, parts: Parts) -> None:
+def write_straight(path: Path, parts: Parts) -> None:
     """Write an entry under its final name at once, as a cache without care would."""
-    with (folder / f"{key}{cache_folder.ENDING}").open("wb") as stream:
+    with path.open("wb") as stream:
         for item in parts:
             stream.write(item)
             os.fsync(stream.fileno())
@@ -122,9 +122,9 @@ def write_for_ever(folder: Path, size: int, seed: int, careless: bool) -> None:
     made = {environment(i).name: maps_of(i, size) for i in range(ENTRIES)}
     real = write_straight if careless else cache_folder.write
 
-    def reported(folder: Path, key: str, parts: Parts) -> None:
+    def reported(path: Path, parts: Parts) -> None:
         say("start")
-        real(folder, key, parts)
+        real(path, parts)
         say("end")
 
     cache_folder.write = reported
@@ -144,8 +144,8 @@ def write_in_steps(folder: Path, size: int, careless: bool) -> None:
     real = write_straight if careless else cache_folder.write
     waiting = False
 
-    def stepped(folder: Path, key: str, parts: Parts) -> None:
-        real(folder, key, each_announced(parts))
+    def stepped(path: Path, parts: Parts) -> None:
+        real(path, each_announced(parts))
 
     def stand_in(environment: Environment, *_: object) -> LobeMaps:
         stand_still("filtering")

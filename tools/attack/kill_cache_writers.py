@@ -30,10 +30,10 @@ from pathlib import Path
 from cache_writer import ENTRIES, EXPONENTS, Writer, entry_path, environment, limit, maps_of, same
 
 from brdf_suite.errors import SuiteError
-from brdf_suite.lighting.cache import folder as cache_folder
-from brdf_suite.lighting.cache import maps as cache
-from brdf_suite.lighting.cache.lock import shard
-from brdf_suite.lighting.cache.maps import MapCache
+from brdf_suite.files.cache import disk_cache as cache_folder
+from brdf_suite.files.cache.entry_lock import shard
+from brdf_suite.lighting import lobe_map_cache as cache
+from brdf_suite.lighting.lobe_map_cache import MapCache
 
 SITUATIONS = ("alone", "beside", "waited for")
 
@@ -44,7 +44,7 @@ def afterwards(folder: Path, size: int) -> Figures:
     """Return what the command says about the cache, and what one more program finds or makes in it."""
     verified = subprocess.run(
         [sys.executable, "-m", "brdf_suite.cli.main", "cache", "verify", "--json"],
-        env={**os.environ, cache.ENVIRONMENT_VARIABLE: str(folder)},
+        env={**os.environ, cache_folder.ENVIRONMENT_VARIABLE: str(folder)},
         capture_output=True,
         text=True,
         check=False,

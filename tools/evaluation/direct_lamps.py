@@ -6,15 +6,13 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.pictures.geometry import GeometryPicture
 from brdf_suite.reflectance.protocol import Reflectance
-
-Floats = NDArray[np.float64]
 
 
 def lamp_radiance(

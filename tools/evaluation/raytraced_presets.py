@@ -15,16 +15,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import srgb_encode
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle, SurfaceLook
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
-from brdf_suite.tracing.agreement.comparison import Errors, errors_of
+from brdf_suite.tracing.agreement.comparison import PictureErrors, errors_of
 from brdf_suite.tracing.raytraced.picture import PRESETS, Quality, RaytracedSession
 from brdf_suite.tracing.reference.scene import Size, prepare_reference
 
-Pixels = NDArray[np.float64]
 _WHOLE = 0.999
 _PATH_STEPS = (4, 12, 48, 192)
 """Samples of the path tracer's passes, one after the other, whose mean is compared."""
@@ -37,7 +37,7 @@ class Tried:
 
     name: str
     seconds: float
-    errors: Errors
+    errors: PictureErrors
     codes: NDArray[np.uint8]
 
 
@@ -123,5 +123,5 @@ def compare_presets(
     return Presets(tried, converged, truth.samples, paths)
 
 
-def _encoded(radiance: Pixels, ev: float, view: View) -> Pixels:
+def _encoded(radiance: Floats, ev: float, view: View) -> Floats:
     return np.asarray(srgb_encode(display_light(radiance, ev, view.tone_curve)))

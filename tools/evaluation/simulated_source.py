@@ -8,10 +8,11 @@ from functools import cached_property
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.source import Bools, Codes, SeriesKind, Stack
+from brdf_suite.acquisition.reconstruction.source import SeriesKind, Stack
 from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.simulator import Simulator
+from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.progress import Progress
 
 
@@ -44,7 +45,7 @@ class SimulatorSource:
             return None
         return Stack(self.simulator.flat_field(), np.array(flat.exposures_s or every), flat.photographs)
 
-    def board(self) -> list[tuple[str, Codes]]:
+    def board(self) -> list[tuple[str, AnyArray]]:
         """Take the board's photographs."""
         board = self.session.camera.board
         names = () if board is None else board.photographs

@@ -11,7 +11,7 @@ from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_color_swatch.export.dialog import choices_of, with_ending
 from brdf_color_swatch.export.file_names import suggested_file
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -35,7 +35,7 @@ class _Request:
     write: bool = False
 
 
-class ExportPart(Feature):
+class ExportPart(SwatchFeature):
     """Commands that write a palette, or what is selected of it, in the format chosen or that of the name's ending."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

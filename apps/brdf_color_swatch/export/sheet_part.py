@@ -5,7 +5,6 @@ They are drawn by the suite's command in a process of its own, as Designer's rep
 
 from __future__ import annotations
 
-import subprocess
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -14,18 +13,18 @@ from typing import Any
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.work.command_process import run_command
 from brdf_qt.work.tasks import Work
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
 from brdf_color_swatch.export.file_names import suggested_file
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, save_palette
-from brdf_suite.errors import Cancelled, SuiteError
-from brdf_suite.processes import child_command
+from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
 
 Done = Callable[[Any], None]
@@ -33,7 +32,6 @@ Done = Callable[[Any], None]
 _KEY = "sheet"
 _CELL = (240, 180)
 _PRINTED_COLUMNS, _PRINTED_ROWS = 4, 5
-_LOOK_S = 0.2
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,39 +50,24 @@ def run_sheets(request: SheetRequest, progress: Progress) -> tuple[Path, ...]:
     Raises
     ------
     SuiteError
-        What the command said, or that it ended without a word.
+        What the command printed, or its exit status.
     Cancelled
         The progress callback asked for it; old files stay.
     """
     for number, (palette, path) in enumerate(request.pages):
-        share = number / len(request.pages)
         with tempfile.TemporaryDirectory(prefix="brdf-sheet-") as folder:
             source = Path(folder) / f"palette{PALETTE_ENDING}"
             save_palette(palette, source)
-            words = child_command("brdf_suite.cli.main", "sheet", str(source), "-o", str(path), "--json")
-            words += ["--size", "x".join(map(str, _CELL)), "--environment", request.environment]
-            words += ["--mesh", request.surface]
+            words = ["sheet", str(source), "-o", str(path), "--size", "x".join(map(str, _CELL))]
+            words += ["--environment", request.environment, "--mesh", request.surface]
             if request.columns is not None:
                 words += ["--columns", str(request.columns)]
-            with (Path(folder) / "said").open("w+b") as said:
-                process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=said)
-                while process.poll() is None:
-                    try:
-                        progress(share, path.name)
-                        process.wait(_LOOK_S)
-                    except subprocess.TimeoutExpired:
-                        continue
-                    except Cancelled:
-                        process.terminate()
-                        process.wait()
-                        raise
-                # 1: a paint could not be drawn, and its reason stands in its place.
-                if process.returncode not in (0, 1) or not path.exists():
-                    said.seek(0)
-                    words_said = said.read().decode("utf-8", "replace").strip().splitlines()
-                    raise SuiteError(
-                        words_said[-1] if words_said else tr("The contact sheet could not be rendered.")
-                    )
+
+            def page(fraction: float, _what: str, number: int = number, name: str = path.name) -> None:
+                progress((number + fraction) / len(request.pages), name)
+
+            # Where a paint could not be drawn, its reason stands in its place.
+            run_command(words, page)
     return tuple(path for _, path in request.pages)
 
 
@@ -98,7 +81,7 @@ def draw_pages(request: SheetRequest, progress: Progress) -> tuple[bytes, ...]:
         return tuple(path.read_bytes() for path in run_sheets(replace(request, pages=pages), progress))
 
 
-class SheetPart(Feature):
+class SheetPart(SwatchFeature):
     """Commands that make contact sheets of what the pane in front shows."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -9,7 +9,7 @@ from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.columns import codes_of
 from brdf_color_swatch.grid.rows import ANGLES_DEG
 from brdf_color_swatch.session import PaletteSession
@@ -140,7 +140,7 @@ class ComparePanel(QWidget):
         self.figures.setText("\n".join(figures))
 
 
-class ComparePart(Feature):
+class ComparePart(SwatchFeature):
     """Keeps the panel in step with what is selected: two in one pane, or one in each."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

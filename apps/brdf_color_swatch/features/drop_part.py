@@ -10,7 +10,7 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, Qt
 from PySide6.QtGui import QDropEvent
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import OWNER, count_words, what_words, with_date
 from brdf_color_swatch.features.transfer import read_data
 from brdf_color_swatch.grid.view_state import Scope
@@ -22,13 +22,13 @@ from brdf_suite.documents.palette import GroupPath, Palette
 from brdf_suite.errors import SuiteError
 
 
-class DropPart(Feature):
+class DropPart(SwatchFeature):
     """Drops and order; what moves from one palette to another is one step of both."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         add = window.add_command
-        window.menu("edit").addSeparator()
+        window.menus["edit"].addSeparator()
         self._of_selected = [
             add("edit", mark("Move Up"), "Alt+Left", lambda: self.step(-1), "earlier"),
             add("edit", mark("Move Do&wn"), "Alt+Right", lambda: self.step(1), "later"),

@@ -11,7 +11,7 @@ from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication, QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, what_words, with_date
 from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, read_data
 from brdf_color_swatch.grid.view_state import Scope
@@ -22,14 +22,14 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
 
 
-class EditPart(Feature):
+class EditPart(SwatchFeature):
     """Edits of swatches."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self._cut: Carried | None = None
         keys = QKeySequence.StandardKey
-        add, edit = window.add_command, window.menu("edit")
+        add, edit = window.add_command, window.menus["edit"]
         undo = add(
             "edit",
             mark("&Undo"),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -14,13 +14,13 @@ from brdf_suite.documents import palette_edits as edits
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 
-class GroupPart(Feature):
+class GroupPart(SwatchFeature):
     """Commands on groups and palettes, and what the library's names are changed to."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         add = window.add_command
-        window.menu("edit").addSeparator()
+        window.menus["edit"].addSeparator()
         self._new_group = add(
             "edit", mark("New G&roup"), "Ctrl+G", self.new_group, "new_group", icon="folder-plus",
             tip=mark("New group from selection"),

@@ -12,7 +12,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QProcess
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.features.near_part import near_of
 from brdf_color_swatch.grid.view_state import Near, Scope
@@ -31,7 +31,7 @@ _PROGRAMS = {
 }
 
 
-class LinkPart(Feature):
+class LinkPart(SwatchFeature):
     """Commands of the live link."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -41,13 +41,13 @@ class LinkPart(Feature):
         self.start_program = QProcess.startDetached
         """Starts a program: its path and arguments; replaced where none is to be started."""
         add = window.add_command
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         self._sends = []
         icons = {"designer": "paint-brush", "viewer": "monitor", "lobes": "cube"}
         for role, (_package, _name, text, keys) in _PROGRAMS.items():
             action = add("paint", text, keys, partial(self.send, role), f"to_{role}", icon=icons[role])
             self._sends.append(action)
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         self._take = add(
             "paint", mark("&Add Paint from Designer"), "Ctrl+Shift+D", self.take, "take", icon="download-simple",
             tip=mark("Add the paint being edited in Designer to this palette"),

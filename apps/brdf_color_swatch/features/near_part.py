@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from brdf_qt.program.translation import mark, tr
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Near
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -22,7 +22,7 @@ def near_of(entry: Entry) -> Near:
     return Near(entry.name or entry.code or tr("(no name)"), tuple(rows))  # type: ignore[arg-type]  # three by three
 
 
-class NearPart(Feature):
+class NearPart(SwatchFeature):
     """Commands that search by colour. They search the whole palette that is shown, without its groups."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -40,7 +40,7 @@ class NearPart(Feature):
             "paint", mark("Find Nearest to Clip&board"), None, self.find_clipboard, "nearest_clipboard",
             tip=mark("Sort by mean ΔE00 to the paint, colour or L*a*b* values on the clipboard"),
         )  # fmt: skip
-        window.menu("paint").addSeparator()
+        window.menus["paint"].addSeparator()
         window.toolbar.addAction(self._near)
         session.selection_changed.connect(lambda _pane: self._enable())
         session.front_changed.connect(self._enable)

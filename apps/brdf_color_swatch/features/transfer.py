@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.program.translation import tr
 from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QColor
 
@@ -153,7 +154,7 @@ def _flat(line: str, match: re.Match[str], model: str, values: tuple[float, ...]
 def _whole(content: bytes) -> Carried:
     value = _json(content)
     if not isinstance(value, dict) or not {"owner", "source", "palette"} <= set(value):
-        raise SuiteError("The swatches on the clipboard are damaged.")
+        raise SuiteError(tr("The swatches on the clipboard are damaged."))
     palette = palette_from_json(value["palette"], "the clipboard")
     return Carried(palette.entries, (), str(value["source"]), str(value["owner"]))
 
@@ -172,7 +173,8 @@ def _json(content: bytes) -> object:
     try:
         return json.loads(content.decode("utf-8"))
     except (ValueError, RecursionError) as error:
-        raise SuiteError(f"The text on the clipboard is not a valid paint ({error}).") from error
+        text = tr("The text on the clipboard is not a valid paint ({reason}).").format(reason=error)
+        raise SuiteError(text) from error
 
 
 def hexes_of(lab: Sequence[Sequence[float]]) -> list[str]:

@@ -8,7 +8,7 @@ from functools import partial
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import Qt
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import SIZES
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -22,14 +22,14 @@ _FORMS = (
 _STEP = 1.25
 
 
-class ViewPart(Feature):
+class ViewPart(SwatchFeature):
     """Commands on what is shown."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
         super().__init__(session, window)
         self.show_second: Callable[[bool], None] = lambda _shown: None
         """Set by who owns the panes."""
-        view, add = window.menu("view"), window.add_command
+        view, add = window.menus["view"], window.add_command
         view.addSeparator()
         for number, (key, text) in enumerate(_FORMS, 1):
             add(

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import add_entries
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
@@ -40,7 +41,7 @@ def shipped_palette() -> Palette:
     return Palette(tr("Sample Paints"), tuple(entries))
 
 
-class FilePart(Feature):
+class FilePart(SwatchFeature):
     """Commands on palettes as a whole."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -49,20 +50,21 @@ class FilePart(Feature):
         add = window.add_command
         new = add("file", mark("&New Palette"), keys.New, self.new, "new", icon="file-plus")
         opened = add("file", mark("&Open…"), keys.Open, lambda: self.open(None), "open", icon="folder-open")
-        window.menu("file").addMenu(window.recent_menu)
+        window.add_recent_menu()
         add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
-        window.menu("file").addSeparator()
+        window.menus["file"].addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
         add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
         self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close_palette, "close", icon="x")
-        window.menu("file").addSeparator()
+        window.menus["file"].addSeparator()
         for action in (new, opened, self._close):
             window.add_library_button(action)
         for action in (new, opened, self._save):
             window.toolbar.addAction(action)
         window.toolbar.addSeparator()
         window.open_requested.connect(self.open)
+        window.files_dropped.connect(self._open_files)
         window.recent_cleared.connect(self._clear_recent)
         window.tree.menu_requested.connect(self._menu)
         for pane in window.panes:
@@ -157,10 +159,12 @@ class FilePart(Feature):
     def _on_add_failed(self, error: Exception) -> None:
         self._session.library.fails(error, "open", tr("The palette is unchanged."))
 
-    def _clear_recent(self) -> None:
-        from brdf_qt.program.settings import settings
+    def _open_files(self, paths: list[Path]) -> None:
+        for path in paths:
+            self.open(path)
 
-        settings().setValue("recent", [])
+    def _clear_recent(self) -> None:
+        RecentFiles().clear()
         self._window.show_recent([])
 
     def _act(self, what: str, number: int) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.library.reading import Read
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -17,7 +17,7 @@ from brdf_suite.progress import Progress
 _MOST_LISTED = 6
 
 
-class OutsidePart(Feature):
+class OutsidePart(SwatchFeature):
     """Offers to reload or merge; nothing is taken, and nothing overwritten, unasked."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

@@ -10,10 +10,10 @@ from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.map.points import MapPoints
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -38,7 +38,7 @@ _KINDS = {
 }
 
 
-class MapPart(Feature):
+class MapPart(SwatchFeature):
     """Builds the panel when it is first shown, and keeps it in step with the pane in front."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:
@@ -204,6 +204,11 @@ class MapPart(Feature):
         self.note.setText(text)
         self.stack.setCurrentWidget(self.note)
 
+    def _show_unavailable(self) -> None:
+        self._show_note(
+            tr("The three-dimensional map needs OpenGL, which is not available here. Use one of the planes.")
+        )
+
     def _plane(self) -> PlaneMap:
         if self.plane is None:
             # A quarter of a second to import: not at the start of the program.
@@ -217,17 +222,14 @@ class MapPart(Feature):
     def _space(self) -> SpaceMap | None:
         if self.space is None:
             if QGuiApplication.platformName() in ("offscreen", "minimal") or not _has_gl():
-                self._show_note(
-                    tr(
-                        "The three-dimensional map needs OpenGL, which is not available here. Use one of the planes."
-                    )
-                )
+                self._show_unavailable()
                 return None
             from brdf_color_swatch.map.space import SpaceMap
 
             self.space = SpaceMap()
             self.space.lasso = self.lasso.isChecked()
             self.space.chosen.connect(self._chosen)
+            self.space.failed.connect(self._show_unavailable)
             self.stack.addWidget(self.space)
         return self.space
 
@@ -264,8 +266,6 @@ class MapPart(Feature):
 
 def _has_gl() -> bool:
     """Whether a context of OpenGL can be made here."""
-    from PySide6.QtGui import QOffscreenSurface, QOpenGLContext
-
     context = QOpenGLContext()
     if not context.create():
         return False

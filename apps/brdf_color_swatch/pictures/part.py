@@ -8,7 +8,7 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QTimer
 
-from brdf_color_swatch.feature import Feature
+from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Look
 from brdf_color_swatch.pictures.pictures import Pictures
 from brdf_color_swatch.session import PaletteSession
@@ -19,7 +19,7 @@ _SOON_MS = 30
 """After the last step of a scroll; what only flies by is not drawn."""
 
 
-class PicturePart(Feature):
+class PicturePart(SwatchFeature):
     """Owns the pictures."""
 
     def __init__(self, session: PaletteSession, window: SwatchWindow) -> None:

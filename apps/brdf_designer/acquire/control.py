@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from brdf_designer.acquire.assistant import Assistant
 
 
-class AcquireControl(QObject):
+class AcquireControl(Feature, QObject):
     """Opens the assistant; ``close`` ends what runs. What is done of a reconstruction is kept in its folder."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -41,7 +42,7 @@ class AcquireControl(QObject):
         return self.assistant
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether no work is pending."""
         return self.assistant is None or self.assistant.bench.is_quiet
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -234,7 +235,7 @@ class ReconstructionSession(QObject):
                     strip.end_job(key)
         for key, (_, fraction, what) in self._running.items():
             if fraction >= 0.0 and what and key not in here.jobs:
-                here.set_job(key, fraction, what, lambda key=key: self.cancel(key))
+                here.set_job(key, fraction, what, partial(self.cancel, key))
 
 
 def no_session() -> Message:

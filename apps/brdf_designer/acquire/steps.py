@@ -23,7 +23,7 @@ STATE_WORDS: dict[StepState, str] = {
 
 
 @dataclass(frozen=True)
-class Step:
+class AcquireStep:
     """A step by its key and title."""
 
     key: str
@@ -31,13 +31,13 @@ class Step:
 
 
 STEPS = (
-    Step("session", mark("Session")),
-    Step("exposures", mark("Exposures")),
-    Step("response", mark("Response")),
-    Step("geometry", mark("Geometry")),
-    Step("mask", mark("Mask")),
-    Step("reconstruction", mark("Reconstruction")),
-    Step("coverage", mark("Coverage")),
-    Step("fit", mark("Fit")),
+    AcquireStep("session", mark("Session")),
+    AcquireStep("exposures", mark("Exposures")),
+    AcquireStep("response", mark("Response")),
+    AcquireStep("geometry", mark("Geometry")),
+    AcquireStep("mask", mark("Mask")),
+    AcquireStep("reconstruction", mark("Reconstruction")),
+    AcquireStep("coverage", mark("Coverage")),
+    AcquireStep("fit", mark("Fit")),
 )
 KEYS = tuple(step.key for step in STEPS)

@@ -8,12 +8,13 @@ from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QWidget
+from PySide6.QtWidgets import QCheckBox
 
-from brdf_designer.session.fields import DEFAULT_PEEL
+from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetNumber, SetOrangePeel
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
-from brdf_suite.appearance.gloss import (
+from brdf_suite.appearance.clearcoat_gloss import (
     HIGHEST_IOR,
     HIGHEST_ROUGHNESS,
     LOWEST_IOR,
@@ -41,14 +42,14 @@ _SLOPE_TIP = mark("Root mean square slope of the waves. A tenth of a degree is v
 class CoatSection(PaintSection):
     """Gloss readings, the clearcoat that gives them, and its waviness.
 
-    Emits ``("coat", "ior" | "roughness")`` with both numbers: the other stays as it was at the start of the gesture.
-    ``gloss_requested()`` comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
+    While index or roughness is edited, the other stays as it was at the start of the gesture. ``gloss_requested()``
+    comes before a computed 60° reading is taken: it is shown at idle, and must be of this paint.
     """
 
     gloss_requested = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__(session)
         self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
         self.has_60 = QCheckBox(tr("Specify 60° gloss"))
         self.has_60.setToolTip(
@@ -71,7 +72,7 @@ class CoatSection(PaintSection):
         ):
             self.panel.add_row(label, field, tip)
             field.edited.connect(lambda _value, key=key: self._set_coat(key))
-            field.gesture_started.connect(lambda key=key: self._begin_coat(key))
+            field.gesture_started.connect(self._begin_coat)
             field.gesture_finished.connect(self._end_coat)
         self.haze = computed()
         self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
@@ -159,19 +160,19 @@ class CoatSection(PaintSection):
                 ).format(ior=ior, roughness=roughness)
         self.show_refusal(text)
 
-    def _begin_coat(self, key: str) -> None:
+    def _begin_coat(self) -> None:
         self._held = self._solved
-        self.gesture_started.emit(("coat", key))
+        self.session.begin_gesture()
 
     def _end_coat(self) -> None:
         self._held = None
-        self.gesture_finished.emit()
+        self.session.end_gesture()
 
     def _set_coat(self, key: str) -> None:
         held = self._held or self._solved
-        value = (self.ior.value(), held[1]) if key == "ior" else (held[0], self.roughness.value())
-        self._asked, self._taken = value, False
-        self.edited.emit(("coat", key), value)
+        ior, roughness = (self.ior.value(), held[1]) if key == "ior" else (held[0], self.roughness.value())
+        self._asked, self._taken = (ior, roughness), False
+        self.session.edit(SetCoat(key, ior, roughness))
         self._asked = None
         if not self._taken:
             # It was refused: what is shown is the coat that the paint has.
@@ -182,7 +183,7 @@ class CoatSection(PaintSection):
         if on:
             self.gloss_requested.emit()
         value = self.panel.fields["gloss.gu_60"].value() if on else None
-        self.edited.emit(("gloss", "gu_60"), value)
+        self.session.edit(SetNumber("gloss.gu_60", value))
 
     def _switch_peel(self, on: bool) -> None:
-        self.edited.emit(("orange_peel",), self._last_peel if on else None)
+        self.session.edit(SetOrangePeel(self._last_peel if on else None))

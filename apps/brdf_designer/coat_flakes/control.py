@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from PySide6.QtCore import QObject
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
 from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.session.state import layers_of
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.inspection.sparkle import sparkle
 from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
 
 
-class CoatControl(QObject):
+class CoatControl(Feature, QObject):
     """Joins the sections of coat and flakes to the desk."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -35,7 +37,8 @@ class CoatControl(QObject):
     def _show_gloss(self) -> None:
         fit = self._desk.fit
         if fit is not None and fit.paint.gloss.gu_60 is None:
-            self._coat.show_gloss(*total_gloss(fit.reflectance.base, fit.reflectance.coat))
+            layers = layers_of(fit)
+            self._coat.show_gloss(*total_gloss(layers.base, layers.coat))
 
     def _refuse(self, error: SuiteError) -> None:
         self._flakes.show_sparkle(())

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtWidgets import QCheckBox, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel
 
-from brdf_designer.session.fields import DEFAULT_FLAKES
+from brdf_designer.session.edits import DEFAULT_FLAKES, SetFlakes
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.paint_sections import PaintSection, computed
 from brdf_suite.documents.paint import Flakes, Paint
-from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, Sparkle
+from brdf_suite.inspection.sparkle import ANGLES_DEG, CONTRAST, DISTANCE_MM, RESOLVED_MM, SparkleReadings
 
 _DRAWN = mark(
     "Viewer renders these flakes individually in the brightest lights. The mean "
@@ -29,8 +30,8 @@ class FlakesSection(PaintSection):
 
     _KEYS = ("density_per_mm2", "size_um", "roughness", "colour_spread")
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__(session)
         self.has_flakes = QCheckBox(tr("Visible flakes"))
         self.has_flakes.setToolTip(tr(_DRAWN))
         self.has_flakes.clicked.connect(self._switch)
@@ -59,7 +60,7 @@ class FlakesSection(PaintSection):
         self._last = flakes
         self.panel.set_values({f"flakes.{key}": getattr(flakes, key) for key in self._KEYS})
 
-    def show_sparkle(self, rows: tuple[Sparkle, ...]) -> None:
+    def show_sparkle(self, rows: tuple[SparkleReadings, ...]) -> None:
         """Show our own figure per aspecular angle; nothing: it is not known."""
         for label in self.figures.values():
             label.setText("–")
@@ -67,10 +68,10 @@ class FlakesSection(PaintSection):
             self.figures[row.aspecular_deg].setText(_text(row))
 
     def _switch(self, on: bool) -> None:
-        self.edited.emit(("flakes",), self._last if on else None)
+        self.session.edit(SetFlakes(self._last if on else None))
 
 
-def _text(row: Sparkle) -> str:
+def _text(row: SparkleReadings) -> str:
     if row.spots_per_mm2 == 0.0:
         return tr("no spots")
     if row.crowded:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark
 from PySide6.QtCore import QObject
 
@@ -26,7 +29,7 @@ _SETS = (
 )
 
 
-class ColourCommands(QObject):
+class ColourCommands(Feature, QObject):
     """Adds the commands; each does what the button or the list over the colours does."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -45,7 +48,7 @@ class ColourCommands(QObject):
             window.add_command("paint", text, keys, head.spaces.buttons[space].click, f"space_{space}")
         window.paint_menu.addSeparator()
         for name, text in _SETS:
-            window.add_command("paint", text, None, lambda name=name: head.choose_set(name), f"angles_{name}")
+            window.add_command("paint", text, None, partial(head.choose_set, name), f"angles_{name}")
 
     def type_numbers(self) -> None:
         """Go to the first number of the colour: of the first angle, or of the flop where that is edited."""

@@ -7,18 +7,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
 from brdf_suite.appearance.colour.spaces import lch_to_lab
+from brdf_suite.arrays import Bools, Bytes
 
-Rgb = NDArray[np.uint8]
-Flags = NDArray[np.bool_]
 _TOLERANCE = 1e-4
 
 
-def lab_to_codes(lab: ArrayLike) -> tuple[Rgb, Flags]:
+def lab_to_codes(lab: ArrayLike) -> tuple[Bytes, Bools]:
     """Return sRGB codes (..., 3) of L*a*b* (D65, 10°) and whether (...) the screen can show each."""
     return working_to_codes(lab_to_working(lab))
 
 
-def working_to_codes(rho: ArrayLike) -> tuple[Rgb, Flags]:
+def working_to_codes(rho: ArrayLike) -> tuple[Bytes, Bools]:
     """Return sRGB codes (..., 3) of a reflectance factor in the working space, and whether each is shown."""
     linear = np.asarray(rho, float) @ WORKING_TO_SRGB.T
     inside = np.all((linear >= -_TOLERANCE) & (linear <= 1.0 + _TOLERANCE), axis=-1)
@@ -28,7 +27,7 @@ def working_to_codes(rho: ArrayLike) -> tuple[Rgb, Flags]:
 
 def component_tracks(
     colours: NDArray[np.float64], positions: list[NDArray[np.float64]], *, in_lch: bool = False
-) -> list[list[tuple[Rgb, Flags]]]:
+) -> list[list[tuple[Bytes, Bools]]]:
     """Return what each position of each slider would give, all else kept: by colour, then by component.
 
     ``colours`` (n, 3) are L*a*b*, or LCh with the hue in degrees where ``in_lch``; ``positions`` three arrays.

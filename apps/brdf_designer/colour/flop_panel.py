@@ -10,11 +10,13 @@ from brdf_qt.fields.colour_slider import ColourSlider
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
 
 from brdf_designer.colour.display import lab_to_codes
+from brdf_designer.session.edits import SetFlop
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours
 from brdf_suite.appearance.flop.edits import (
     FlopValues,
@@ -98,17 +100,11 @@ HANDLES = (
 
 
 class FlopPanel(QWidget):
-    """Emits ``edited(what, amount)`` between ``gesture_started(what)`` and ``gesture_finished()``.
+    """Edits the flop of the paint. The track of a slider shows the far end's colour that each position would give."""
 
-    The track of a slider shows the far end's colour that each position would give.
-    """
-
-    edited = Signal(str, float)
-    gesture_started = Signal(str)
-    gesture_finished = Signal()
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__()
+        self._session = session
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(8)
@@ -148,9 +144,9 @@ class FlopPanel(QWidget):
         for widget in (label, slider, field):
             widget.setToolTip(tr(handle.tip))
         for source in (slider, field):
-            source.edited.connect(lambda value, key=handle.key: self.edited.emit(key, value))
-            source.gesture_started.connect(lambda key=handle.key: self.gesture_started.emit(key))
-            source.gesture_finished.connect(self.gesture_finished)
+            source.edited.connect(lambda value: self._session.edit(SetFlop(handle.key, value)))
+            source.gesture_started.connect(self._session.begin_gesture)
+            source.gesture_finished.connect(self._session.end_gesture)
         grid.addWidget(label, row, 0)
         grid.addWidget(slider, row, 1)
         grid.addWidget(field, row, 2)

@@ -21,11 +21,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
 
-from brdf_designer.colour.display import Rgb
 from brdf_designer.colour.flop_grips import GRIPS, RADIUS, FlopOfPaint, centres, flop_of, paint_grip
 from brdf_designer.colour.patches import GIVEN_SHARE, OUTSIDE_TIP, paint_corner
+from brdf_designer.session.edits import SetFlop
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
+from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 
 _FRESH = (
@@ -43,24 +45,14 @@ _FINE = 0.1
 
 
 class FlopStrip(QWidget):
-    """The model's colour from the nearest to the farthest reading, marked where something was measured.
+    """The model's colour from the nearest to the farthest reading, marked where something was measured."""
 
-    Emits ``edited(what, amount)`` between ``gesture_started(what)`` and ``gesture_finished()``, as
-    :class:`brdf_designer.colour.flop_panel.FlopPanel` does.
-    """
-
-    edited = Signal(str, float)
-    gesture_started = Signal(str)
-    gesture_finished = Signal()
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__()
         self.caption = Caption(*map(tr, _FRESH))
-        self.band = Band()
+        self.band = Band(session)
         self._head: tuple[str, ...] = tuple(map(tr, _FRESH))
         self.band.described.connect(self._show_grip)
-        for name in ("edited", "gesture_started", "gesture_finished"):
-            getattr(self.band, name).connect(getattr(self, name))
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 0)
         box.setSpacing(4)
@@ -92,15 +84,16 @@ class FlopStrip(QWidget):
 
 
 class Band(QWidget):
-    """The strip itself. ``described(forms)``: what a grip under the mouse, or of the keys, stands at; () for none."""
+    """The strip itself, with grips that edit the flop.
 
-    edited = Signal(str, float)
-    gesture_started = Signal(str)
-    gesture_finished = Signal()
+    ``described(forms)``: what a grip under the mouse, or of the keys, stands at; () for none.
+    """
+
     described = Signal(tuple)
 
-    def __init__(self) -> None:
+    def __init__(self, session: PaintSession) -> None:
         super().__init__()
+        self._session = session
         self._image, self._given = QImage(), QImage()
         self._range = (15.0, 110.0)
         self._marks: tuple[float, ...] = ()
@@ -120,8 +113,8 @@ class Band(QWidget):
         self.setAccessibleName(tr("Flop strip"))
         self.setToolTip(tr(_GRIPS_TIP))
         self._burst = Burst(self)
-        self._burst.started.connect(lambda: self.gesture_started.emit(GRIPS[self._chosen].key))
-        self._burst.finished.connect(self.gesture_finished)
+        self._burst.started.connect(session.begin_gesture)
+        self._burst.finished.connect(session.end_gesture)
 
     def show_paint(self, paint: Paint) -> None:
         """Let the grips move this paint."""
@@ -204,7 +197,7 @@ class Band(QWidget):
         amount = self.amount(place)
         if math.isfinite(amount):
             self._grabbed = (place, event.globalPosition().y(), amount)
-            self.gesture_started.emit(GRIPS[place].key)
+            self._session.begin_gesture()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self._grabbed is None:
@@ -213,12 +206,12 @@ class Band(QWidget):
         place, start, amount = self._grabbed
         scale = _FINE if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
         up = (start - event.globalPosition().y()) * scale
-        self.edited.emit(GRIPS[place].key, GRIPS[place].dragged(amount, up))
+        self._session.edit(SetFlop(GRIPS[place].key, GRIPS[place].dragged(amount, up)))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._grabbed is not None:
             self._grabbed = None
-            self.gesture_finished.emit()
+            self._session.end_gesture()
             self._hover(self.grip_at(event.position()))
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -227,7 +220,7 @@ class Band(QWidget):
             return
         opened = flop_of(self._opened)
         if opened is not None and math.isfinite(amount := opened.amount(GRIPS[place])):
-            self.edited.emit(GRIPS[place].key, amount)
+            self._session.edit(SetFlop(GRIPS[place].key, amount))
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn the chosen grip only with the focus, as every number does."""
@@ -276,7 +269,7 @@ class Band(QWidget):
         grip, amount = GRIPS[self._chosen], self.amount(self._chosen)
         if math.isfinite(amount):
             self._burst.touch()
-            self.edited.emit(grip.key, grip.stepped(amount, steps))
+            self._session.edit(SetFlop(grip.key, grip.stepped(amount, steps)))
 
     def _choose(self, place: int) -> None:
         self._chosen = place
@@ -358,7 +351,7 @@ class Band(QWidget):
             )
 
 
-def _row(codes: Rgb) -> QImage:
+def _row(codes: Bytes) -> QImage:
     """One line of pixels (n, 3)."""
     count = len(codes)
     return QImage(codes.tobytes(), count, 1, 3 * count, QImage.Format.Format_RGB888).copy()

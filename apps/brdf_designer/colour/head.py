@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from brdf_designer.session.edits import Space
 from brdf_suite.documents.paint import PARAMETERS
 
 _SETS = {
@@ -96,6 +97,16 @@ class ColourHead(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 4)
         box.addWidget(form)
+
+    @property
+    def space(self) -> Space:
+        """In which colour space an edit is made: ``lab`` or ``lch``."""
+        return "lch" if self.spaces.value == "lch" else "lab"
+
+    @property
+    def mode(self) -> str:
+        """What an edit moves: ``one`` angle, ``all`` of them, or the ``flop``."""
+        return self.modes.value
 
     def show_set(self, name: str | None, light_deg: float | None = None) -> None:
         """Show which set the paint's angles are, ``None``: none of them; and where a view can be, by its light."""

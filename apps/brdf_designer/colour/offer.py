@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
 from brdf_qt.work.fit_error import LARGE_DELTA_E
@@ -9,8 +10,8 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.colour.patches import lab_text
-from brdf_designer.session.fields import angle_text, by_angle, step_name
 from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.session.state import angle_text, by_angle
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -32,7 +33,7 @@ def find_nearest(paint: Paint, progress: Progress) -> Feasible | None:
         fitter.close()
 
 
-class NearestOffer(QObject):
+class NearestOffer(Feature, QObject):
     """Says that a target cannot be reached, where, and offers what can; one undo step takes it."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -60,7 +61,7 @@ class NearestOffer(QObject):
         """Make the offered paint the document, as one step."""
         found = self.offered
         if found is not None and found.asked == self._desk.paint:
-            self._desk.edit(found.paint, step_name(found.paint, ("nearest",)))
+            self._desk.set_paint(found.paint, tr("Use Closest Paint"))
 
     def _judge(self, fit: LobeFit) -> None:
         if missed(fit):

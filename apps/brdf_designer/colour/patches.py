@@ -150,8 +150,72 @@ def _bare(lab: tuple[float, float, float]) -> str:
     return "  ".join(map(one_decimal, lab))
 
 
+class ColourPatch:
+    """A measurement in the row: its colour, and below it its angle, its numbers, the fit, and a standard."""
+
+    def __init__(self) -> None:
+        self.field = ColourField()
+        self.angle, self.numbers, self.fit, self.against, self.words = (Caption() for _ in range(5))
+        _set_bold(self.angle, True)
+        italic = self.fit.font()
+        italic.setItalic(True)
+        self.fit.setFont(italic)
+        self.fit.setToolTip(tr(_FIT_TIP))
+        self._shown_fit: tuple[object, ...] | None = None
+        self.show_standard(None)
+
+    def widgets(self) -> tuple[QWidget, ...]:
+        """Return its parts from top to bottom."""
+        return self.field, self.angle, self.numbers, self.fit, self.against, self.words
+
+    def show_colour(self, colour: AngleColour) -> None:
+        """Show the measurement."""
+        self.field.show_colour(colour)
+        self.angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
+        self.numbers.set_forms(lab_text(colour.lab), _bare(colour.lab))
+
+    def show_fit(
+        self, error: float | None, given: GivenColour | None, time_limited: bool, exact_follows: bool
+    ) -> None:
+        """Show what the fit gives and its ΔE00, a large one with a mark; ``None``: there is no fit."""
+        shown = _fit_text(error, given, time_limited, exact_follows)
+        if shown == self._shown_fit:
+            return
+        self._shown_fit = shown
+        large = error is not None and is_large(error)
+        self.field.show_given(given)
+        _set_bold(self.fit, large)
+        tip = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}" if large else tr(_FIT_TIP)
+        if given is not None:
+            tip = f"{lab_text(given.lab)}\n{tip}"
+        if self.fit.toolTip() != tip:
+            self.fit.setToolTip(plain_tip(tip))
+        if error is None:
+            self.fit.set_forms(tr("fit: none"))
+            return
+        short = marked(tr("fit ΔE00 {error:.2f}").format(error=error), error)
+        if time_limited:
+            short = tr("{fit}, time-limited").format(fit=short)
+        forms = [short]
+        if given is not None:
+            forms = [f"{short}:   {lab_text(given.lab)}", f"{short}: {_bare(given.lab)}", short]
+        self.fit.set_forms(*forms)
+
+    def show_standard(self, patch: StandardPatch | None) -> None:
+        """Show a standard in and under the field; ``None``: there is none."""
+        self.field.show_standard(patch)
+        for caption in (self.against, self.words):
+            caption.setVisible(patch is not None)
+            if patch is not None:
+                caption.setToolTip(plain_tip(patch.tip))
+        if patch is not None:
+            self.against.set_forms(*patch.forms)
+            _set_bold(self.against, patch.passes is False)
+            self.words.set_forms(*patch.words)
+
+
 class PatchRow(QWidget):
-    """A field for each measurement, with its angle, its numbers and what the fit gives there."""
+    """A :class:`ColourPatch` for each measurement."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -160,25 +224,24 @@ class PatchRow(QWidget):
         self._grid.setHorizontalSpacing(8)
         self._grid.setVerticalSpacing(2)
         self._grid.setRowStretch(0, 1)
-        self._cells: list[tuple[ColourField, Caption, Caption, Caption]] = []
-        self._texts: dict[int, tuple[object, ...]] = {}
-        self._standard_cells: list[tuple[Caption, Caption]] = []
+        self.patches: list[ColourPatch] = []
 
     def show_colours(self, colours: Colours) -> None:
-        """Show every measurement; makes or drops fields where their number changes."""
-        while len(self._cells) < len(colours.angles):
-            self._cells.append(self._new_cell(len(self._cells)))
-        while len(self._cells) > len(colours.angles):
-            self._grid.setColumnStretch(len(self._cells) - 1, 0)
-            self._texts.pop(len(self._cells) - 1, None)
-            for widget in (*self._cells.pop(), *self._standard_cells.pop()):
+        """Show every measurement; makes or drops patches where their number changes."""
+        while len(self.patches) < len(colours.angles):
+            column, patch = len(self.patches), ColourPatch()
+            for row, widget in enumerate(patch.widgets()):
+                self._grid.addWidget(widget, row, column)
+            self._grid.setColumnStretch(column, 1)
+            self.patches.append(patch)
+        while len(self.patches) > len(colours.angles):
+            self._grid.setColumnStretch(len(self.patches) - 1, 0)
+            for widget in self.patches.pop().widgets():
                 self._grid.removeWidget(widget)
                 widget.hide()
                 widget.deleteLater()
-        for (field, angle, numbers, _), colour in zip(self._cells, colours.angles, strict=True):
-            field.show_colour(colour)
-            angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
-            numbers.set_forms(lab_text(colour.lab), _bare(colour.lab))
+        for patch, colour in zip(self.patches, colours.angles, strict=True):
+            patch.show_colour(colour)
 
     def show_differences(
         self,
@@ -188,63 +251,16 @@ class PatchRow(QWidget):
         time_limited: bool = False,
         exact_follows: bool = False,
     ) -> None:
-        """Show what the fit gives in and under each field, a large ΔE00 with a mark; ``None``: there is no fit."""
-        large = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}"
-        for number, cell in enumerate(self._cells):
-            error = 0.0 if delta_e is None else delta_e[number]
+        """Show what the fit gives in and under each field, in their order; ``None``: there is no fit."""
+        for number, patch in enumerate(self.patches):
+            error = None if delta_e is None else delta_e[number]
             colour = None if given is None else given[number]
-            text = _fit_text(None if delta_e is None else error, colour, time_limited, exact_follows)
-            if text == self._texts.get(number):
-                continue
-            self._texts[number] = text
-            cell[0].show_given(colour)
-            _set_bold(cell[3], is_large(error))
-            tip = large if is_large(error) else tr(_FIT_TIP)
-            if colour is not None:
-                tip = f"{lab_text(colour.lab)}\n{tip}"
-            if cell[3].toolTip() != tip:
-                cell[3].setToolTip(plain_tip(tip))
-            if delta_e is None:
-                cell[3].set_forms(tr("fit: none"))
-                continue
-            short = marked(tr("fit ΔE00 {error:.2f}").format(error=error), error)
-            if time_limited:
-                short = tr("{fit}, time-limited").format(fit=short)
-            forms = [short]
-            if colour is not None:
-                forms = [f"{short}:   {lab_text(colour.lab)}", f"{short}: {_bare(colour.lab)}", short]
-            cell[3].set_forms(*forms)
+            patch.show_fit(error, colour, time_limited, exact_follows)
 
     def show_standard(self, patches: Sequence[StandardPatch] | None) -> None:
         """Show the standard in and under each field, in the order of the fields; ``None``: there is none."""
-        for number, (cell, captions) in enumerate(zip(self._cells, self._standard_cells, strict=True)):
-            patch = None if patches is None else patches[number]
-            cell[0].show_standard(patch)
-            for caption in captions:
-                caption.setVisible(patch is not None)
-            if patch is not None:
-                captions[0].set_forms(*patch.forms)
-                _set_bold(captions[0], patch.passes is False)
-                captions[1].set_forms(*patch.words)
-                for caption in captions:
-                    caption.setToolTip(plain_tip(patch.tip))
-
-    def _new_cell(self, column: int) -> tuple[ColourField, Caption, Caption, Caption]:
-        field, angle, numbers, fit = ColourField(), Caption(), Caption(), Caption()
-        _set_bold(angle, True)
-        italic = fit.font()
-        italic.setItalic(True)
-        fit.setFont(italic)
-        fit.setToolTip(tr(_FIT_TIP))
-        for row, widget in enumerate((field, angle, numbers, fit)):
-            self._grid.addWidget(widget, row, column)
-        against, words = Caption(), Caption()
-        for row, widget in enumerate((against, words), 4):
-            widget.hide()
-            self._grid.addWidget(widget, row, column)
-        self._standard_cells.append((against, words))
-        self._grid.setColumnStretch(column, 1)
-        return field, angle, numbers, fit
+        for number, patch in enumerate(self.patches):
+            patch.show_standard(None if patches is None else patches[number])
 
 
 def _fit_text(

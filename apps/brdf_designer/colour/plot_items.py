@@ -26,7 +26,7 @@ class _DragEvent(Protocol):
     def pos(self) -> QPointF: ...
 
 
-class ReadingPoint(pg.TargetItem):
+class ReadingPoint(pg.TargetItem):  # type: ignore[misc]  # pyqtgraph has no types
     """A reading: drawn in its own colour, dragged up and down only; :meth:`set_chosen` marks it for the keyboard."""
 
     started = Signal(int)
@@ -88,7 +88,7 @@ class ReadingPoint(pg.TargetItem):
             self.finished.emit()
 
 
-class TurnAxis(pg.AxisItem):
+class TurnAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """An axis of hues that run on over 360°; its numbers do not."""
 
     def tickStrings(self, values: list[float], _scale: float, _spacing: float) -> list[str]:
@@ -96,7 +96,7 @@ class TurnAxis(pg.AxisItem):
         return [f"{value % 360.0:g}" for value in values]
 
 
-class DecadeAxis(pg.AxisItem):
+class DecadeAxis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph has no types
     """A logarithmic axis that names its decades, and 2 and 5 within them where there is room; never all nine."""
 
     def tickValues(self, low: float, high: float, size: float) -> list[tuple[float | None, list[float]]]:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
 from brdf_designer.session.state import AngleColour, Curves
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import unwrap_hues
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 MODEL_WIDTH, FIT_WIDTH = 4.0, 1.6
 _ROOM, _BELOW = 1.12, 0.1

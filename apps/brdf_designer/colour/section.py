@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +11,7 @@ from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -22,12 +23,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_designer.colour.display import Flags, Rgb, component_tracks
+from brdf_designer.colour.display import component_tracks
+from brdf_designer.colour.head import ColourHead
 from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
-from brdf_designer.session.fields import COMPONENTS, LCH_COMPONENTS
+from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour, Colours
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
+from brdf_suite.arrays import Bools, Bytes
 from brdf_suite.documents.paint import PARAMETERS, Lab
 
 
@@ -163,18 +167,16 @@ class Swatch(QAbstractButton):
 
 
 class AngleEditor(QWidget):
-    """One measurement: its angle, its swatch and three rows of slider and number, in L*a*b* or LCh."""
+    """One measurement: its angle, its swatch and three rows of slider and number, in L*a*b* or LCh.
 
-    edited = Signal(int, int, float)
-    gesture_started = Signal(int, int)
-    gesture_finished = Signal()
-    pick_requested = Signal(int)
-    remove_requested = Signal(int)
+    ``head`` has the colour space, and what an edit moves; ``pick(index)`` opens the colour picker.
+    """
 
-    def __init__(self, space: str = "lab", parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:
+        super().__init__()
+        self._session, self._head = session, head
         self.index = 0
-        self.space = space
+        self.space: Space = head.space
         self.hue = 0.0
         self._lab: Lab | None = None
         self._text = ""
@@ -183,16 +185,16 @@ class AngleEditor(QWidget):
         font.setBold(True)
         self._title.setFont(font)
         self.swatch = Swatch()
-        self.swatch.clicked.connect(lambda: self.pick_requested.emit(self.index))
+        self.swatch.clicked.connect(lambda: pick(self.index))
         self.remove = QToolButton()
         self.remove.setIcon(icon("x"))
         self.remove.setAutoRaise(True)
-        self.remove.clicked.connect(lambda: self.remove_requested.emit(self.index))
-        head = QHBoxLayout()
-        head.setContentsMargins(0, 0, 0, 0)
-        head.addWidget(self._title, 1)
-        head.addWidget(self.swatch)
-        head.addWidget(self.remove)
+        self.remove.clicked.connect(lambda: session.edit(RemoveAngle(self.index)))
+        top = QHBoxLayout()
+        top.setContentsMargins(0, 0, 0, 0)
+        top.addWidget(self._title, 1)
+        top.addWidget(self.swatch)
+        top.addWidget(self.remove)
         grid = QGridLayout()
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setHorizontalSpacing(8)
@@ -207,7 +209,7 @@ class AngleEditor(QWidget):
         box = QVBoxLayout(self)
         box.setContentsMargins(0, 0, 0, 4)
         box.setSpacing(4)
-        box.addLayout(head)
+        box.addLayout(top)
         box.addLayout(grid)
         self._reach()
 
@@ -218,8 +220,8 @@ class AngleEditor(QWidget):
         slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         for source in (slider, field):
             source.edited.connect(lambda value, c=component: self._edited(c, value))
-            source.gesture_started.connect(lambda c=component: self.gesture_started.emit(self.index, c))
-            source.gesture_finished.connect(self.gesture_finished)
+            source.gesture_started.connect(self._session.begin_gesture)
+            source.gesture_finished.connect(self._session.end_gesture)
         label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         label.setBuddy(field)
         grid.addWidget(label, component, 0)
@@ -233,9 +235,12 @@ class AngleEditor(QWidget):
         if self.space == "lch" and component == 2:
             # Also of a grey, whose colour it does not change: it is the hue that chroma will bring out.
             self.hue = value
-        self.edited.emit(self.index, component, value)
+        at_all_angles = self._head.mode == "all"
+        self._session.edit(
+            colour_edit(self.space, self.index, component, value, self.hue, at_all_angles=at_all_angles)
+        )
 
-    def set_space(self, space: str) -> None:
+    def set_space(self, space: Space) -> None:
         """Edit in ``lab`` or ``lch``; the colour, and the one that a double click goes back to, stay."""
         if space == self.space:
             return
@@ -292,7 +297,7 @@ class AngleEditor(QWidget):
         self._name()
 
     def show_colour(
-        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Rgb, Flags]]
+        self, colour: AngleColour, values: tuple[float, float, float], tracks: list[tuple[Bytes, Bools]]
     ) -> None:
         """Show a measurement: its ``values`` in the editor's space and the tracks of its sliders."""
         self._lab = colour.lab
@@ -306,29 +311,22 @@ class AngleEditor(QWidget):
 class AngleEditors(QWidget):
     """An :class:`AngleEditor` for each measurement, in the order in which they are shown."""
 
-    edited = Signal(int, int, float)
-    gesture_started = Signal(int, int)
-    gesture_finished = Signal()
-    pick_requested = Signal(int)
-    remove_requested = Signal(int)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:
+        super().__init__()
+        self._session, self._head, self._pick = session, head, pick
         self._box = QVBoxLayout(self)
         self._box.setContentsMargins(0, 0, 0, 0)
         self._box.setSpacing(8)
         self.editors: list[AngleEditor] = []
-        self.space = "lab"
         self._colours: Colours | None = None
+        head.space_chosen.connect(self._set_space)
 
     def focus_order(self) -> list[QWidget]:
         """Return what Tab stops at: the numbers of all angles, then the buttons that pick a colour or remove one."""
         numbers = [field for editor in self.editors for field in editor.fields]
         return [*numbers, *(button for editor in self.editors for button in (editor.swatch, editor.remove))]
 
-    def set_space(self, space: str) -> None:
-        """Edit in ``lab`` or ``lch``."""
-        self.space = space
+    def _set_space(self, space: Space) -> None:
         for editor in self.editors:
             editor.set_space(space)
         if self._colours is not None:
@@ -352,7 +350,7 @@ class AngleEditors(QWidget):
             return
         positions = [slider.positions() for slider in self.editors[0].sliders]
         values = np.array([row for _, _, row in rows])
-        tracks = component_tracks(values, positions, in_lch=self.space == "lch")
+        tracks = component_tracks(values, positions, in_lch=self._head.space == "lch")
         for (editor, colour, row), of_editor in zip(rows, tracks, strict=True):
             editor.show_colour(colour, row, of_editor)
 
@@ -363,14 +361,6 @@ class AngleEditors(QWidget):
             editor.hide()
             editor.deleteLater()
         while len(self.editors) < count:
-            editor = AngleEditor(self.space)
-            for name in (
-                "edited",
-                "gesture_started",
-                "gesture_finished",
-                "pick_requested",
-                "remove_requested",
-            ):
-                getattr(editor, name).connect(getattr(self, name))
+            editor = AngleEditor(self._session, self._head, self._pick)
             self._box.addWidget(editor)
             self.editors.append(editor)

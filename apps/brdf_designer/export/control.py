@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -43,7 +44,7 @@ class _Losses:
     refusal: str = ""
 
 
-class HandoverControl(QObject):
+class HandoverControl(Feature, QObject):
     """Joins the section to the desk."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:

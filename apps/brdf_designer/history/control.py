@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, QPoint
@@ -19,7 +20,7 @@ LOW_WINDOW = 760
 """Below this height of the window, pixels, the strip gives way to the plots."""
 
 
-class HistoryControl(QObject):
+class HistoryControl(Feature, QObject):
     """Joins the strip to the desk. Drawn pictures are asked for between gestures, the present state's first."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -48,7 +49,7 @@ class HistoryControl(QObject):
         self._later()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether every picture in sight is drawn, or none can be."""
         states = self.strip.states.states
         drawn = all(self._pictures.is_drawn(state.paint) for state in states)
@@ -93,7 +94,7 @@ class HistoryControl(QObject):
         menu = QMenu(self.strip)
         menu.addAction(tr("&Go to This State"), lambda: self._desk.go_to(place))
         menu.addAction(
-            tr("&Restore as New Step"), lambda: self._desk.edit(paint, tr("Restore Earlier State"))
+            tr("&Restore as New Step"), lambda: self._desk.set_paint(paint, tr("Restore Earlier State"))
         )
         menu.addAction(tr("&Open in New Tab"), lambda: self._desk.open_paint(paint))
         return menu

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -43,7 +44,7 @@ class _Request:
     document: int | None = None
 
 
-class MeasuredControl(QObject):
+class MeasuredControl(Feature, QObject):
     """Opens what is measured, or a paint that was not designed by angles, as the start of a design."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -159,7 +160,7 @@ class MeasuredControl(QObject):
         else:
             present = self._desk.paint
             read = replace(start.paint, name=present.name, flakes=present.flakes, notes=present.notes)
-            self._desk.edit(read, tr("Measure Again"))
+            self._desk.set_paint(read, tr("Measure Again"))
         self._kept[self._desk.document_key] = (request.path, start)
         self._show()
 

@@ -44,7 +44,7 @@ class PreviewDrawer:
     ) -> None:
         self._context, self._contents, self._surround = context, contents, surround
         self._better = better
-        self._angle_fits: AngleFits | None = None
+        self._angle_fits: AngleFits | None = None  # with the renderer
         self._renderer: SceneRenderer | None = None
         self._scene: PreviewScene | None = None
         self._fit: LobeFit | None = None
@@ -68,7 +68,7 @@ class PreviewDrawer:
         if scene is None or fit is None or not isinstance(view, View):
             framebuffer.clear(*self._surround(), 1.0)
             return False
-        if self._renderer is None:
+        if self._renderer is None or self._angle_fits is None:
             # Deferred: with the renderer come its shaders, which the window does not wait for.
             from brdf_qt.work.angle_fits import AngleFits
 

@@ -6,6 +6,7 @@ import dataclasses
 from typing import TYPE_CHECKING
 
 from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
@@ -34,7 +35,7 @@ _PREPARE_MS = 500
 _LIGHT, _SHOWN = "preview/light", "preview/shown"
 
 
-class PreviewControl(QObject):
+class PreviewControl(Feature, QObject):
     """Loads the scene on a thread, hands each fit over, and moves camera and light."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -80,7 +81,7 @@ class PreviewControl(QObject):
         return None if self._drawer is None else self._drawer.drawn
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the picture is of the newest fit; also where there is no picture, and none to come."""
         surface = self.panel.surface
         if surface is None or surface.failure or not self.panel.isVisible():

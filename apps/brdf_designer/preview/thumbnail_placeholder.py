@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QLinearGradient, QPainter
 
 from brdf_designer.colour.display import lab_to_codes
-from brdf_designer.session.fields import by_angle
+from brdf_designer.session.state import by_angle
 from brdf_suite.documents.paint import Paint
 
 _GROUND = QColor(119, 119, 119)

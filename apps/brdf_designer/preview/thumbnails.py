@@ -59,7 +59,8 @@ class Thumbnails(QObject):
 
     def __init__(self, parent: QObject | None = None, program: Sequence[str] | None = None) -> None:
         super().__init__(parent)
-        self._program = [*(program or child_command(_MODULE))]
+        self.program = [*(program or child_command(_MODULE))]
+        """What draws the pictures; while it is empty, placeholders stand for them."""
         self._process = QProcess(self)
         self._process.setStandardErrorFile(QProcess.nullDevice())
         self._process.readyReadStandardOutput.connect(self._read)
@@ -142,7 +143,7 @@ class Thumbnails(QObject):
             self.busy_changed.emit(busy)
 
     def _ask_next(self) -> None:
-        if self._closed or self._reason or self._ending or self._asked is not None:
+        if not self.program or self._closed or self._reason or self._ending or self._asked is not None:
             return
         wish = self._next()
         if wish is None:
@@ -159,7 +160,7 @@ class Thumbnails(QObject):
             "surface": scene.surface,
         }
         if self._process.state() == QProcess.ProcessState.NotRunning:
-            self._process.start(self._program[0], self._program[1:])
+            self._process.start(self.program[0], self.program[1:])
         if self._asked is not None:  # starting may have failed at once because there is no such program
             # Kept for it also while it is still starting.
             self._process.write(json.dumps(request).encode("utf-8") + b"\n")

@@ -7,16 +7,17 @@ knows which tab is in front, or another section.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 from brdf_qt.link.messages import BadMessageError
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import Message
+from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.exact_fit import ExactFit
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_designer.documents.tabs import Documents, OpenDocument
+from brdf_designer.session.edits import Edit, TooRoughError
 from brdf_designer.session.idle import IdleWork
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
@@ -41,6 +42,19 @@ class Fitter(Protocol):
         """Return the fit, or raise :class:`UnreachableError`."""
 
 
+@dataclass
+class _Gesture:
+    """A run of edits by a field that is held.
+
+    ``document``: key of the one that was in front; ``start``: the paint with which it began, ``None`` where its
+    undo step has ended and the field is still held; ``step``: what Undo calls it, as its first edit is called.
+    """
+
+    document: int
+    start: Paint | None
+    step: str = ""
+
+
 class PaintSession(QObject):
     """The document in front, whichever tab it is.
 
@@ -60,7 +74,9 @@ class PaintSession(QObject):
     history_changed()
         Undo or Redo would do something else than before.
     gesture_ended()
-        A run of edits that is one step is over.
+        A run of edits that is one step is over, or its field is let go.
+    edit_refused()
+        A field holds what the paint cannot have.
     """
 
     paint_changed = Signal(object)
@@ -70,6 +86,7 @@ class PaintSession(QObject):
     document_closed = Signal(int)
     history_changed = Signal()
     gesture_ended = Signal()
+    edit_refused = Signal()
 
     def __init__(
         self,
@@ -84,7 +101,7 @@ class PaintSession(QObject):
         self._fitter, self._publish, self._messages = fitter, publish, messages
         self._idle = IdleWork(self)
         self._fit: LobeFit | None = None
-        self._gesture: str | None = None
+        self._gesture: _Gesture | None = None
         self._shown_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
         self._exact = ExactFit(self)
@@ -133,53 +150,94 @@ class PaintSession(QObject):
     @property
     def in_gesture(self) -> bool:
         """Whether a gesture runs."""
-        return self._gesture is not None
+        return self._gesture is not None and self._gesture.start is not None
 
     # Editing.
 
-    def edit(self, paint: Paint, step: str) -> None:
+    def edit(self, edit: Edit) -> None:
+        """Apply ``edit``; what the paint refuses is shown as a message and reported by :attr:`edit_refused`.
+
+        The edits of a gesture are applied to the paint with which it began: a drag there and back ends where it
+        began, also where it passed a limit on the way. A field that is held since another document was in front
+        changes nothing of this one.
+        """
+        paint, gesture = self.paint, self._gesture
+        if gesture is not None and gesture.document != self.document_key and edit.is_dragged:
+            self.edit_refused.emit()
+            return
+        step = edit.step(paint)
+        if gesture is not None and gesture.start is not None and gesture.step == step:
+            paint = gesture.start
+        try:
+            after = edit.apply(paint)
+        except SuiteError as error:
+            message = message_of(error, "edit", todo=tr("The last valid value is kept."))
+            if isinstance(error, TooRoughError):
+                nearest = error.nearest
+                text = tr("Use Roughness {roughness:.4f}").format(roughness=nearest.roughness)
+                message = replace(message, actions=((text, lambda: self.edit(nearest)),))
+            self.show_message(message)
+            self.edit_refused.emit()
+            return
+        self.dismiss_message("edit")
+        self.set_paint(after, step)
+
+    def set_paint(self, paint: Paint, step: str) -> None:
         """Make ``paint`` the document, undone as ``step``; nothing where it is the same already.
 
-        Part of the running gesture where ``step`` is its name; the edit of anything else ends that gesture first.
+        Part of the running gesture where that has no other name; the edit of anything else ends that gesture first.
         """
-        if self._gesture is not None and self._gesture != step:
-            self.end_gesture()
-        self.documents.front.store.set(paint, step)
+        store, gesture = self.documents.front.store, self._gesture
+        if gesture is not None and gesture.start is not None:
+            if not gesture.step:
+                gesture.step = step
+                store.begin_gesture(step)
+            elif gesture.step != step:
+                self._end_step()
+        store.set(paint, step)
 
-    def begin_gesture(self, step: str) -> None:
-        """Merge the edits that follow into one step of that name, until :meth:`end_gesture`."""
+    def begin_gesture(self) -> None:
+        """Merge the edits that follow into one step, which has the name of the first, until :meth:`end_gesture`."""
         self.end_gesture()
-        self._gesture = step
-        self.documents.front.store.begin_gesture(step)
+        self._gesture = _Gesture(self.document_key, self.paint)
 
     def end_gesture(self) -> None:
-        """End the gesture; nothing where none runs."""
-        self.documents.front.store.end_gesture()
-        if self._gesture is not None:
-            self._gesture = None
-            self.gesture_ended.emit()
+        """End the gesture, as its field is let go; nothing where none runs."""
+        self._end_step(let_go=True)
 
     def undo(self) -> None:
         """Take the newest step back."""
-        self.end_gesture()
+        self._end_step()
         self.documents.front.store.undo()
 
     def redo(self) -> None:
         """Do again what was taken back last."""
-        self.end_gesture()
+        self._end_step()
         self.documents.front.store.redo()
 
     def go_to(self, place: int) -> None:
         """Go to a state of the history by its place in :meth:`DocumentStore.states`; nothing of it is lost."""
-        self.end_gesture()
+        self._end_step()
         self.documents.front.store.go_to(place)
+
+    def _end_step(self, *, let_go: bool = False) -> None:
+        self.documents.front.store.end_gesture()
+        gesture = self._gesture
+        if gesture is None:
+            return
+        ended = let_go or gesture.start is not None
+        gesture.start = None
+        if let_go:
+            self._gesture = None
+        if ended:
+            self.gesture_ended.emit()
 
     def open_paint(self, paint: Paint, title: str = "", *, clean: bool = False) -> None:
         """Open ``paint`` in a tab of its own, in front, without a file; ``title`` becomes its name.
 
         It is unsaved work, which closing asks about, unless ``clean`` says that it can be had again.
         """
-        self.end_gesture()
+        self._end_step()
         self.documents.add(replace(paint, name=title) if title else paint, clean=clean)
 
     # Notifications.
@@ -258,7 +316,8 @@ class PaintSession(QObject):
             self._switched()
 
     def _switched(self) -> None:
-        self._gesture = None
+        if self._gesture is not None:
+            self._gesture.start = None
         self._shown_history = None
         self.document_switched.emit()
         self.refresh()

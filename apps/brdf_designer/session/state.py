@@ -8,20 +8,19 @@ from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_designer.colour.display import Flags, Rgb, lab_to_codes, working_to_codes
-from brdf_designer.session.fields import angle_text, by_angle
+from brdf_designer.colour.display import lab_to_codes, working_to_codes
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.flop.index import FlopIndex, flop_index
+from brdf_suite.arrays import Bools, Bytes, Floats
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
 FLOP_ANGLES_DEG = (15.0, 45.0, 110.0)
 _CURVE_STEP_DEG = 1.0
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -71,9 +70,9 @@ class Curves:
     between_delta_e: float
     measured_deg: tuple[float, float]
     marks_deg: tuple[float, ...]
-    strip_rgb: Rgb
-    strip_in_gamut: Flags
-    strip_given_rgb: Rgb
+    strip_rgb: Bytes
+    strip_in_gamut: Bools
+    strip_given_rgb: Bytes
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +104,20 @@ class TabState:
     clean: bool
 
 
+def angle_text(paint: Paint, index: int) -> str:
+    """Return the angle of a measurement, as in ``15°``; with its light where that is not at 45°."""
+    measurement = paint.measurements[index]
+    text = f"{measurement.aspecular_deg:g}°".replace("-", "−")
+    light = measurement.illumination_deg
+    return text if light == 45.0 else f"{text}, light {light:g}°"
+
+
+def by_angle(paint: Paint) -> tuple[int, ...]:
+    """Return the indices of the measurements in the order in which they are shown: by light, then angle."""
+    items = paint.measurements
+    return tuple(sorted(range(len(items)), key=lambda i: (items[i].illumination_deg, items[i].aspecular_deg)))
+
+
 def colours_of(paint: Paint) -> Colours:
     """Return what the document alone says."""
     codes, inside = lab_to_codes([m.lab for m in paint.measurements])
@@ -122,9 +135,16 @@ def colours_of(paint: Paint) -> Colours:
     return Colours(paint, angles, _flop(paint))
 
 
+def layers_of(fit: LobeFit) -> PaintReflectance:
+    """Return the base and the coat of the designed paint that was fitted."""
+    assert isinstance(fit.reflectance, PaintReflectance)
+    return fit.reflectance
+
+
 def fit_state_of(fit: LobeFit) -> FitState:
     """Return what the reflectance and its lobes give."""
     assert fit.worst_delta_e is not None, "a designed paint has readings"
+    layers = layers_of(fit)
     return FitState(
         given=_given(fit),
         delta_e=tuple(row.delta_e_2000 for row in fit.readings),
@@ -132,8 +152,8 @@ def fit_state_of(fit: LobeFit) -> FitState:
         milliseconds=1e3 * fit.seconds,
         time_limited=fit.time_limited,
         exact_follows=fit.exact_follows,
-        ior=fit.reflectance.ior,
-        roughness=fit.reflectance.roughness,
+        ior=layers.ior,
+        roughness=layers.roughness,
         notices=fit.notices,
     )
 
@@ -174,8 +194,9 @@ def curves_of(fit: LobeFit) -> Curves:
     this_side = [angle for angle in angles if angle >= 0.0] or angles
     first, last = min(this_side), max(this_side)
     begin, gamma, wi, wo = _directions(light, min(0.0, *angles), first, last)
-    base = np.pi * fit.reflectance.base.eval(wi, wo)
-    rho = base + np.pi * fit.reflectance.coat.eval(wi, wo)
+    layers = layers_of(fit)
+    base = np.pi * layers.base.eval(wi, wo)
+    rho = base + np.pi * layers.coat.eval(wi, wo)
     fitted = np.pi * fit.weights.eval(wi, wo)
     model, lobes, under = working_to_lab(np.stack((rho, fitted, base)))
     between = delta_e_2000(model[begin:], lobes[begin:])

@@ -8,6 +8,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import moment, tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -35,7 +36,7 @@ MOST_BATCHES = 200
 _TAB, _SHIPPED = "tab ", "shipped "
 
 
-class StandardControl(QObject):
+class StandardControl(Feature, QObject):
     """The standards of all documents; the one in front is shown, in its section and in the patches."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -56,9 +57,9 @@ class StandardControl(QObject):
         section.swap_requested.connect(self.swap)
         section.remove_requested.connect(self.remove)
         section.chosen.connect(self.choose)
-        section.formula_chosen.connect(lambda name: self._judge_by(replace(self._settings, difference=name)))
+        section.formula_chosen.connect(lambda name: self.judge_by(replace(self._settings, difference=name)))
         section.limit_edited.connect(self._set_limit)
-        section.ellipsoid_chosen.connect(lambda on: self._judge_by(replace(self._settings, ellipsoid=on)))
+        section.ellipsoid_chosen.connect(lambda on: self.judge_by(replace(self._settings, ellipsoid=on)))
         section.add_batches_requested.connect(self._ask_batch)
         section.clear_batches_requested.connect(self._clear_batches)
         section.batch_opened.connect(self._open_batch)
@@ -155,7 +156,7 @@ class StandardControl(QObject):
         self._turn(turned)
         if after == paint:
             self.refresh()
-        self._desk.edit(after, tr("Swap with Standard"))
+        self._desk.set_paint(after, tr("Swap with Standard"))
 
     # Showing.
 
@@ -291,9 +292,10 @@ class StandardControl(QObject):
     # Formula and tolerances.
 
     def _set_limit(self, angle: float | None, part: str, value: float | None) -> None:
-        self._judge_by(self._settings.with_limit(angle, part, value))
+        self.judge_by(self._settings.with_limit(angle, part, value))
 
-    def _judge_by(self, chosen: ToleranceSettings) -> None:
+    def judge_by(self, chosen: ToleranceSettings) -> None:
+        """Judge by this formula and these tolerances, and keep them for the next run."""
         self._settings = chosen
         save(chosen)
         self._angles = None

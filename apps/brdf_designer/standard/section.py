@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel, plain_tip
@@ -125,10 +126,10 @@ class StandardSection(QWidget):
         if tabs:
             menu.addSection(tr("Open tabs"))
         for key, title in tabs:
-            menu.addAction(title.replace("&", "&&"), lambda key=key: self.known_requested.emit(key))
+            menu.addAction(title.replace("&", "&&"), partial(self.known_requested.emit, key))
         inside = menu.addMenu(tr("&Sample Paint"))
         for key, title in shipped:
-            inside.addAction(title, lambda key=key: self.known_requested.emit(key))
+            inside.addAction(title, partial(self.known_requested.emit, key))
 
     def show_choices(self, names: Sequence[str], chosen: int) -> None:
         """Show the standards of the file that was loaded; a chooser only where there are several."""

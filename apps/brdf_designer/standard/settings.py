@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import asdict, dataclass, field, replace
+from typing import Any
 
 from brdf_qt.program.settings import settings
 
@@ -30,14 +31,13 @@ class ToleranceSettings:
 
     def tolerances(self) -> Tolerances:
         """Return them as the core takes them. At an angle, what it has no own limit for is judged as everywhere."""
-        merged = {}
+        everywhere, merged = replace(self.everywhere, ellipsoid=self.ellipsoid), {}
         for angle, own in self.by_angle.items():
-            values: list[float | None] = []
-            for part in PARTS:
-                value = getattr(own, part)
-                values.append(getattr(self.everywhere, part) if value is None else value)
-            merged[angle] = Limits(*values, ellipsoid=self.ellipsoid)
-        return Tolerances(merged, replace(self.everywhere, ellipsoid=self.ellipsoid), self.difference)
+            given: dict[str, Any] = {
+                part: value for part in PARTS if (value := getattr(own, part)) is not None
+            }
+            merged[angle] = replace(everywhere, **given)
+        return Tolerances(merged, everywhere, self.difference)
 
     def limits(self, angle: float | None) -> Limits:
         """Return the limits set for an angle; ``None`` for those everywhere."""
@@ -45,7 +45,8 @@ class ToleranceSettings:
 
     def with_limit(self, angle: float | None, part: str, value: float | None) -> ToleranceSettings:
         """Return them with one limit set or taken away; ValueRangeError for a value that is no size."""
-        changed = replace(self.limits(angle), **{part: value})
+        change: dict[str, Any] = {part: value}
+        changed = replace(self.limits(angle), **change)
         if angle is None:
             return replace(self, everywhere=changed)
         by_angle = {**self.by_angle, angle: changed}
@@ -84,5 +85,5 @@ def save(chosen: ToleranceSettings) -> None:
 
 
 def _limits(plain: dict[str, object]) -> Limits:
-    values = [plain.get(part) for part in PARTS]
-    return Limits(*(None if value is None else float(str(value)) for value in values))
+    known: dict[str, Any] = {part: float(str(plain[part])) for part in PARTS if plain.get(part) is not None}
+    return Limits(**known)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from brdf_qt.program.translation import mark, tr
 
 from brdf_designer.colour.display import lab_to_codes
-from brdf_designer.session.fields import by_angle
+from brdf_designer.session.state import by_angle
 from brdf_designer.standard.words import say
 from brdf_suite.appearance.difference.tolerance import difference_title
 from brdf_suite.appearance.difference.words import words_text
@@ -116,17 +116,14 @@ def _more(report: BatchReport) -> str:
 
 
 def _patches(rows: list[AngleRow], title: str) -> tuple[StandardPatch, ...]:
-    known = [row.standard for row in rows if row.standard is not None]
-    codes, inside = lab_to_codes(known) if known else ([], [])
-    colours = iter(zip(codes, inside, strict=True))
     found = []
     for row in rows:
         verdict = row.verdict
-        if verdict is None:
+        if verdict is None or row.standard is None:
             text = tr("standard: no reading")
             found.append(StandardPatch(None, True, (text, "–"), ("",), None, text))
             continue
-        code, in_gamut = next(colours)
+        code, in_gamut = lab_to_codes(row.standard)
         value = f"{title} {verdict.difference:.2f}"
         word = "" if verdict.passes is None else verdict_word(verdict.passes)
         words = words_text(row.words, say)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.tasks import TaskRunner
@@ -28,7 +29,7 @@ from brdf_suite.progress import Progress, report
 
 KEY = "variations"
 _STEP, _LIGHT, _FORM = "variations/step", "variations/environment", "variations/surface"
-_NAMES = {
+STEP_NAMES = {
     "lighter": mark("Lighter"),
     "darker": mark("Darker"),
     "cleaner": mark("Cleaner"),
@@ -49,7 +50,7 @@ class _Request:
     step: float
 
 
-class VariationsControl(QObject):
+class VariationsControl(Feature, QObject):
     """The neighbours of the paint in front; nothing is done while the section is closed."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -80,7 +81,7 @@ class VariationsControl(QObject):
         return self._found
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether every picture that is wanted is there, or never will be."""
         if not self.host.is_open or self._pictures.problem:
             return True
@@ -100,7 +101,7 @@ class VariationsControl(QObject):
             known = variations(paint, self._step)
         chosen = next(one for one in known if one.direction == direction)
         if chosen.paint is not None:
-            self._desk.edit(chosen.paint, tr(_NAMES[chosen.word]))
+            self._desk.set_paint(chosen.paint, tr(STEP_NAMES[chosen.word]))
 
     def set_step(self, step: float) -> None:
         """Look at neighbours nearer or farther away."""

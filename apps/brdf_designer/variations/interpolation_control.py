@@ -6,6 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -41,7 +42,7 @@ class _Way:
     share: float = 0.0
 
 
-class InterpolationControl(QObject):
+class InterpolationControl(Feature, QObject):
     """The way of the document in front; another document, or an edit of any other kind, begins it anew."""
 
     def __init__(self, desk: PaintSession, window: DesignerWindow) -> None:
@@ -59,7 +60,7 @@ class InterpolationControl(QObject):
         section = self.section
         section.other_chosen.connect(self.choose)
         section.share_edited.connect(self.set_share)
-        section.gesture_started.connect(lambda: desk.begin_gesture(tr(STEP)))
+        section.gesture_started.connect(desk.begin_gesture)
         section.gesture_finished.connect(desk.end_gesture)
         section.stop_taken.connect(self.take)
         self.host.toggled.connect(lambda _on: self._list_later())
@@ -104,7 +105,7 @@ class InterpolationControl(QObject):
         way = self._way
         paint = way.first if share == 0.0 else mixed(way.first, way.second, share, way.first.name)
         way.made.append((paint, share))
-        self._desk.edit(paint, tr(STEP))
+        self._desk.set_paint(paint, tr(STEP))
 
     def take(self, share: float) -> None:
         """Go to ``share`` at once, as one step."""

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.parameters import Parameter, ParameterPanel
+from brdf_qt.fields.parameters import FieldParameter, ParameterPanel
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from brdf_designer.session.fields import Key
+from brdf_designer.session.edits import SetInterpolation, SetNumber, SetText
+from brdf_designer.session.paint_session import PaintSession
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
 
 _STEPS = {
@@ -76,11 +76,11 @@ _RULES = {
 }
 
 
-def _parameter(key: str) -> Parameter:
+def _parameter(key: str) -> FieldParameter:
     known = PARAMETERS[key]
     step, decimals = _STEPS[key]
     unit = "×" if key == "near_specular" else known.unit
-    return Parameter(
+    return FieldParameter(
         key, tr(_LABELS[key]), unit, known.low, known.high, step, decimals, known.default, tr(_TIPS[key])
     )
 
@@ -95,14 +95,11 @@ def computed() -> QLabel:
 
 
 class PaintSection(QWidget):
-    """What the sections share: intents out by field key."""
+    """What the sections share: the session whose paint they edit, and panels of its numbers."""
 
-    edited = Signal(object, object)
-    gesture_started = Signal(object)
-    gesture_finished = Signal()
-
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__()
+        self.session = session
         self.box = QVBoxLayout(self)
         self.box.setContentsMargins(0, 0, 0, 0)
         self.box.setSpacing(8)
@@ -110,27 +107,23 @@ class PaintSection(QWidget):
     def add_panel(self, *keys: str) -> ParameterPanel:
         """Add numbers of the document by their names in ``PARAMETERS``."""
         panel = ParameterPanel([_parameter(key) for key in keys])
-        panel.edited.connect(lambda key, value: self.edited.emit(_key(key), value))
-        panel.gesture_started.connect(lambda key: self.gesture_started.emit(_key(key)))
-        panel.gesture_finished.connect(lambda _key: self.gesture_finished.emit())
+        panel.edited.connect(lambda key, value: self.session.edit(SetNumber(key, value)))
+        panel.gesture_started.connect(self.session.begin_gesture)
+        panel.gesture_finished.connect(self.session.end_gesture)
         self.box.addWidget(panel)
         return panel
-
-
-def _key(name: str) -> Key:
-    return tuple(name.split("."))
 
 
 class ModelSection(PaintSection):
     """How colours between and beyond the readings are found."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__(session)
         form = Form()
         self.rule = QuietComboBox()
         for name in INTERPOLATIONS:
             self.rule.addItem(tr(_RULES[name]), name)
-        self.rule.activated.connect(lambda row: self.edited.emit(("interpolation",), self.rule.itemData(row)))
+        self.rule.activated.connect(lambda row: session.edit(SetInterpolation(self.rule.itemData(row))))
         form.add_row(
             tr("Between angles"),
             self.rule,
@@ -169,8 +162,8 @@ class ModelSection(PaintSection):
 class TextSection(PaintSection):
     """Name, source and notes."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, session: PaintSession) -> None:
+        super().__init__(session)
         form = Form()
         self.name = TextLine(tr("Name"), 200)
         self.source = TextNotes(tr("Source"), 2)
@@ -181,9 +174,9 @@ class TextSection(PaintSection):
             (self.source, "source", tr("Source"), tr("Source of the readings")),
             (self.notes, "notes", tr("Notes"), ""),
         ):
-            field.edited.connect(lambda text, key=key: self.edited.emit((key,), text))
-            field.gesture_started.connect(lambda key=key: self.gesture_started.emit((key,)))
-            field.gesture_finished.connect(self.gesture_finished)
+            field.edited.connect(lambda text, key=key: session.edit(SetText(key, text)))
+            field.gesture_started.connect(session.begin_gesture)
+            field.gesture_finished.connect(session.end_gesture)
             form.add_row(label, field, tip)
         form.add_row(tr("Readings"), self.illuminant, tr("Illuminant and observer of all L*a*b* values"))
         self.box.addWidget(form)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
+from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
@@ -11,24 +11,18 @@ from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QAction, QColor, QKeySequence
 from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
 
-from brdf_designer.session.fields import Key
+from brdf_designer.session.edits import PickColour
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
 
 
 class ColourPickers(QObject):
-    """One picker for a reading at most, each a single step however long it is used.
+    """One picker for a reading at most, each a single step however long it is used."""
 
-    Signals: ``started(key)``, ``picked(key, L*a*b*)`` and ``finished()``.
-    """
-
-    started = Signal(object)
-    picked = Signal(object, object)
-    finished = Signal()
-
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, session: PaintSession, window: QWidget) -> None:
         super().__init__(window)
-        self._window = window
+        self._session, self._window = session, window
         self.dialogs: dict[int, QColorDialog] = {}
 
     def open(self, colour: AngleColour) -> None:
@@ -37,7 +31,6 @@ class ColourPickers(QObject):
         if index in self.dialogs:
             self.dialogs[index].activateWindow()
             return
-        key: Key = ("colour", index)
         dialog = QColorDialog(QColor(*colour.rgb), self._window)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.setWindowTitle(tr("Colour at {angle}").format(angle=colour.text))
@@ -47,15 +40,16 @@ class ColourPickers(QObject):
         self.dialogs[index] = dialog
 
         def picked(code: QColor) -> None:
-            lab = display_to_lab([code.redF(), code.greenF(), code.blueF()])
             # An sRGB code has a step of about 0.4 units; two decimals keep all of it.
-            self.picked.emit(key, tuple(round(float(value), 2) + 0.0 for value in lab))
+            lab = display_to_lab([code.redF(), code.greenF(), code.blueF()])
+            lightness, a, b = (round(float(value), 2) + 0.0 for value in lab)
+            self._session.edit(PickColour(index, (lightness, a, b)))
 
         def ended() -> None:
             self.dialogs.pop(index, None)
-            self.finished.emit()
+            self._session.end_gesture()
 
-        self.started.emit(key)
+        self._session.begin_gesture()
         dialog.currentColorChanged.connect(picked)
         dialog.finished.connect(ended)
         dialog.show()
@@ -90,24 +84,10 @@ class ReadingMenus(QObject):
         self._solid.clear()
         for number, (index, text) in enumerate(texts, 1):
             name = tr("At {angle}…").format(angle=text)
-            pick = self._pick.addAction(name, lambda index=index: self.pick_requested.emit(index))
+            pick = self._pick.addAction(name, partial(self.pick_requested.emit, index))
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
-            self._solid.addAction(text, lambda index=index: self.solid_requested.emit(index))
+            self._solid.addAction(text, partial(self.solid_requested.emit, index))
         return True
-
-
-def fill_recent(
-    menu: QMenu, paths: Sequence[Path], open_path: Callable[[Path], object], clear: Callable[[], object]
-) -> None:
-    """Fill the menu of the files that were open lately."""
-    menu.clear()
-    for number, path in enumerate(paths, 1):
-        action = menu.addAction(f"&{number % 10} {path.name}")
-        action.setToolTip(plain_tip(str(path)))
-        action.triggered.connect(lambda _=False, path=path: open_path(path))
-    menu.addSeparator()
-    menu.addAction(tr("&Clear"), clear)
-    menu.setEnabled(bool(paths))
 
 
 def name_step(action: QAction, word: str, name: str, *, can: bool) -> None:

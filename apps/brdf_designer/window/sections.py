@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from brdf_qt.program.feature import Feature
+
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.coat_flakes.control import CoatControl
 from brdf_designer.colour.commands import ColourCommands
@@ -18,7 +20,7 @@ from brdf_designer.variations.control import VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from brdf_designer.window.window import DesignerWindow
 
-PARTS: tuple[Callable[[PaintSession, DesignerWindow], object], ...] = (
+PARTS: tuple[Callable[[PaintSession, DesignerWindow], Feature], ...] = (
     ColourCommands,
     CoatControl,
     NearestOffer,
@@ -37,6 +39,6 @@ Parts are made before the window is shown. What costs time at a start belongs in
 """
 
 
-def build_sections(desk: PaintSession, window: DesignerWindow) -> list[object]:
+def build_sections(desk: PaintSession, window: DesignerWindow) -> list[Feature]:
     """Make every part and return them; their owner keeps them."""
     return [part(desk, window) for part in PARTS]

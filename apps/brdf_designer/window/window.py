@@ -1,18 +1,17 @@
-"""The desk: patches, strip and plot in the middle, the numbers at the right. Intents out, setters in."""
+"""The window of Designer: patches, strip and plot in the middle, the numbers at the right."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from pathlib import Path
+from collections.abc import Sequence
+from functools import partial
 
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.main_window import Shortcut, SuiteWindow
+from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
-from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QKeySequence
-from PySide6.QtWidgets import QDockWidget, QMenu, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
@@ -21,31 +20,26 @@ from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_strip import FlopStrip
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.documents.tabs_bar import DocumentTabs
+from brdf_designer.session.edits import MakeSolid
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
 from brdf_designer.window.focus import order_focus
 from brdf_designer.window.letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
-from brdf_designer.window.pickers import ColourPickers, ReadingMenus, fill_recent, name_step
+from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import DeskStatus
 from brdf_suite.documents.paint import Paint
 
 
 class DesignerWindow(SuiteWindow):
-    """The window of Designer.
+    """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
-    Intents: ``edited(key, value)``, ``gesture_started(key)``, ``gesture_finished()`` as
-    :mod:`brdf_designer.session.fields` names them; ``new_requested``, ``open_requested(Path | None)``,
-    ``shipped_requested(name)``, ``save_requested``, ``save_as_requested``, ``undo_requested``, ``redo_requested``,
-    ``viewer_requested``, ``recent_cleared``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
-    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``;
-    ``close_requested(QCloseEvent)``, to be ignored where the window must stay.
+    Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, ``save_requested``,
+    ``save_as_requested``, ``viewer_requested``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
+    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``.
     """
 
-    edited = Signal(object, object)
-    gesture_started = Signal(object)
-    gesture_finished = Signal()
     new_requested = Signal()
-    open_requested = Signal(object)
     shipped_requested = Signal(str)
     save_requested = Signal()
     save_as_requested = Signal()
@@ -55,64 +49,28 @@ class DesignerWindow(SuiteWindow):
     tab_moved = Signal(int, int)
     tab_step_requested = Signal(int)
     reopen_requested = Signal()
-    undo_requested = Signal()
-    redo_requested = Signal()
     viewer_requested = Signal()
-    recent_cleared = Signal()
-    close_requested = Signal(QCloseEvent)
 
-    def __init__(self, shipped: Sequence[str]) -> None:
+    takes_several_files = False
+
+    def __init__(self) -> None:
         super().__init__("Designer")
-        self.setAcceptDrops(True)
         self._colours: Colours | None = None
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""
-        self.pickers = ColourPickers(self)
-        self.pickers.started.connect(self.gesture_started)
-        self.pickers.picked.connect(self.edited)
-        self.pickers.finished.connect(self.gesture_finished)
-        self.strip, self.patches, self.plot = FlopStrip(), PatchRow(), AnglePlot()
-        self.tabs = DocumentTabs()
-        self._sections: dict[str, Section] = {}
         self._below: list[QWidget] = []
+
+    def build(self, session: PaintSession, shipped: Sequence[str]) -> None:
+        """Make what edits the paint of ``session``, and the menus with the names of the ``shipped`` paints."""
+        self.pickers = ColourPickers(session, self)
+        self.strip, self.patches, self.plot = FlopStrip(session), PatchRow(), AnglePlot()
+        self.tabs = DocumentTabs()
         self._build_centre()
-        self._build_inspector()
+        self._build_inspector(session)
         self.desk_status = DeskStatus(self.status)
-        self._build_menus(shipped)
+        self._build_menus(session, shipped)
 
     # What a part of the desk adds.
-
-    def add_section(
-        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
-    ) -> Section:
-        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
-
-        ``is_open`` is how a first start shows it; later starts show it as the user left it.
-        """
-        section = Section(title, key, is_open=is_open)
-        section.add(widget)
-        self.inspector.add_section(section, after=self._sections[after] if after else None)
-        self._sections[key] = section
-        return section
-
-    def section(self, key: str) -> Section:
-        """Return the section of that key: ``colour``, ``coat``, ``flakes``, ``model``, ``paint``, or one added."""
-        return self._sections[key]
-
-    def add_dock(
-        self,
-        key: str,
-        title: str,
-        widget: QWidget,
-        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
-        *,
-        visible: bool = False,
-    ) -> QDockWidget:
-        """Add a panel that docks, floats and hides; listed in View ▸ Panels."""
-        dock = self.add_panel(title, widget, area)
-        dock.setObjectName(f"panel_{key}")
-        dock.setVisible(visible)
-        return dock
 
     def add_history(self, strip: QWidget) -> None:
         """Put the strip of states under the desk."""
@@ -125,48 +83,9 @@ class DesignerWindow(SuiteWindow):
         self.lower_split.setStretchFactor(1, 2)
         self.lower_split.setSizes([560, 400])
 
-    def add_command(
-        self,
-        menu: str,
-        text: str,
-        shortcut: Shortcut | None,
-        slot: Callable[[], object],
-        key: str,
-        *,
-        icon: str | None = None,
-        tip: str = "",
-    ) -> QAction:
-        """Add a command to a menu: ``file``, ``edit``, ``view``, ``paint``, ``window`` or ``help``.
-
-        ``key`` is its object name after ``action_``; Ctrl+K finds it by its text. Quit stays last in File.
-        """
-        menus = {
-            "file": self.file_menu,
-            "edit": self.edit_menu,
-            "view": self.view_menu,
-            "paint": self.paint_menu,
-            "window": self.window_menu,
-            "help": self.help_menu,
-        }
-        before = self._file_end if menu == "file" else None
-        action = self.add_action(menus[menu], text, slot, shortcut, icon, tip)
-        action.setObjectName(f"action_{key}")
-        if before is not None:
-            self.file_menu.removeAction(action)
-            self.file_menu.insertAction(before, action)
-        return action
-
     def complete(self) -> None:
         """Settle what depends on every part: letters of the menus, order of the focus, size and place of the panels."""
-        top = (
-            self.file_menu,
-            self.edit_menu,
-            self.view_menu,
-            self.paint_menu,
-            self.window_menu,
-            self.help_menu,
-        )
-        give_letters(top)
+        give_letters(tuple(self.menus.values()))
         self.order_focus()
         self.restore_layout()
 
@@ -233,15 +152,7 @@ class DesignerWindow(SuiteWindow):
         """See :class:`brdf_designer.controller.View`."""
         if message.key == "edit":
             self._whole = None  # a field holds what was refused
-        self.messages.show_message(message)
-
-    def dismiss_message(self, key: str) -> None:
-        """See :class:`brdf_designer.controller.View`."""
-        self.messages.dismiss(key)
-
-    def show_recent(self, paths: Sequence[Path]) -> None:
-        """Fill File ▸ Open Recent."""
-        fill_recent(self.recent_menu, paths, self.open_requested.emit, self.recent_cleared.emit)
+        super().show_message(message)
 
     def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
         """Show what Undo and Redo would do, by name."""
@@ -284,28 +195,20 @@ class DesignerWindow(SuiteWindow):
         self.tabs.dragged.connect(self.tab_moved)
         self.tabs.new_requested.connect(self.new_requested)
 
-    def _build_inspector(self) -> None:
-        self.editors = ColourEditors()
-        self.strip.gesture_started.connect(self.editors.begin_flop)
-        self.strip.edited.connect(self.editors.edit_flop)
-        self.strip.gesture_finished.connect(self.editors.end)
-        self.plot.drag_started.connect(self.editors.begin_in_lch)
+    def _build_inspector(self, session: PaintSession) -> None:
+        self.editors = ColourEditors(session, self.pick_colour)
+        self.plot.drag_started.connect(session.begin_gesture)
         self.plot.edited.connect(self.editors.edit_in_lch)
-        self.plot.drag_finished.connect(self.editors.end)
-        self.editors.pick_requested.connect(self.pick_colour)
-        self.coat, self.flakes = CoatSection(), FlakesSection()
-        self.model, self.texts = ModelSection(), TextSection()
+        self.plot.drag_finished.connect(session.end_gesture)
+        self.coat, self.flakes = CoatSection(session), FlakesSection(session)
+        self.model, self.texts = ModelSection(session), TextSection(session)
         self.add_section("colour", tr("Colour"), self.editors)
         self.add_section("coat", tr("Coat"), self.coat)
         self.add_section("flakes", tr("Flakes"), self.flakes)
         self.add_section("model", tr("Model"), self.model)
         self.add_section("paint", tr("Paint"), self.texts)
-        for body in (self.editors, self.coat, self.flakes, self.model, self.texts):
-            body.edited.connect(self.edited)
-            body.gesture_started.connect(self.gesture_started)
-            body.gesture_finished.connect(self.gesture_finished)
 
-    def _build_menus(self, shipped: Sequence[str]) -> None:
+    def _build_menus(self, session: PaintSession, shipped: Sequence[str]) -> None:
         keys = QKeySequence.StandardKey
         file = self.file_menu
         new = self.add_action(file, mark("&New"), self.new_requested.emit, keys.New, "file-plus")
@@ -316,8 +219,7 @@ class DesignerWindow(SuiteWindow):
         for name in shipped:
             action = shipped_menu.addAction(name.replace("_", " ").capitalize())
             action.triggered.connect(lambda _=False, name=name: self.shipped_requested.emit(name))
-        self.recent_menu: QMenu = file.addMenu(tr("Open &Recent"))
-        self.recent_menu.setToolTipsVisible(True)
+        self.add_recent_menu()
         file.addSeparator()
         save = self.add_action(file, mark("&Save"), self.save_requested.emit, keys.Save, "floppy-disk")
         self.add_action(file, mark("Save &As…"), self.save_as_requested.emit, "Ctrl+Shift+S")
@@ -328,19 +230,18 @@ class DesignerWindow(SuiteWindow):
         )
         self.reopen_action.setEnabled(False)
         self.add_quit()
-        self._file_end = file.actions()[-2]
         self.undo_action = self.add_action(
-            self.edit_menu, mark("&Undo"), self.undo_requested.emit, keys.Undo, "arrow-counter-clockwise"
+            self.edit_menu, mark("&Undo"), session.undo, keys.Undo, "arrow-counter-clockwise"
         )
         self.redo_action = self.add_action(
-            self.edit_menu, mark("&Redo"), self.redo_requested.emit, "Ctrl+Shift+Z", "arrow-clockwise"
+            self.edit_menu, mark("&Redo"), session.redo, "Ctrl+Shift+Z", "arrow-clockwise"
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         self.reading_menus = ReadingMenus(self.paint_menu, self)
         self.reading_menus.pick_requested.connect(self.pick_colour)
-        self.reading_menus.solid_requested.connect(lambda index: self.edited.emit(("solid",), index))
+        self.reading_menus.solid_requested.connect(lambda index: session.edit(MakeSolid(index)))
         self._step_actions = [
-            self.add_action(self.window_menu, text, lambda by=by: self.tab_step_requested.emit(by), keys)
+            self.add_action(self.window_menu, text, partial(self.tab_step_requested.emit, by), keys)
             for text, by, keys in (
                 (mark("&Next Tab"), 1, "Ctrl+Tab"),
                 (mark("&Previous Tab"), -1, "Ctrl+Shift+Tab"),
@@ -382,17 +283,3 @@ class DesignerWindow(SuiteWindow):
     def close_pickers(self) -> None:
         """Close every picker: another document has come, and its readings are others."""
         self.pickers.close()
-
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if len(event.mimeData().urls()) == 1 and event.mimeData().urls()[0].isLocalFile():
-            event.acceptProposedAction()
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
-        self.open_requested.emit(Path(event.mimeData().urls()[0].toLocalFile()))
-
-    def may_close(self) -> bool:
-        """See :meth:`SuiteWindow.may_close`: the controller answers through ``close_requested``."""
-        question = QCloseEvent()
-        self.close_requested.emit(question)
-        return question.isAccepted()

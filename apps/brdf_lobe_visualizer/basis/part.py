@@ -6,22 +6,23 @@ of a folder can be started here. Beside the search's errors stands that of the s
 
 from __future__ import annotations
 
+import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import BasisPlots
 from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
@@ -81,7 +82,7 @@ class BasisView(QWidget):
         box.addWidget(self.progress)
 
 
-class Basis(LobeFeature):
+class Basis(Feature, QObject):
     """Shows a search and the selected reflectance's errors; starts searches."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -115,7 +116,7 @@ class Basis(LobeFeature):
         window.first_painted.connect(self._timer.start)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that is shown is there; a search that the user has started is not waited for."""
         waits = self._working or self.paints.busy or self._timer.isActive()
         return not self._is_shown() or (self._built and not waits)
@@ -162,7 +163,7 @@ class Basis(LobeFeature):
     def _begin_search(self, paints: PaintsIn) -> None:
         if not paints.count:
             self._drop_search()
-            error = FileError(self.folder, f"there is no paint ({PAINT_ENDING})")
+            error = FileError(self.folder, tr("there is no paint ({ending})").format(ending=PAINT_ENDING))
             self._session.show_message(message_of(error, BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
@@ -254,8 +255,6 @@ class Basis(LobeFeature):
 
     def _output(self) -> Path:
         """Return where a search of the present folder is kept: by the folder's place."""
-        import hashlib
-
         if self._output_of is None or self._output_of[0] != self.folder:
             place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
             self._output_of = self.folder, state_folder("basis") / f"{place}.json"

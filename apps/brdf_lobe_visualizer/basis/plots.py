@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QColor, QPalette, QResizeEvent
+from PySide6.QtGui import QBrush, QColor, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 
 from brdf_lobe_visualizer.basis.run import MOST_LOBES
@@ -42,9 +42,7 @@ class BasisPlots(QWidget):
         """Make the plots and show what was set so far."""
         if self.exponents is not None:
             return
-        import pyqtgraph as pg
-
-        from brdf_lobe_visualizer.cuts.plot_items import SlicePlot
+        from brdf_lobe_visualizer.cuts.plot_items import SlicePlot, band, rings, text
 
         self.exponents, self.errors = SlicePlot(with_axes=True), SlicePlot(with_axes=True)
         names = (tr("Exponents over the number of lobes"), tr("Errors over the number of lobes"))
@@ -62,15 +60,13 @@ class BasisPlots(QWidget):
         )
         self.exponents.setLabel("left", tr("Exponent"))
         self.errors.setLabel("left", tr("Error (1: just noticeable)"))
-        self.dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
-        self._own_dots = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
-        self._chosen = [pg.LinearRegionItem((0.0, 0.0), movable=False) for _ in range(2)]
-        for plot, band in zip((self.exponents, self.errors), self._chosen, strict=True):
-            band.setZValue(-10)
-            plot.addItem(band, ignoreBounds=True)
+        self.dots, self._own_dots = rings(), rings()
+        self._chosen = [band(), band()]
+        for plot, chosen in zip((self.exponents, self.errors), self._chosen, strict=True):
+            plot.addItem(chosen, ignoreBounds=True)
         self.exponents.addItem(self.dots)
         self.errors.addItem(self._own_dots)
-        self._names = [pg.TextItem("", anchor=(1.0, 1.0)) for _ in range(3)]
+        self._names = [text(anchor=(1.0, 1.0)) for _ in range(3)]
         for item in self._names:
             self.errors.addItem(item, ignoreBounds=True)
         self.readouts = (Readout(self.exponents), Readout(self.errors))
@@ -200,8 +196,6 @@ class BasisPlots(QWidget):
         return (text.redF(), text.greenF(), text.blueF())
 
     def _dress(self) -> None:
-        from PySide6.QtGui import QBrush, QPen
-
         text = self.palette().color(QPalette.ColorRole.Text)
         faint = QColor(text)
         faint.setAlphaF(0.12)

@@ -15,9 +15,10 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 from brdf_lobe_visualizer.cuts.crosshair import Readout, number, rows_at
 from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
+from brdf_lobe_visualizer.cuts.pens import grey_pen
 from brdf_lobe_visualizer.cuts.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, quantity
 from brdf_lobe_visualizer.options import Options
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.inspection.slices.cuts import FINEST_DEG, Axis
 from brdf_suite.inspection.slices.values import SliceError, nice_above
 
@@ -81,9 +82,7 @@ class CurvesPlot(QWidget):
         """Make the plot and show what was set so far."""
         if self.plot is not None:
             return
-        from brdf_lobe_visualizer.cuts.marks import HoleBands
-        from brdf_lobe_visualizer.cuts.pens import grey_pen
-        from brdf_lobe_visualizer.cuts.plot_items import SlicePlot, upright
+        from brdf_lobe_visualizer.cuts.plot_items import HoleBands, SlicePlot, upright
 
         self.plot = SlicePlot(with_axes=True)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -277,8 +276,6 @@ class CurvesPlot(QWidget):
         self._free = True
 
     def _dress(self) -> None:
-        from brdf_lobe_visualizer.cuts.pens import grey_pen
-
         self.plot.dress()
         dashes = (Qt.PenStyle.DashLine, Qt.PenStyle.DotLine, Qt.PenStyle.SolidLine)
         for item, alpha, style in zip(
@@ -305,9 +302,19 @@ def _logs(x: Floats, y: Floats, log_x: bool, log_y: bool) -> tuple[Floats, Float
     return x, y
 
 
-def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, float]]:
-    from brdf_lobe_visualizer.cuts.marks import bands_of
+def bands_of(angle_deg: Floats, holes: Bools | None) -> list[tuple[float, float]]:
+    """Return the spans (from, to) of the angles at which ``holes`` is set, half way to their neighbours."""
+    if holes is None or not holes.any():
+        return []
+    edges = np.concatenate((angle_deg[:1], 0.5 * (angle_deg[1:] + angle_deg[:-1]), angle_deg[-1:]))
+    steps = np.diff(np.concatenate(([0], holes.astype(np.int8), [0])))
+    return [
+        (float(edges[a]), float(edges[b]))
+        for a, b in zip(np.flatnonzero(steps == 1), np.flatnonzero(steps == -1), strict=True)
+    ]
 
+
+def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, float]]:
     bands = bands_of(angle_deg, holes)
     if not log_x:
         return bands

@@ -12,7 +12,8 @@ from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Axes
 from brdf_lobe_visualizer.cuts.words import degrees
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints
-from brdf_suite.geometry.directions import Floats, half_angle_coordinates
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import half_angle_coordinates
 from brdf_suite.inspection.slices.images import Pairs, half_angle_pairs, share_of_theta_h, theta_h_at
 
 SIZE = 112

@@ -23,9 +23,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.image_layout import BAR, GAP, Layout, Room, best_layout
 from brdf_lobe_visualizer.cuts.pens import hatching_brush
-from brdf_suite.geometry.directions import Floats
-from brdf_suite.inspection.slices.cuts import Bools
-from brdf_suite.inspection.slices.tone import Bytes
+from brdf_suite.arrays import Bools, Bytes, Floats
 
 _POINT, _DOT = 3.0, 1.2
 _MANY = 60

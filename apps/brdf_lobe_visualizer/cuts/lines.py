@@ -14,13 +14,20 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 
-from brdf_lobe_visualizer.options import Cosine, Options
+from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, PlottedMaterial, Srgb
-from brdf_suite.geometry.directions import Floats
-from brdf_suite.inspection.slices.cuts import Bools, Slice
+from brdf_suite.arrays import Bools, Floats
+from brdf_suite.inspection.slices.cuts import Slice
 from brdf_suite.inspection.slices.samples import SlicePoints, points_near
-from brdf_suite.inspection.slices.values import SliceError, channel_of, evaluate, slice_error, slices_csv
+from brdf_suite.inspection.slices.values import (
+    Cosine,
+    SliceError,
+    channel_of,
+    evaluate,
+    slice_error,
+    slices_csv,
+)
 
 Kind = Literal["target", "fit", "difference"]
 

@@ -12,9 +12,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
@@ -30,13 +31,12 @@ from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
 from brdf_lobe_visualizer.cuts.section import SlicesSection
 from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
 from brdf_lobe_visualizer.cuts.words import AXIS_TITLES, quantity
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import SuiteError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.inspection.slices.cuts import Slice, difference_slice, half_slice, plane_slice
 
 POLAR, CURVES, UNROLLED, HALF_ANGLE = "polar", "curves", "unrolled", "half_angle"
@@ -48,7 +48,7 @@ _TITLES = {
 }
 
 
-class Slices(LobeFeature):
+class Slices(Feature, QObject):
     """Polar plot, curves, unrolled hemispheres, half-angle slice, and their section."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -89,12 +89,12 @@ class Slices(LobeFeature):
         window.first_painted.connect(self._build)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that is shown is drawn."""
         shown = set(self._shown())
         return self._built and not self._timer.isActive() and not (self._stale | self._running) & shown
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Take ``slices.NAME=VALUE``, for pictures that are made by scripts; False: it is not of here."""
         if not key.startswith("slices."):
             return False

@@ -7,6 +7,7 @@ from PySide6.QtGui import QBrush, QColor, QPalette, QPen
 
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
+from brdf_suite.appearance.colour.colorimetry import srgb_decode
 
 _STYLES: dict[Dash, tuple[float, ...]] = {
     "solid": (),
@@ -31,8 +32,6 @@ def colour_of(srgb: Srgb, base: QColor) -> QColor:
 
 def contrast(one: QColor, other: QColor) -> float:
     """Return the contrast of two colours, 1 to 21 (WCAG 2)."""
-    from brdf_suite.appearance.colour.colorimetry import srgb_decode
-
     levels = [
         float(srgb_decode((c.redF(), c.greenF(), c.blueF())) @ (0.2126, 0.7152, 0.0722)) + 0.05
         for c in (one, other)

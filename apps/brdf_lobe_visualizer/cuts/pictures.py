@@ -16,13 +16,12 @@ from brdf_qt.program.translation import tr
 from brdf_lobe_visualizer.cuts.crosshair import plain
 from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
 from brdf_lobe_visualizer.cuts.words import UNIT
-from brdf_lobe_visualizer.options import Channel, Cosine
 from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Bytes, Floats
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
 from brdf_suite.inspection.slices.images import Pairs, image_error, image_of
-from brdf_suite.inspection.slices.tone import DECADES, Bytes, Tone, colour_codes, mapped_codes, share_of
-from brdf_suite.inspection.slices.values import channel_of, nice_above
+from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
+from brdf_suite.inspection.slices.values import Channel, Cosine, channel_of, nice_above
 from brdf_suite.progress import Progress, report
 
 _BAR_STEPS = 128

@@ -1,4 +1,4 @@
-"""The parts of the slices' plots that are pyqtgraph's; imported only when the plots are built."""
+"""The parts of plots that are pyqtgraph's; imported only when a plot is built, for pyqtgraph takes 0.15 s to import."""
 
 from __future__ import annotations
 
@@ -6,14 +6,15 @@ from collections.abc import Sequence
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPainterPath, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QGraphicsView, QStyleOptionGraphicsItem, QWidget
 
 from brdf_lobe_visualizer.cuts.lines import Line
-from brdf_lobe_visualizer.cuts.pens import colour_of, grey_pen, pen_of
-from brdf_suite.geometry.directions import Floats
+from brdf_lobe_visualizer.cuts.pens import colour_of, grey_pen, hatching_brush, pen_of
+from brdf_suite.arrays import Floats
 
+SPOKE_STEP_DEG = 15
 _FEW_DECADES = 0.7
 """Below so many there are few numbers, and all have room."""
 
@@ -137,7 +138,7 @@ class SlicePlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
     def show_points(self, drawn: Sequence[tuple[Line, Floats, Floats]]) -> None:
         """Draw measured samples as rings at x (n,) and y (n,), in their line's colour."""
         while len(self._points) < len(drawn):
-            item = pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
+            item = rings()
             item.setZValue(5)
             self.addItem(item)
             self._points.append(item)
@@ -173,8 +174,104 @@ class SlicePlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             super().mouseDoubleClickEvent(event)
 
 
+class HoleBands(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
+    """Hatched from top to bottom over spans of x."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._bands: list[tuple[float, float]] = []
+        self._brush = hatching_brush(QPalette())
+        self.setZValue(-20)
+
+    def show_bands(self, bands: Sequence[tuple[float, float]], palette: QPalette) -> None:
+        """Hatch these spans."""
+        self._brush = hatching_brush(palette)
+        if list(bands) != self._bands:
+            self._bands = list(bands)
+            self.prepareGeometryChange()
+        self.setVisible(bool(self._bands))
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        view = self.viewRect()
+        return QRectF() if view is None else view
+
+    def paint(
+        self, painter: QPainter, _option: QStyleOptionGraphicsItem, _widget: QWidget | None = None
+    ) -> None:
+        view = self.viewRect()
+        if view is None:
+            return
+        # Hatched in pixels: in the plot's numbers the lines would be stretched with it.
+        to_device = painter.transform()
+        painter.save()
+        painter.resetTransform()
+        for low, high in self._bands:
+            corner = to_device.map(QPointF(low, view.top()))
+            other = to_device.map(QPointF(high, view.bottom()))
+            painter.fillRect(QRectF(corner, other).normalized(), self._brush)
+        painter.restore()
+
+
+class PolarRings(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
+    """Rings of radii up to 1 and spokes of a half disc, the normal upwards; drawn once and kept."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._radii: tuple[float, ...] = ()
+        self._palette = QPalette()
+        self.setZValue(-20)
+        # Drawn anew it takes 2 ms a frame; as a kept picture nothing.
+        self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
+
+    def show_rings(self, radii: Sequence[float], palette: QPalette) -> None:
+        """Draw these rings in the greys of ``palette``."""
+        self._radii, self._palette = tuple(radii), QPalette(palette)
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        return QRectF(-1.02, -0.02, 2.04, 1.06)
+
+    def paint(
+        self, painter: QPainter, _option: QStyleOptionGraphicsItem, _widget: QWidget | None = None
+    ) -> None:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        rings, edge = QPainterPath(), QPainterPath()
+        for radius in self._radii:
+            path = edge if radius > 0.999 else rings
+            path.arcMoveTo(QRectF(-radius, -radius, 2 * radius, 2 * radius), 0.0)
+            # The plot's y grows upwards, Qt's downwards: the upper half is below for it.
+            path.arcTo(QRectF(-radius, -radius, 2 * radius, 2 * radius), 0.0, -180.0)
+        for spoke in range(-90, 91, SPOKE_STEP_DEG):
+            path = edge if abs(spoke) == 90 or spoke == 0 else rings
+            path.moveTo(0.0, 0.0)
+            path.lineTo(float(np.sin(np.radians(spoke))), float(np.cos(np.radians(spoke))))
+        painter.setPen(grey_pen(self._palette, 0.16))
+        painter.drawPath(rings)
+        painter.setPen(grey_pen(self._palette, 0.4))
+        painter.drawPath(edge)
+
+
 def upright(pen: QPen) -> pg.InfiniteLine:
     """Return a line from top to bottom that stands for an angle."""
     line = pg.InfiniteLine(angle=90, movable=False, pen=pen)
     line.setZValue(-5)
     return line
+
+
+def text(words: str = "", anchor: tuple[float, float] = (0.5, 0.5)) -> pg.TextItem:
+    """Return words whose place ``anchor`` lies at a point of the plot."""
+    return pg.TextItem(words, anchor=anchor)
+
+
+def rings() -> pg.ScatterPlotItem:
+    """Return points that are drawn as rings."""
+    return pg.ScatterPlotItem(size=7, pxMode=True, symbol="o")
+
+
+def band() -> pg.LinearRegionItem:
+    """Return a band behind the lines that stands for a value."""
+    item = pg.LinearRegionItem((0.0, 0.0), movable=False)
+    item.setZValue(-10)
+    return item

@@ -14,9 +14,10 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from brdf_lobe_visualizer.cuts.crosshair import Readout, plain, rows_at
 from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
 from brdf_lobe_visualizer.cuts.options import Polar
+from brdf_lobe_visualizer.cuts.pens import grey_pen
 from brdf_lobe_visualizer.cuts.words import degrees, quantity
 from brdf_lobe_visualizer.options import Options
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.inspection.slices.values import LOG_DECADES, Scale, nice_above, radius_of
 
 _SCALES: dict[Scale, str] = {
@@ -64,9 +65,9 @@ class PolarPlot(QWidget):
         """Make the plot and show what was set so far."""
         if self.plot is not None:
             return
-        from brdf_lobe_visualizer.cuts.marks import PolarRings
-        from brdf_lobe_visualizer.cuts.plot_items import LineItem, SlicePlot
+        from brdf_lobe_visualizer.cuts.plot_items import LineItem, PolarRings, SlicePlot, text
 
+        self._make_text = text
         self.plot = SlicePlot(with_axes=False)
         self.plot.setAccessibleName(self.accessibleName())
         self.plot.setMouseEnabled(x=False, y=False)
@@ -116,10 +117,8 @@ class PolarPlot(QWidget):
             self._dress()
             self._draw()
 
-    def _label(self, text: str, anchor: tuple[float, float]) -> Any:
-        import pyqtgraph as pg
-
-        item = pg.TextItem(text, anchor=anchor)
+    def _label(self, words: str, anchor: tuple[float, float]) -> Any:
+        item = self._make_text(words, anchor)
         self.plot.addItem(item, ignoreBounds=True)
         return item
 
@@ -252,8 +251,6 @@ class PolarPlot(QWidget):
         self.readout.hide()
 
     def _dress(self) -> None:
-        from brdf_lobe_visualizer.cuts.pens import grey_pen
-
         self.plot.dress()
         text = self.palette().color(QPalette.ColorRole.Text)
         for item in (*self._angles, *self._radii, self._light_name, self._mirror_name):

@@ -12,8 +12,9 @@ from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Axes
 from brdf_lobe_visualizer.cuts.words import degrees
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.concentric import hemisphere_to_square
-from brdf_suite.geometry.directions import Floats, angle_between, mirror
+from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.inspection.slices.cuts import light_at
 from brdf_suite.inspection.slices.images import Pairs, unrolled_pairs, view_of
 

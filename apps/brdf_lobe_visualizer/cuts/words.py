@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from brdf_qt.program.translation import mark
 
-from brdf_lobe_visualizer.options import Cosine, Options
+from brdf_lobe_visualizer.options import Options
 from brdf_suite.inspection.slices.cuts import Axis
+from brdf_suite.inspection.slices.values import Cosine
 
 AXIS_TITLES: dict[Axis, str] = {
     "gamma": mark("Aspecular angle γ (°)"),

@@ -5,17 +5,18 @@ from __future__ import annotations
 from typing import cast
 
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
+from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
 from brdf_suite.inspection.slices.tone import Tone
 
 _CHANNEL_KEY, _TONE_KEY = "lobes/factor_channel", "lobes/factor_tone"
@@ -59,7 +60,7 @@ class FactorsPanel(QWidget):
         self.seen.emit()
 
 
-class Factors(LobeFeature):
+class Factors(Feature, QObject):
     """A part of the window: the panel Factors at the bottom, hidden at a first start."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -90,7 +91,7 @@ class Factors(LobeFeature):
         )
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether what is looked at is there."""
         return self._ready
 
@@ -112,7 +113,7 @@ class Factors(LobeFeature):
         self.panel.tone.set_choice(tone)
         self._show()
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Take ``factor-channel=NAME`` and ``factor-scale=gamma|log`` from the command line."""
         if key == "factor-channel" and value in CHANNELS:
             self.choose_channel(value)
@@ -132,8 +133,6 @@ class Factors(LobeFeature):
     def _show(self) -> None:
         if self._closed or not self._ready or not self.panel.isVisible():
             return
-        from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
-
         front = self._session.front
         value = None if front is None else factored_in(front.reflectance)
         tone = cast(Tone, self._tone)

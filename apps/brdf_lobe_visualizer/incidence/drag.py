@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH
-from brdf_lobe_visualizer.view3d.view import SpaceView
-from brdf_suite.geometry.directions import Floats
+from brdf_lobe_visualizer.view3d.view import LobeView
+from brdf_suite.arrays import Floats
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 DEG_PER_PIXEL = 0.35
 FINE = 0.1
@@ -27,7 +31,7 @@ class IncidenceDrag(QObject):
     turned = Signal(float, float)
     reset = Signal()
 
-    def __init__(self, view: SpaceView) -> None:
+    def __init__(self, view: LobeView) -> None:
         super().__init__(view)
         self._view = view
         self._mode = ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QAction
@@ -36,7 +37,7 @@ _DASH_NAMES: dict[Dash, str] = {
 }
 
 
-class LegendControl(QObject):
+class LegendControl(Feature, QObject):
     """The legend, its commands in the menu Reflectance, and the errors beside the rows.
 
     Signals: ``open_requested()``, ``list_requested()``.
@@ -76,9 +77,9 @@ class LegendControl(QObject):
         self._show()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the errors are there."""
-        return self.errors.is_complete
+        return self.errors.is_idle
 
     def close(self) -> None:
         """End the work on errors."""

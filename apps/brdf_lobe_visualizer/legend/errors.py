@@ -9,6 +9,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from brdf_lobe_visualizer.session import LobeSession
+from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -50,7 +51,7 @@ class LegendErrors(QObject):
         session.visibility_changed.connect(self._touch)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether every error is there."""
         return not self._tasks.busy and not self._pause.isActive()
 
@@ -119,8 +120,7 @@ class LegendErrors(QObject):
 
 
 def _error_of(pair: tuple[Reflectance, Reflectance], _progress: Progress) -> ShownError:
-    # Deferred: nothing of it is needed before a reference is chosen.
-    from brdf_suite.appearance.geometries import GEOMETRY_SETS
+    # Deferred: it brings the fits of undivided data, and nothing of it is needed before a reference is chosen.
     from brdf_suite.inspection.figures.errors import errors_between
     from brdf_suite.inspection.figures.figures import angle_readings
 

@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
 
-from brdf_lobe_visualizer.feature import LobeFeature
 from brdf_lobe_visualizer.legend.line import line_icon
 from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
 from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
@@ -27,10 +27,10 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS
 from brdf_suite.errors import SuiteError
+from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
 
 if TYPE_CHECKING:
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
-    from brdf_suite.inspection.figures.text import Group
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
 _GROUPS: dict[Group, str] = {
@@ -115,7 +115,7 @@ class NumbersPanel(QWidget):
         self.seen.emit(False)
 
 
-class Numbers(LobeFeature):
+class Numbers(Feature, QObject):
     """A part of the window: the panel Numbers at the bottom, and the plot Albedo in the row of plots."""
 
     def __init__(self, session: LobeSession, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
@@ -165,16 +165,16 @@ class Numbers(LobeFeature):
         window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the figures that are looked at are there."""
-        return self._ready and self.work.is_complete
+        return self._ready and self.work.is_idle
 
     def close(self) -> None:
         """End the work; what is hidden while the window goes is shown no more."""
         self._closed = True
         self.work.close()
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Take ``figures=GROUP`` and ``angles=SET`` from the command line."""
         group = _known_group(value)
         if key == "figures" and group is not None:
@@ -201,16 +201,12 @@ class Numbers(LobeFeature):
 
     def copy(self) -> None:
         """Copy the table that is shown, as text with tabs."""
-        from brdf_suite.inspection.figures.text import figures_text
-
         named = self._named()
         if named:
             QGuiApplication.clipboard().setText(figures_text(named, (self._group,)))
 
     def export(self) -> None:
         """Write all figures of the visible subjects as CSV."""
-        from brdf_suite.inspection.figures.text import save_figures
-
         named = self._named()
         if not named:
             self._window.show_message(
@@ -258,8 +254,6 @@ class Numbers(LobeFeature):
         self._show_lines()
         if not self.panel.isVisible():
             return
-        from brdf_suite.inspection.figures.text import figure_rows
-
         shown = [s for s in self._session.visible if self.work.figures(s.key) is not None]
         rows = [row for row in figure_rows(self._named()) if row.group == self._group]
         ratio = self.panel.devicePixelRatioF()
@@ -273,7 +267,7 @@ class Numbers(LobeFeature):
         visible = self._session.visible
         if not visible:
             return tr("No reflectance shown.")
-        if not self.work.is_complete:
+        if not self.work.is_idle:
             fresh = sum(not self.work.is_stale(s.key) for s in visible)
             return tr("{fresh} of {count} computed").format(fresh=fresh, count=len(visible))
         if self._group == "errors" and self._session.reference is None:

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.cuts.pens import colour_of, dashed_pen, grey_pen
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,11 +15,11 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
+from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.fitting.lobes.weights import LobeWeights
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _PAUSE_MS = 200
@@ -73,7 +73,7 @@ class FiguresWork(QObject):
         session.incidence_changed.connect(lambda _theta, _phi: self._touch())
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all figures that are looked at are there."""
         return not self._needed or not (self._pause.isActive() or self._tasks.busy)
 
@@ -171,7 +171,7 @@ class FiguresWork(QObject):
 
 
 def _figures(wanted: _Inputs, progress: Progress) -> ReflectanceFigures:
-    # Deferred: what measures is much to import, and the panel is not there at a first start.
+    # Deferred: what measures brings the fits of undivided data, and the panel is not there at a first start.
     from brdf_suite.inspection.figures.figures import FiguresRequest, reflectance_figures
 
     request = FiguresRequest(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -17,7 +18,7 @@ from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
 
-class Fits(QObject):
+class Fits(Feature, QObject):
     """Gives each subject its fit as soon as there is one; a subject whose reflectance changes is fitted anew.
 
     The fit of before stays until the new one is there: a picture that is late by a frame is better than one that
@@ -35,7 +36,7 @@ class Fits(QObject):
         self._look()
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether every subject has its fit, or is known to have none."""
         return not self.tasks.busy
 

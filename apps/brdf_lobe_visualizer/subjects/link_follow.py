@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.exact_fit import ExactFit
@@ -26,7 +27,7 @@ KEY = "designer"
 _MESSAGE = "designer's paint"
 
 
-class FollowedPaint(QObject):
+class FollowedPaint(Feature, QObject):
     """Shows what Designer publishes, the newest only; fitted on a thread within the time limit, then exactly.
 
     Signals: ``arrived()`` when a paint of Designer's has been put in the session.
@@ -56,7 +57,7 @@ class FollowedPaint(QObject):
         session.subjects_changed.connect(self._look)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether the newest paint is shown."""
         return not self._tasks.busy
 

@@ -7,14 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.pipeline.material import (
     ENTRY_MARK,
     Material,
@@ -26,10 +27,12 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report
+from brdf_suite.reflectance.checks import is_isotropic
+from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.registry import MODELS
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 MOST_AT_ONCE = 8
 """So many entries of a palette are shown when it is opened; the others stand in the list of reflectances."""
@@ -74,7 +77,7 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
     palette = read.palette
     entries = tuple((entry.name or entry.id, f"{path}{ENTRY_MARK}{entry.id}") for entry in palette)
     if not entries:
-        raise FileError(path, "is a palette without a paint")
+        raise FileError(path, tr("is a palette without a paint"))
     subjects: list[PlottedMaterial] = []
     refused: list[str] = []
     for place, entry in enumerate(palette):
@@ -90,9 +93,6 @@ def _of_palette(path: str, progress: Progress | None) -> Opened:
 
 def _describe(material: Material) -> PlottedMaterial:
     """Add the properties of the reflectance: whether it is isotropic, where its samples and holes are, and notes."""
-    from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-    from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
     subject = PlottedMaterial("", material.name, material, notes=material.notices)
     value = material.reflectance
     if isinstance(value, ScatteredSamples):
@@ -104,8 +104,6 @@ def _describe(material: Material) -> PlottedMaterial:
         return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
-        from brdf_suite.reflectance.checks import is_isotropic
-
         known = material.document is not None or is_isotropic(value)
     return _add_notes(replace(subject, isotropic=known))
 
@@ -116,19 +114,20 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     numbers = np.isfinite(values).all(axis=-1)
     notes = list(subject.notes)
     if not numbers.all():
-        notes.append(f"{100.0 * np.mean(~numbers):.0f} % of the directions have no value (drawn as holes).")
+        share = 100.0 * np.mean(~numbers)
+        notes.append(
+            tr("{share:.0f} % of the directions have no value (drawn as holes).").format(share=share)
+        )
     known = values[numbers]
     if known.size and not known.any():
-        notes.append("The reflectance is zero in every sampled direction.")
+        notes.append(tr("The reflectance is zero in every sampled direction."))
     elif known.size and float(np.mean(known.max(axis=-1) > 0.0)) < _SPIKE:
-        notes.append("All light is reflected into one narrow lobe; other views are dark.")
+        notes.append(tr("All light is reflected into one narrow lobe; other views are dark."))
     return replace(subject, notes=tuple(notes))
 
 
 def _look(reflectance: Reflectance) -> Floats:
     """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
-    from brdf_suite.geometry.directions import illumination, mirror, spherical
-
     theta, phi = np.meshgrid(np.radians(np.arange(2.0, 90.0, 8.0)), np.radians(np.arange(0.0, 360.0, 30.0)))
     views = spherical(theta.ravel(), phi.ravel())
     found = []
@@ -151,7 +150,7 @@ class MeasuredBins:
         above = (flat_light[2] > 0.0) & (flat_view[2] > 0.0)
         if table.coverage is not None:
             # Holes between the readings of photographs are everywhere, and filled; drawn, they would hide all else.
-            from brdf_suite.fitting.lobes.undivided_samples import measured_pairs
+            from brdf_suite.fitting.lobes.measured_samples import measured_pairs
 
             return np.asarray((above & measured_pairs(table, flat_light.T, flat_view.T)).reshape(shape))
         places = table.grid.index_of(flat_light, flat_view)
@@ -164,9 +163,6 @@ class MeasuredBins:
 
 def names() -> dict[str, Sequence[tuple[str, str]]]:
     """Return what comes with the program: title and name of every shipped paint, paint of Table 1, and model."""
-    from brdf_suite.reflectance.models.table_1 import TABLE_1
-    from brdf_suite.reflectance.registry import MODELS
-
     return {
         "paints": [(name.replace("_", " ").capitalize(), name) for name in paint_names()],
         "table_1": [(paint.name, name) for name, paint in TABLE_1.items()],

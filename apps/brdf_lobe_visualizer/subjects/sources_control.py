@@ -7,7 +7,8 @@ from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
-from brdf_qt.program.settings import settings
+from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -21,11 +22,8 @@ from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
 
-RECENT_KEY = "recent/files"
-MOST_RECENT = 10
 
-
-class Sources(QObject):
+class Sources(Feature, QObject):
     """Opens names and files, any number at a time.
 
     Signals
@@ -54,15 +52,16 @@ class Sources(QObject):
         # Its own, so that a long fit keeps no file waiting; files are read at once, two at a time.
         self.tasks = TaskRunner(self)
         self._progress = LateProgress(window.progress, self)
+        self._recent = RecentFiles("recent/files")
         self._numbers = count(1)
         self._waiting: dict[str, str] = {}
         self._turn: dict[str, int] = {}
         self._lines: dict[int, tuple[Srgb, Dash]] = {}
 
     @property
-    def busy(self) -> bool:
-        """Whether anything is being read."""
-        return self.tasks.busy
+    def is_idle(self) -> bool:
+        """Whether nothing is being read."""
+        return not self.tasks.busy
 
     def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
         """Begin to open a name or a file, to come after the subjects that are there; return the key of the job.
@@ -134,13 +133,11 @@ class Sources(QObject):
 
     def recent(self) -> Sequence[Path]:
         """Return the files that were opened last and are still there, newest first."""
-        stored = settings().value(RECENT_KEY, [])
-        paths = [stored] if isinstance(stored, str) else stored if isinstance(stored, (list, tuple)) else []
-        return [Path(path) for path in paths if isinstance(path, str) and Path(path).is_file()]
+        return [Path(path) for path in self._recent.paths()]
 
     def clear_recent(self) -> None:
         """Forget them."""
-        settings().remove(RECENT_KEY)
+        self._recent.clear()
         self.recent_changed.emit()
 
     def close(self) -> None:
@@ -184,9 +181,7 @@ class Sources(QObject):
     def _remember(self, name: str) -> None:
         if not Path(name).is_file():
             return
-        path = str(Path(name).absolute())
-        kept = [path, *(str(p) for p in self.recent() if str(p) != path)]
-        settings().setValue(RECENT_KEY, kept[:MOST_RECENT])
+        self._recent.add(name)
         self.recent_changed.emit()
 
     def _cancelled(self, job: str) -> None:

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from brdf_qt.program.translation import mark
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QMatrix4x4, QVector3D
 
 FIELD_DEG = 28.0
@@ -84,6 +85,10 @@ class Camera:
         matrix = QMatrix4x4()
         matrix.frustum(-half * width, half * width, -half * height, half * height, near, far)
         return matrix
+
+    def to_clip(self, room: QRectF) -> QMatrix4x4:
+        """Return the matrix from the local frame to the clip coordinates of a panel that lies in ``room``."""
+        return self.to_screen(room.width(), room.height()) * self.to_eye()
 
 
 def parse_camera(text: str) -> Camera:

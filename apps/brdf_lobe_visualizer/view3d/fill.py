@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_lobe_visualizer.view3d.options import BODY_DEG, SpaceOptions
+from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.scale import RadiusKind, RadiusScale
 from brdf_suite.inspection.lobe_surface.surface import greatest
-
-Singles = npt.NDArray[np.float32]
 
 BODY_RADIUS = 0.5
 """How long a body is at least where the radius is automatic, whatever its mirror peak."""

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
+from brdf_qt.gl.segments import Rgba, Segments, polyline, segments
 
-from brdf_lobe_visualizer.view3d.items import polyline, segments
-from brdf_lobe_visualizer.view3d.scene import FrameOptions, Rgba
-from brdf_suite.geometry.directions import Floats, mirror, spherical
+from brdf_lobe_visualizer.view3d.scene import FrameOptions
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import mirror, spherical
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 
 LIGHT_REACH = 1.18
@@ -17,6 +18,9 @@ LIGHT_REACH = 1.18
 _MIRROR_REACH = 1.14
 _LIGHT_CODES = (0.95, 0.78, 0.25)
 _MIRROR_CODES = (0.87, 0.45, 0.70)
+_TURN = np.radians(np.arange(0.0, 361.0, 3.0))
+_CIRCLE = np.column_stack((np.cos(_TURN), np.sin(_TURN), np.zeros_like(_TURN)))
+_ARC = np.radians(np.arange(0.0, 91.0, 3.0))
 
 
 @dataclass(frozen=True)
@@ -31,10 +35,10 @@ class Label:
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """Segments that surfaces hide, those that nothing hides, and labels; ``handle`` is where the light is dragged."""
+    """Segments behind what is see-through, those before it, and labels; ``handle`` is where the light is dragged."""
 
-    behind: npt.NDArray[np.void]
-    before: npt.NDArray[np.void]
+    behind: Segments
+    before: Segments
     labels: tuple[Label, ...]
     handle: Floats | None
 
@@ -44,30 +48,25 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
     red, green, blue, _ = ink
     faint: Rgba = (red, green, blue, 0.20)
     soft: Rgba = (red, green, blue, 0.38)
-    turn = np.radians(np.arange(0.0, 361.0, 3.0))
-    arc = np.radians(np.arange(0.0, 91.0, 3.0))
     rows, labels = [], []
     azimuth = np.arctan2(-light[1], -light[0]) if light is not None and np.hypot(*light[:2]) > 1e-9 else 0.0
-    rows.append(polyline(spherical(np.full_like(turn, np.pi / 2), turn), 1.4, soft))
+    rows.append(_ground(soft))
     if options.hemisphere:
-        for theta in (30.0, 60.0):
-            rows.append(polyline(spherical(np.full_like(turn, np.radians(theta)), turn), 1.0, faint))
-        for phi in range(0, 360, 30):
-            rows.append(polyline(spherical(arc, np.full_like(arc, np.radians(phi))), 1.0, faint))
+        rows.append(_hemisphere(faint))
         # The plane of incidence stands out: the light's side and the mirror's.
         for side in (azimuth, azimuth + np.pi):
-            rows.append(polyline(spherical(arc, np.full_like(arc, side)), 1.5, soft))
+            rows.append(polyline(spherical(_ARC, np.full_like(_ARC, side)), 1.5, soft))
     if options.labels:
         labels += _angles(azimuth, options)
     if options.rings:
         for radius, text in rings_of(scale):
-            flat = np.column_stack((np.cos(turn), np.sin(turn), np.zeros_like(turn))) * radius
+            flat = _CIRCLE * radius
             rows.append(polyline(flat, 1.0, faint))
             if options.labels:
                 at = azimuth + np.radians(62.0)
                 place = (float(radius * np.cos(at)), float(radius * np.sin(at)), 0.0)
                 labels.append(Label(place, text))
-    before: list[npt.NDArray[np.void]] = []
+    before: list[Segments] = []
     handle = None
     if light is not None:
         handle = LIGHT_REACH * light
@@ -77,6 +76,19 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
     return Frame(
         np.concatenate(rows), np.concatenate(before) if before else rows[0][:0], tuple(labels), handle
     )
+
+
+@lru_cache(4)
+def _ground(colour: Rgba) -> Segments:
+    return polyline(_CIRCLE, 1.4, colour)
+
+
+@lru_cache(4)
+def _hemisphere(colour: Rgba) -> Segments:
+    """The grid of angles, which is the same for every light."""
+    circles = [np.sin(t) * _CIRCLE + (0.0, 0.0, np.cos(t)) for t in np.radians((30.0, 60.0))]
+    arcs = [spherical(_ARC, np.full_like(_ARC, phi)) for phi in np.radians(np.arange(0.0, 360.0, 30.0))]
+    return np.concatenate([polyline(points, 1.0, colour) for points in (*circles, *arcs)])
 
 
 def rings_of(scale: RadiusScale) -> list[tuple[float, str]]:
@@ -118,7 +130,7 @@ def _angles(azimuth: float, options: FrameOptions) -> list[Label]:
     return labels
 
 
-def _arrows(light: Floats, ink: Rgba) -> tuple[list[npt.NDArray[np.void]], list[Label]]:
+def _arrows(light: Floats, ink: Rgba) -> tuple[list[Segments], list[Label]]:
     top = mirror(light)
     gold: Rgba = (*_LIGHT_CODES, 1.0)
     rose: Rgba = (*_MIRROR_CODES, 1.0)
@@ -138,7 +150,7 @@ def _arrows(light: Floats, ink: Rgba) -> tuple[list[npt.NDArray[np.void]], list[
     return rows, labels
 
 
-def _arrow(start: Floats, end: Floats, colour: Rgba, foot: Floats) -> list[npt.NDArray[np.void]]:
+def _arrow(start: Floats, end: Floats, colour: Rgba, foot: Floats) -> list[Segments]:
     """Shaft and head from ``start`` to ``end``, and a thin line to ``foot`` from whichever is nearer to it."""
     along = end - start
     neck = end - along / float(np.linalg.norm(along)) * 0.085

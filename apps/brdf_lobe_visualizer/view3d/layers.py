@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.cuts.crosshair import number
@@ -20,6 +19,7 @@ from brdf_lobe_visualizer.view3d.samples import sample_points
 from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
 from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, with_cosine
 from brdf_lobe_visualizer.view3d.words import lobe_title, lobe_weight
+from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.colour import scalar_of
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
@@ -32,7 +32,6 @@ from brdf_suite.inspection.lobe_surface.surface import (
     lobe_surface,
 )
 
-Singles = npt.NDArray[np.float32]
 MOST_PANELS = 16
 
 

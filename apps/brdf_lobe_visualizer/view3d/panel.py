@@ -1,6 +1,6 @@
 """The part of the window that shows lobes in three dimensions: view, gestures, commands and their sections.
 
-The view takes pyqtgraph's OpenGL and its own half a second to import, so it is built after the window's first paint; a
+The view takes a quarter of a second to import with pyqtgraph's OpenGL, so it is built after the window's first paint; a
 widget of Qt's own holds its place, so that the window is one for OpenGL from the start and is not made again.
 """
 
@@ -10,14 +10,15 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.gl.gestures import CameraGestures
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QImage, QPalette
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
-from brdf_lobe_visualizer.feature import LobeFeature
+from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
 from brdf_lobe_visualizer.incidence.section import IncidenceSection
 from brdf_lobe_visualizer.incidence.sweep import SweepControl
 from brdf_lobe_visualizer.session import LobeSession
@@ -30,21 +31,22 @@ from brdf_lobe_visualizer.view3d.camera import (
     parse_camera,
     preset,
 )
+from brdf_lobe_visualizer.view3d.layers import SceneMaker
 from brdf_lobe_visualizer.view3d.options import SpaceState
+from brdf_lobe_visualizer.view3d.probe import SpaceProbe
 from brdf_lobe_visualizer.view3d.save import SaveSurface
 from brdf_lobe_visualizer.view3d.section import SurfaceSection
+from brdf_lobe_visualizer.view3d.values import SpaceValues
 from brdf_lobe_visualizer.window import LobeWindow
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.layers import SceneMaker
-    from brdf_lobe_visualizer.view3d.values import SpaceValues
-    from brdf_lobe_visualizer.view3d.view import SpaceView
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 
 _CAMERA_KEY = "lobes/camera"
 
 
-class Space(LobeFeature):
+class Space(Feature, QObject):
     """Lobes in three dimensions."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
@@ -52,7 +54,7 @@ class Space(LobeFeature):
         self.session, self._window = session, window
         self.state = SpaceState(self)
         self.camera = parse_camera(str(settings().value(_CAMERA_KEY, "")))
-        self.view: SpaceView | None = None
+        self.view: LobeView | None = None
         self.values: SpaceValues | None = None
         self._maker: SceneMaker | None = None
         self._holder = _Holder()
@@ -80,6 +82,7 @@ class Space(LobeFeature):
         ):
             signal.connect(self._stale)
         self.state.changed.connect(self._stale)
+        session.view_reset.connect(self.reset_view)
         window.add_section("incidence", tr("Incidence"), self.incidence)
         window.add_section("radius", tr("Radius"), self.surface)
         window.add_section("parts", tr("Parts"), self.parts)
@@ -88,13 +91,13 @@ class Space(LobeFeature):
         window.first_painted.connect(self._build)
 
     @property
-    def is_complete(self) -> bool:
+    def is_idle(self) -> bool:
         """Whether all that is asked for is drawn, or cannot be."""
         if self._holder.notice.text():
             return True
         return self.view is not None and not self._timer.isActive() and not (self.values and self.values.busy)
 
-    def set_from_script(self, key: str, value: str) -> bool:
+    def run_script(self, key: str, value: str) -> bool:
         """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
         if key == "camera":
             if value not in dict(PRESETS):
@@ -156,18 +159,13 @@ class Space(LobeFeature):
         if QGuiApplication.platformName() in ("offscreen", "minimal"):
             self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
-        # Half a second of imports.
-        from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
-        from brdf_lobe_visualizer.view3d.layers import SceneMaker
-        from brdf_lobe_visualizer.view3d.probe import SpaceProbe
-        from brdf_lobe_visualizer.view3d.values import SpaceValues
-        from brdf_lobe_visualizer.view3d.view import SpaceView
+        from brdf_lobe_visualizer.view3d.view import LobeView
 
         self.values = SpaceValues(self.session, self._stale)
         self._maker = SceneMaker(self.session, self.values)
-        self.view = view = SpaceView()
+        self.view = view = LobeView()
         view.set_camera(self.camera)
-        view.failed.connect(self._holder.show_notice)
+        view.failed.connect(self._show_failure)
         gestures = CameraGestures(view)
         gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbit(a, e)))
         gestures.panned.connect(lambda r, u: self.set_camera(self.camera.pan(r, u)))
@@ -180,6 +178,9 @@ class Space(LobeFeature):
         SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
+
+    def _show_failure(self, reason: str) -> None:
+        self._holder.show_notice(tr("The lobes cannot be drawn: {reason}").format(reason=reason))
 
     def _turn(self, theta: float, phi: float) -> None:
         now = self.session.incidence

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer
@@ -10,9 +12,11 @@ from PySide6.QtGui import QMouseEvent
 from brdf_lobe_visualizer.cuts.crosshair import number
 from brdf_lobe_visualizer.cuts.words import UNIT
 from brdf_lobe_visualizer.view3d.scene import Probe
-from brdf_lobe_visualizer.view3d.view import SpaceView
 from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.occlusion import value_along
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 _REST_MS = 30
 """The cursor is asked about once it moves no more for so long: a ray costs as much as a surface."""
@@ -21,7 +25,7 @@ _REST_MS = 30
 class SpaceProbe(QObject):
     """Marks the point of the first solid lobe under the cursor and writes what it is."""
 
-    def __init__(self, view: SpaceView) -> None:
+    def __init__(self, view: LobeView) -> None:
         super().__init__(view)
         self._view = view
         self._at: QPointF | None = None

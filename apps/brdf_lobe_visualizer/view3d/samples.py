@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_lobe_visualizer.options import cosine_factor
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_lobe_visualizer.view3d.options import SpaceOptions
 from brdf_lobe_visualizer.view3d.scene import CUT, Points
-from brdf_suite.geometry.directions import Floats, angle_between
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.colour import light_codes, scalar_of
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+from brdf_suite.inspection.slices.values import cosine_of
 
 
 def sample_points(
@@ -33,7 +34,7 @@ def sample_points(
         nearest = polar[np.argmin(np.abs(polar - session.incidence[0]))]
         text = tr("No samples within {reach}° of this incidence; the nearest is at {angle}°.")
         return None, text.format(reach=f"{options.within_deg:g}", angle=f"{nearest:.1f}")
-    values = values * cosine_factor(session.options.cosine, wi, wo)[:, None]
+    values = values * np.maximum(cosine_of(session.options.cosine, wi, wo), 0.0)[:, None]
     shown = scalar_of(values.astype(np.float32), session.options.channel)
     places = wo * np.minimum(scale.radius(shown), CUT)[:, None]
     colours = np.ones((len(wo), 4), np.float32)

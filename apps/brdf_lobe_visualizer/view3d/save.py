@@ -13,15 +13,16 @@ from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QObject, QSize
+from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
+from brdf_suite.inspection.lobe_surface.export import write_surface
 
 if TYPE_CHECKING:
-    from brdf_lobe_visualizer.view3d.view import SpaceView
+    from brdf_lobe_visualizer.view3d.view import LobeView
 
 AskPath = Callable[[QWidget, str, Path, str], Path | None]
 """``(parent, title, suggested, filters) -> path``: asks where to write; tests answer for the user."""
@@ -104,7 +105,7 @@ class SaveSurface(QObject):
     def __init__(
         self,
         draw_now: Callable[[], object],
-        current_view: Callable[[], SpaceView | None],
+        current_view: Callable[[], LobeView | None],
         session: LobeSession,
         window: LobeWindow,
         ask_path: AskPath | None = None,
@@ -145,47 +146,19 @@ class SaveSurface(QObject):
         """
         kind = path.suffix.lower().removeprefix(".")
         self._draw_now()
-        if kind == "png":
-            self._write_png(path)
-        elif kind == "svg":
-            self._write_svg(path)
+        if kind in ("png", "svg"):
+            size = round(self.section.width_.value()), round(self.section.height_.value())
+            self._view().write_picture(path, *size, " · ".join(self._about()))
         else:
             self._write_mesh(path)
 
-    def _sizes(self) -> tuple[int, int]:
-        return round(self.section.width_.value()), round(self.section.height_.value())
-
-    def _view(self) -> SpaceView:
+    def _view(self) -> LobeView:
         view = self._current_view()
         if view is None or not view.isValid():
             raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))
         return view
 
-    def _write_png(self, path: Path) -> None:
-        import numpy as np
-
-        from brdf_suite.files.images.png import write_png
-
-        image = self._view().picture(*self._sizes())
-        width, height = image.width(), image.height()
-        rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, image.bytesPerLine())[
-            :, : 4 * width
-        ]
-        pixels = np.ascontiguousarray(rows.reshape(height, width, 4)[..., 2::-1])
-        write_png(path, pixels, {"Description": " · ".join(self._about())})
-
-    def _write_svg(self, path: Path) -> None:
-        from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
-
-        view = self._view()
-        size = QSize(*self._sizes())
-        palette = view.palette()
-        look = Look(palette.text().color().name(), palette.base().color().name(), size.height() / 60.0)
-        write_svg(path, svg_of(view.scene, view.frame(), view.camera, view.rooms(size), size, look))
-
     def _write_mesh(self, path: Path) -> None:
-        from brdf_suite.inspection.lobe_surface.export import write_surface
-
         layers = [layer for panel in self._view().scene.panels for layer in panel.layers]
         if not layers:
             raise GraphicsError(tr("No surface to save. Add a reflectance, or show one in the legend."))

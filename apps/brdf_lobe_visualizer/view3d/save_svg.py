@@ -10,21 +10,22 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from xml.sax.saxutils import escape
+from html import escape
 
 import numpy as np
 import numpy.typing as npt
+from brdf_qt.gl.segments import Segments
+from brdf_qt.gl.space import project
 from PySide6.QtCore import QRectF, QSize
-from PySide6.QtGui import QMatrix4x4
 
 from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import Frame, Label
 from brdf_lobe_visualizer.view3d.scene import Bar, Layer, Panel, Scene
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface
 
-Floats = npt.NDArray[np.float64]
 _ROW_STEP, _COLUMN_STEP = 2, 4
 _TO_LIGHT = np.array([-0.36, 0.48, 0.80]) / np.linalg.norm([-0.36, 0.48, 0.80])
 _FONT = "font-family='sans-serif'"
@@ -65,19 +66,12 @@ class _Sight:
     """Projects points of the local frame into a panel."""
 
     def __init__(self, camera: Camera, room: QRectF) -> None:
-        self.to_eye = _matrix(camera.to_eye())
-        self.to_clip = _matrix(camera.to_screen(room.width(), room.height())) @ self.to_eye
-        self._room = room
+        self.to_eye = np.array(camera.to_eye().copyDataTo()).reshape(4, 4)
+        self._to_clip, self._room = camera.to_clip(room), room
 
     def __call__(self, points: npt.ArrayLike) -> tuple[Floats, Floats]:
         """Places (..., 2) in pixels, and depths (...): the distance before the eye, 0 and less behind it."""
-        points = np.asarray(points, float)
-        clip = points @ self.to_clip[:, :3].T + self.to_clip[:, 3]
-        depth = clip[..., 3]
-        safe = np.where(np.abs(depth) > 1e-6, depth, 1e-6)
-        x = self._room.left() + 0.5 * (clip[..., 0] / safe + 1.0) * self._room.width()
-        y = self._room.top() + 0.5 * (1.0 - clip[..., 1] / safe) * self._room.height()
-        return np.stack((x, y), axis=-1), depth
+        return project(self._to_clip, points, self._room)
 
 
 def _panel(
@@ -176,10 +170,9 @@ def _lines(layer: Layer, sight: _Sight, look: Look) -> Iterator[tuple[float, str
         yield float(min(depths[a], depths[b])) - 0.01, text
 
 
-def _segments(rows: npt.NDArray[np.void], sight: _Sight) -> Iterator[tuple[float, str]]:
-    starts, near = sight(rows["start"])
-    ends, far = sight(rows["end"])
-    for (x1, y1), (x2, y2), d1, d2, row in zip(starts, ends, near, far, rows, strict=True):
+def _segments(rows: Segments, sight: _Sight) -> Iterator[tuple[float, str]]:
+    places, depths = sight(rows["ends"])
+    for ((x1, y1), (x2, y2)), (d1, d2), row in zip(places, depths, rows, strict=True):
         if min(d1, d2) <= 0.0:
             continue
         w1, w2 = (float(width) for width in row["widths"])
@@ -269,10 +262,6 @@ def _lit(codes: Floats, points: Floats, normals: Floats, sight: _Sight) -> Float
     shade *= np.where(inside, 0.55, 1.0) * (1.0 - 0.25 * rim)
     # The transfer curve is near enough to a power for flat faces.
     return np.asarray(np.clip(codes * np.clip(shade, 0.0, 1.0)[..., None] ** (1.0 / 2.2), 0.0, 255.0))
-
-
-def _matrix(matrix: QMatrix4x4) -> Floats:
-    return np.array(matrix.data(), float).reshape(4, 4).T
 
 
 def _hex(codes: npt.ArrayLike) -> str:

@@ -8,17 +8,15 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface
 
-Singles = npt.NDArray[np.float32]
 Style = Literal["solid", "glass", "lines"]
 
 CUT = 1.15
 """The radius at which what is longer than the scale ends."""
-Rgba = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,19 +11,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-import numpy.typing as npt
 from brdf_qt.window.message_bar import message_of
 
-from brdf_lobe_visualizer.options import Cosine, cosine_factor
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Measured, PlottedMaterial
+from brdf_suite.arrays import Singles
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid, lobe_grid
 from brdf_suite.inspection.lobe_surface.parts import FitLobe, FitOnGrid
 from brdf_suite.inspection.lobe_surface.values import LobeSource
+from brdf_suite.inspection.slices.values import Cosine, cosine_of
 from brdf_suite.reflectance.protocol import Reflectance
 
-Singles = npt.NDArray[np.float32]
 SLOW_S = 0.025
 """Of the processor's time: what else the machine does, makes no reflectance slow."""
 
@@ -163,7 +162,7 @@ def with_cosine(found: Found, cosine: Cosine) -> Singles:
         return found.values
     if cosine == "light":
         return found.values * np.float32(found.grid.wi[2])
-    factor = cosine_factor(cosine, found.grid.wi, found.grid.directions).astype(np.float32)
+    factor = cosine_of(cosine, found.grid.wi, found.grid.directions).astype(np.float32)
     return np.asarray(found.values * factor[..., None])
 
 

@@ -1,69 +1,87 @@
-"""The view in three dimensions: shows a :class:`Scene` in one or several panels from one camera.
+"""The lobes in three dimensions: shows a :class:`Scene` in one or several panels from one camera.
 
-It is pyqtgraph's view with drawing of its own (:mod:`brdf_lobe_visualizer.view3d.painter`): buffers are written
-again instead of made anew, panels share a picture, and words are painted over it. Who owns the view sets scene and
-camera.
+Who owns the view sets scene and camera; words are painted over the picture, sharp at any size.
 """
 
 from __future__ import annotations
 
-import logging
 import math
-import time
+from collections.abc import Callable
 from functools import partial
+from pathlib import Path
+from typing import Any
 
 import numpy as np
-from brdf_qt.program.application import surface_format
+from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
+from brdf_qt.gl.segments import Rgba
+from brdf_qt.gl.space import Region, SpaceView, project
 from brdf_qt.program.translation import tr
-from pyqtgraph.opengl import GLViewWidget
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QTransform, QVector3D
-from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat, QOpenGLPaintDevice
+from OpenGL import GL
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QVector3D
+from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat
 from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH, Frame, frame_of
+from brdf_lobe_visualizer.view3d.lobe_item import (
+    ARROWS_DEPTH,
+    FRAME_DEPTH,
+    HANDLE_DEPTH,
+    POINTS_DEPTH,
+    LobeItem,
+)
 from brdf_lobe_visualizer.view3d.overlay import Overlay
-from brdf_lobe_visualizer.view3d.painter import Drawing, SpacePainter, Target
+from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
-from brdf_suite.errors import SuiteError
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
+from brdf_suite.files.images.png import write_png
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met
-
-log = logging.getLogger(__name__)
 
 _TILE = 1024
 """Device pixels of a part of an exported picture; larger buffers may not be had."""
 _SUPERSAMPLED = 2
-_HANDLE_PX = 15.0
+_HANDLE_REACH_PX = 15.0
+_HANDLE_PX, _HOT_PX = 11.0, 13.0
+_HANDLE, _HOT = (0.95, 0.78, 0.25, 1.0), (1.0, 0.90, 0.55, 1.0)
+_HANDLE_RIM = (0.15, 0.15, 0.15, 1.0)
+_POINT_PX = 7.0
+_SHINE = 0.3
+"""How much of a sample is seen through a lobe that lies before it."""
 _CONTENT = (2.6, 1.9)
 """Width and height of hemisphere and labels beside each other."""
 
 
-class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
-    """The view. Signals: ``failed(text)`` where nothing can be drawn, ``drawn(ms)`` after each frame."""
-
-    failed = Signal(str)
-    drawn = Signal(float)
+class LobeView(SpaceView):
+    """The view."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setFormat(surface_format(4))
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMouseTracking(True)
         self.setMinimumSize(200, 160)
         self.setAccessibleName(tr("3-D lobe plot"))
         self.setObjectName("space_view")
         self.scene = Scene()
         self.camera = Camera()
         self.hot = False
-        self._painter: SpacePainter | None = None
         self._frame: Frame | None = None
-        self._failure = ""
         self._probe: Probe | None = None
         self._probe_text = ""
+        self.make_items()
 
     # What is shown.
+
+    def make_items(self) -> None:
+        self._lobes: list[LobeItem] = []
+        self._samples: list[DiscItem] = []
+        self._grid, self._arrows = SegmentItem(), SegmentItem()
+        self._handle = DiscItem(BEFORE, rim=_HANDLE_RIM)
+        self._grid.setDepthValue(FRAME_DEPTH)
+        self._arrows.setDepthValue(ARROWS_DEPTH)
+        self._handle.setDepthValue(HANDLE_DEPTH)
+        for item in (self._grid, self._arrows, self._handle):
+            self.addItem(item)
+        self._shown_frame: Frame | None = None
+        self._fill()
 
     def set_scene(self, scene: Scene) -> None:
         """Show ``scene`` from the next frame on; its surfaces go to the card at once where it is there."""
@@ -73,13 +91,55 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         if not alike or before.light is not scene.light:
             self._frame = None
         self._probe = None
-        if self._painter is not None and self.isValid():
+        self._fill()
+        if self.isValid():
             self.makeCurrent()
             try:
-                self._painter.write(scene)
+                for item in self._lobes:
+                    item.upload()
             finally:
                 self.doneCurrent()
-        self.update()
+
+    def _fill(self) -> None:
+        """Give the items what they show; those of the scene before are used again."""
+        ground, ink = self._colour(QPalette.ColorRole.Base), self._colour(QPalette.ColorRole.Text)
+        self.opts["bgcolor"] = ground
+        panels = self.scene.panels
+        layers = [(layer, order) for panel in panels for order, layer in enumerate(panel.layers)]
+        self._resize(self._lobes, len(layers), LobeItem)
+        for lobe, (layer, order) in zip(self._lobes, layers, strict=True):
+            lobe.set_layer(layer, order, ink)
+        self._resize(self._samples, len(panels), partial(DiscItem, BEHIND, ground, _SHINE))
+        for discs, panel in zip(self._samples, panels, strict=True):
+            discs.setDepthValue(POINTS_DEPTH)
+            discs.setVisible(panel.points is not None)
+            if panel.points is not None:
+                discs.setData(pos=panel.points.places, color=panel.points.colours, size=_POINT_PX)
+            discs.rim = ground
+        frame = self.frame()
+        if frame is not self._shown_frame:
+            self._grid.set_segments(frame.behind)
+            self._arrows.set_segments(frame.before)
+            self._shown_frame = frame
+        self._show_handle()
+
+    def _resize(self, items: list[Any], count: int, make: Callable[[], Any]) -> None:
+        while len(items) > count:
+            self.removeItem(items.pop())
+        while len(items) < count:
+            items.append(make())
+            self.addItem(items[-1])
+
+    def _show_handle(self) -> None:
+        at = self.frame().handle
+        self._handle.setVisible(at is not None and self.scene.frame.arrows)
+        if at is not None:
+            size, colour = (_HOT_PX, _HOT) if self.hot else (_HANDLE_PX, _HANDLE)
+            self._handle.setData(pos=at[None], color=colour, size=size)
+
+    def _colour(self, role: QPalette.ColorRole) -> Rgba:
+        colour = self.palette().color(role)
+        return (colour.redF(), colour.greenF(), colour.blueF(), 1.0)
 
     def set_camera(self, camera: Camera) -> None:
         """See from there."""
@@ -90,7 +150,7 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         """Show the light's handle as taken, or as one that can be."""
         if hot != self.hot:
             self.hot = hot
-            self.update()
+            self._show_handle()
 
     def set_probe(self, probe: Probe | None, text: str = "") -> None:
         """Mark a point of a lobe with words, or none."""
@@ -115,19 +175,15 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         wide, high = width / best, height / math.ceil(count / best)
         return [QRectF((i % best) * wide, (i // best) * high, wide, high) for i in range(count)]
 
-    def to_clip(self, room: QRectF) -> QMatrix4x4:
-        """Return the matrix from the local frame to clip coordinates of a panel."""
-        return self.camera.to_screen(room.width(), room.height()) * self.camera.to_eye()
-
     def project(self, place: tuple[float, float, float], room: QRectF) -> QPointF | None:
         """Return where a place of the local frame is on the widget; None behind the eye."""
-        return _projected(self.to_clip(room), place, room)
+        return _projected(self.camera.to_clip(room), place, room)
 
     def ray(self, at: QPointF) -> tuple[Floats, Floats, QRectF]:
         """Return start and direction of the ray through a point of the widget, and the panel that it is in."""
         rooms = self.rooms()
         room = next((r for r in rooms if r.contains(at)), rooms[0])
-        inverse, _ = self.to_clip(room).inverted()
+        inverse, _ = self.camera.to_clip(room).inverted()
         x = 2.0 * (at.x() - room.left()) / room.width() - 1.0
         y = 1.0 - 2.0 * (at.y() - room.top()) / room.height()
         near, far = (inverse.map(QVector3D(x, y, z)) for z in (-1.0, 1.0))
@@ -141,7 +197,9 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
             return False
         x, y, z = (float(value) for value in LIGHT_REACH * self.scene.light)
         spots = [self.project((x, y, z), room) for room in self.rooms()]
-        return any(s is not None and math.hypot(s.x() - at.x(), s.y() - at.y()) <= _HANDLE_PX for s in spots)
+        return any(
+            s is not None and math.hypot(s.x() - at.x(), s.y() - at.y()) <= _HANDLE_REACH_PX for s in spots
+        )
 
     def probe_at(self, at: QPointF) -> Probe | None:
         """Return the first solid lobe that the ray through a point of the widget meets; None where there is none."""
@@ -157,38 +215,36 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     # Drawing.
 
-    def initializeGL(self) -> None:
-        self._painter = None
-        try:
-            self.context().aboutToBeDestroyed.connect(self._forget, Qt.ConnectionType.UniqueConnection)
-            self._painter = SpacePainter()
-            self._failure = ""
-        except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
-            self._fail(error)
+    def viewMatrix(self) -> QMatrix4x4:
+        return self.camera.to_eye()
 
-    def resizeGL(self, width: int, height: int) -> None:
-        """Nothing hangs on the size but what every frame asks anew."""
+    def projectionMatrix(self, region: Region, viewport: Region) -> QMatrix4x4:
+        """Return the projection onto ``region`` of a panel that lies in ``viewport``, device pixels."""
+        (x, y, wide, high), (left, bottom, width, height) = region, viewport
+        part = QMatrix4x4()
+        part.translate((2 * (left - x) + width) / wide - 1.0, (2 * (bottom - y) + height) / high - 1.0, 0.0)
+        part.scale(width / wide, height / high, 1.0)
+        return part * self.camera.to_screen(width, height)
 
-    def paintGL(self) -> None:
-        if self._failure or self._painter is None:
-            return
-        start = time.perf_counter()
-        ratio, size = self.devicePixelRatioF(), QSize(self.deviceWidth(), self.deviceHeight())
-        try:
-            whole = QRectF(0, 0, size.width(), size.height())
-            self._painter.draw(self._drawing(self.size()), Target(whole, size, self.size(), ratio))
-            # Not on the widget itself, which a picture of the window (QWidget.grab) sends elsewhere.
-            device = QOpenGLPaintDevice(size)
-            device.setDevicePixelRatio(ratio)
-            painter = QPainter(device)
-            try:
-                self._paint_words(painter, self.size())
-            finally:
-                painter.end()
-        except Exception as error:  # noqa: BLE001 - as above
-            self._fail(error)
-            return
-        self.drawn.emit((time.perf_counter() - start) * 1e3)
+    def draw_picture(self, region: Region, viewport: Region) -> None:
+        logical = QSize(round(viewport[2] / self.ratio), round(viewport[3] / self.ratio))
+        across, down = viewport[2] / logical.width(), viewport[3] / logical.height()
+        shared = [self._grid, self._arrows, self._handle]
+        lobes = iter(self._lobes)
+        for panel, room, samples in zip(self.scene.panels, self.rooms(logical), self._samples, strict=False):
+            own = [next(lobes) for _ in panel.layers]
+            # Of whole pixels, so that parts of a picture meet without a seam.
+            left = round(room.left() * across) - region[0]
+            bottom = viewport[3] - round(room.bottom() * down) - region[1]
+            wide, high = max(1, round(room.width() * across)), max(1, round(room.height() * down))
+            # What lies outside is cut off by the matrix: drivers allow no viewport as large as a large picture.
+            x0, y0 = max(left, 0), max(bottom, 0)
+            x1, y1 = min(left + wide, region[2]), min(bottom + high, region[3])
+            if x0 < x1 and y0 < y1:
+                GL.glViewport(x0, y0, x1 - x0, y1 - y0)
+                self.draw_items(
+                    [*own, samples, *shared], (x0, y0, x1 - x0, y1 - y0), (left, bottom, wide, high)
+                )
 
     def picture(self, width: int, height: int) -> QImage:
         """Return the scene as a picture of any size in pixels, sixteen samples each, with its words.
@@ -203,9 +259,10 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         try:
             painter = QPainter(image)
             try:
-                self._paint_parts(painter, logical, width, height)
+                self.ratio = _SUPERSAMPLED * height / logical.height()
+                self._paint_parts(painter, width, height)
                 painter.scale(width / logical.width(), height / logical.height())
-                self._paint_words(painter, logical)
+                self.paint_words(painter, logical)
             finally:
                 painter.end()
         finally:
@@ -213,23 +270,21 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
             self.update()
         return image
 
-    def _paint_parts(self, painter: QPainter, logical: QSize, width: int, height: int) -> None:
-        assert self._painter is not None, "asked only where the view is valid"
+    def _paint_parts(self, painter: QPainter, width: int, height: int) -> None:
         form = QOpenGLFramebufferObjectFormat()
         form.setAttachment(QOpenGLFramebufferObject.Attachment.CombinedDepthStencil)
         form.setSamples(4)
-        drawing = self._drawing(logical)
-        grow = QTransform.fromScale(_SUPERSAMPLED, _SUPERSAMPLED)
+        whole = (0, 0, width * _SUPERSAMPLED, height * _SUPERSAMPLED)
         tile = _TILE // _SUPERSAMPLED
         for top in range(0, height, tile):
             for left in range(0, width, tile):
                 wide, high = min(tile, width - left), min(tile, height - top)
+                bottom = height - top - high
                 size = QSize(wide * _SUPERSAMPLED, high * _SUPERSAMPLED)
                 buffer = QOpenGLFramebufferObject(size, form)
                 buffer.bind()
-                whole = grow.mapRect(QRectF(-left, -(height - top - high), width, height))
-                ratio = whole.height() / logical.height()
-                self._painter.draw(drawing, Target(whole, size, logical, ratio))
+                corner = (left * _SUPERSAMPLED, bottom * _SUPERSAMPLED)
+                self.paint(region=(*corner, size.width(), size.height()), viewport=whole)
                 buffer.release()
                 drawn = buffer.toImage().convertToFormat(QImage.Format.Format_RGB32)
                 smooth = drawn.scaled(
@@ -240,20 +295,27 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
                 )
                 painter.drawImage(left, top, smooth)
 
+    def write_picture(self, path: Path, width: int, height: int, about: str) -> None:
+        """Write the scene as PNG or SVG, by the ending of ``path``; raises :class:`FileError`."""
+        if path.suffix.lower() == ".svg":
+            size, palette = QSize(width, height), self.palette()
+            look = Look(palette.text().color().name(), palette.base().color().name(), height / 60.0)
+            write_svg(path, svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look))
+            return
+        image = self.picture(width, height)
+        rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, -1)[:, : 4 * width]
+        write_png(
+            path, np.ascontiguousarray(rows.reshape(height, width, 4)[..., 2::-1]), {"Description": about}
+        )
+
     def frame(self) -> Frame:
         """Return the lines and labels about the lobes, in the theme's colours."""
         if self._frame is None:
-            ink = self.palette().color(QPalette.ColorRole.Text)
-            colour = (ink.redF(), ink.greenF(), ink.blueF(), 1.0)
-            self._frame = frame_of(self.scene.light, self.scene.scale, self.scene.frame, colour)
+            ink = self._colour(QPalette.ColorRole.Text)
+            self._frame = frame_of(self.scene.light, self.scene.scale, self.scene.frame, ink)
         return self._frame
 
-    def _drawing(self, size: QSize) -> Drawing:
-        palette = self.palette()
-        ground, ink = palette.color(QPalette.ColorRole.Base), palette.color(QPalette.ColorRole.Text)
-        return Drawing(self.scene, self.frame(), self.camera, self.rooms(size), ground, ink, self.hot)
-
-    def _paint_words(self, painter: QPainter, size: QSize) -> None:
+    def paint_words(self, painter: QPainter, size: QSize) -> None:
         palette = self.palette()
         ink, paper = palette.color(QPalette.ColorRole.Text), palette.color(QPalette.ColorRole.Base)
         overlay = Overlay(painter, self.font(), QColor(ink), QColor(paper))
@@ -262,7 +324,7 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
         everything = QRectF(0.0, 0.0, size.width(), size.height())
         taken = [] if self.scene.bar is None else [overlay.bar_room(self.scene.bar, everything)]
         for panel, room in zip(self.scene.panels, rooms, strict=False):
-            matrix = self.to_clip(room)
+            matrix = self.camera.to_clip(room)
             behind = self._behind(panel, [label.place for label in labels])
             overlay.labels(labels, partial(_projected, matrix, room=room), room, behind, taken)
             overlay.panel(panel, room, bordered=len(rooms) > 1)
@@ -286,28 +348,14 @@ class SpaceView(GLViewWidget):  # type: ignore[misc]  # pyqtgraph has no types
                 result |= hidden(layer.surface, layer.grid, self.camera.eye(), places)
         return [bool(value) for value in result]
 
-    def changeEvent(self, event: object) -> None:
+    def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        self._frame = None  # its lines have the theme's colour
+        if event.type() == QEvent.Type.PaletteChange:
+            self._frame = None  # its lines have the theme's colour
+            self._fill()
         self.update()
-
-    def _forget(self) -> None:
-        """Everything that was made in a context goes with it."""
-        self._painter = None
-
-    def _fail(self, error: Exception) -> None:
-        if not isinstance(error, SuiteError):
-            log.error("the view in three dimensions", exc_info=error)
-        self._failure = tr("The lobes cannot be drawn: {reason}").format(reason=error)
-        QTimer.singleShot(0, self, lambda: self.failed.emit(self._failure))
 
 
 def _projected(matrix: QMatrix4x4, place: tuple[float, float, float], room: QRectF) -> QPointF | None:
-    x, y, z = place
-    row = matrix.row(3)
-    if row.x() * x + row.y() * y + row.z() * z + row.w() <= 1e-4:
-        return None
-    at = matrix.map(QVector3D(x, y, z))
-    return QPointF(
-        room.left() + 0.5 * (at.x() + 1.0) * room.width(), room.top() + 0.5 * (1.0 - at.y()) * room.height()
-    )
+    at, depth = project(matrix, place, room)
+    return QPointF(*at) if depth > 1e-4 else None

@@ -13,22 +13,23 @@ from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, QStandardPaths, Signal
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.documents.store import DocumentStore
-from brdf_qt.program.settings import settings
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_suite.errors import SuiteError
 
 T = TypeVar("T")
-MOST_RECENT = 10
 
 
 @dataclass(frozen=True)
 class DocumentFormat(Generic[T]):
     """How a kind of document is made, read, written and named.
 
-    ``kind`` is the word for the user ("paint"), ``ending`` has its dot, ``name_of`` gives the document's name.
+    ``kind`` is the word for the user ("paint"), marked for translation; ``ending`` has its dot; ``name_of`` gives
+    the document's name.
     """
 
     kind: str
@@ -43,7 +44,7 @@ class DocumentFormat(Generic[T]):
     @property
     def filters(self) -> str:
         """The filter line of a file dialog."""
-        return f"{self.kind.capitalize()} (*{self.ending});;All files (*)"
+        return f"{tr(self.kind).capitalize()} (*{self.ending});;{tr('All files (*)')}"
 
 
 class DocumentFiles(QObject, Generic[T]):
@@ -98,9 +99,10 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             value = self.format.load(path)
         except SuiteError as error:
-            todo = f"The {self.format.kind} that was open is unchanged."
+            todo = tr("The {kind} that was open is unchanged.").format(kind=tr(self.format.kind))
             self.failed.emit(message_of(error, "open", todo=todo))
-            self._forget(path)
+            RecentFiles().remove(path)
+            self.recent_changed.emit()
             return None
         return value, stamp
 
@@ -151,13 +153,11 @@ class DocumentFiles(QObject, Generic[T]):
 
     def recent(self) -> list[Path]:
         """Return the files opened or saved last, newest first."""
-        found = settings().value("recent", [])
-        names = found if isinstance(found, list) else [found]
-        return [Path(name) for name in names if isinstance(name, str)]
+        return [Path(path) for path in RecentFiles().paths()]
 
     def clear_recent(self) -> None:
         """Forget the recent files."""
-        settings().setValue("recent", [])
+        RecentFiles().clear()
         self.recent_changed.emit()
 
     def _changed_elsewhere(self, path: Path) -> bool:
@@ -169,7 +169,7 @@ class DocumentFiles(QObject, Generic[T]):
         try:
             self.format.save(self.store.value, path)
         except SuiteError as error:
-            todo = "The document is still open with all changes. Choose another place with Save As."
+            todo = tr("The document is still open with all changes. Choose another place with Save As.")
             self.failed.emit(message_of(error, "save", todo=todo))
             return False
         self.store.mark_clean(path, stamp_of(path))
@@ -179,14 +179,7 @@ class DocumentFiles(QObject, Generic[T]):
 
     def remember(self, path: Path) -> None:
         """Put ``path`` first among the recent files."""
-        kept = [path, *(known for known in self.recent() if known != path)][:MOST_RECENT]
-        self._store_recent(kept)
-
-    def _forget(self, path: Path) -> None:
-        self._store_recent([known for known in self.recent() if known != path.absolute()])
-
-    def _store_recent(self, paths: list[Path]) -> None:
-        settings().setValue("recent", [str(path) for path in paths])
+        RecentFiles().add(path)
         self.recent_changed.emit()
 
     def _folder(self) -> Path:

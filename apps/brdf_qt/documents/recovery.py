@@ -21,6 +21,7 @@ from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.stamp import FileStamp
 from brdf_qt.documents.store import DocumentStore
 from brdf_qt.program.settings import state_folder
+from brdf_qt.program.translation import tr
 from brdf_suite.errors import FileError, SuiteError
 
 T = TypeVar("T")
@@ -102,7 +103,7 @@ class Recovery(QObject, Generic[T]):
             else:
                 self._write()
         except OSError as error:
-            reason = f"the autosave cannot be written ({error.strerror})"
+            reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
             self._fails = True
             self._failed(FileError(self._file, reason))
             return False
@@ -137,9 +138,8 @@ class Recovery(QObject, Generic[T]):
             try:
                 result.append(self._read(file))
             except (OSError, ValueError, KeyError, TypeError, SuiteError) as error:
-                self._failed(
-                    FileError(_aside(file), f"unsaved work of an earlier run cannot be read ({error})")
-                )
+                text = tr("unsaved work of an earlier run cannot be read ({reason})").format(reason=error)
+                self._failed(FileError(_aside(file), text))
         return sorted(result, key=lambda item: item.when, reverse=True)
 
     def _read(self, file: Path) -> Recovered[T]:
@@ -165,9 +165,8 @@ class Recovery(QObject, Generic[T]):
         try:
             item.file.unlink(missing_ok=True)
         except OSError as error:
-            self._failed(
-                FileError(item.file, f"it cannot be removed, and will be offered again ({error.strerror})")
-            )
+            text = tr("it cannot be removed, and will be offered again ({reason})")
+            self._failed(FileError(item.file, text.format(reason=error.strerror)))
 
     def close(self, *, keep: bool) -> None:
         """End this run's autosave: ``keep`` writes what is unsaved, otherwise the file is removed.

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QDoubleSpinBox, QToolTip, QWidge
 from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.text import is_of_window
+from brdf_qt.program.translation import tr
 
 _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 _UNFINISHED = re.compile(r"^\s*[-+−]?[.,]?\s*$")
@@ -187,8 +188,9 @@ class NumberField(QDoubleSpinBox):
         low = number < self.minimum()
         end = self.textFromValue(self.minimum() if low else self.maximum())
         unit = f" {self.unit}" if self.unit else ""
-        which = "below the minimum" if low else "above the maximum"
-        text = f"{number:g}{unit} is {which}; the value was set to {end}{unit}."
+        below = tr("{number} is below the minimum; the value was set to {end}.")
+        above = tr("{number} is above the maximum; the value was set to {end}.")
+        text = (below if low else above).format(number=f"{number:g}{unit}", end=f"{end}{unit}")
         QToolTip.showText(
             self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TIP_MS
         )
@@ -224,7 +226,9 @@ class NumberField(QDoubleSpinBox):
         """What the number is, its range, and what a double click gives."""
         unit = f" {self.unit}" if self.unit else ""
         low, high, default = (self.textFromValue(v) for v in (self.minimum(), self.maximum(), self.default))
-        reach = f"{low} to {high}{unit}; double click: {default}{unit}"
+        reach = tr("{low} to {high}; double click: {default}").format(
+            low=low, high=f"{high}{unit}", default=f"{default}{unit}"
+        )
         return f"{self.toolTip()}\n{reach}" if self.toolTip() else reach
 
     def wheelEvent(self, event: QWheelEvent) -> None:

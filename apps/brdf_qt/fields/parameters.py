@@ -13,7 +13,7 @@ from brdf_qt.fields.number import NumberField
 
 
 @dataclass(frozen=True)
-class Parameter:
+class FieldParameter:
     """One number: its key, name, unit, range, step, decimals, reset value and an explanation of the term."""
 
     key: str
@@ -34,7 +34,7 @@ class ParameterPanel(Form):
     gesture_started = Signal(str)
     gesture_finished = Signal(str)
 
-    def __init__(self, parameters: Sequence[Parameter], parent: QWidget | None = None) -> None:
+    def __init__(self, parameters: Sequence[FieldParameter], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.fields: dict[str, NumberField] = {}
         for p in parameters:

@@ -18,19 +18,19 @@ from PySide6.QtWidgets import QPushButton, QStackedLayout, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.application import surface_format
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.gl.context import Context, adopt_context
 
 log = logging.getLogger(__name__)
 
-_NO_CONTEXT = (
+_NO_CONTEXT = mark(
     "OpenGL 3.3 is not available, so the picture cannot be shown. Update the graphics driver, "
     "or set LIBGL_ALWAYS_SOFTWARE=1 to draw in software."
 )
 
-_LOST_AGAIN = (
+_LOST_AGAIN = mark(
     "The graphics driver was reset several times within a minute. Close other programs that use the graphics card, "
     "update its driver, or choose a smaller environment or surface."
 )
@@ -162,7 +162,7 @@ class GlSurface(QWidget):
         try:
             work()
         except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
-            self._fail(_failure_text(error, "The picture could not be prepared"))
+            self._fail(_failure_text(error, tr("The picture could not be prepared")))
             return
         finally:
             self._canvas.doneCurrent()
@@ -204,7 +204,7 @@ class GlSurface(QWidget):
             self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
             self._drawer = self._make_drawer(self._context)
         except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
-            self._defer_failure(_failure_text(error, "The picture cannot be drawn"))
+            self._defer_failure(_failure_text(error, tr("The picture cannot be drawn")))
 
     def draw_frame(self) -> None:
         """Draw a frame into the canvas, whose context is current. Failures are never raised into Qt."""
@@ -225,7 +225,7 @@ class GlSurface(QWidget):
             if self.is_lost:
                 QTimer.singleShot(0, self, self._recover)
                 return
-            self._defer_failure(_failure_text(error, "The picture could not be drawn"))
+            self._defer_failure(_failure_text(error, tr("The picture could not be drawn")))
             return
         if problem != "GL_NO_ERROR":
             self._defer_failure(f"The graphics driver reported {problem} while drawing.")
@@ -268,13 +268,13 @@ class GlSurface(QWidget):
         log.warning("picture: the graphics context was lost")
         if len(self._losses) > _MOST_LOSSES:
             self._losses = []
-            self._fail(_LOST_AGAIN)
+            self._fail(tr(_LOST_AGAIN))
         else:
             self.retry()
 
     def _check_context(self) -> None:
         if not self._failure and self.isVisible() and not self._canvas.isValid():
-            self._fail(_NO_CONTEXT)
+            self._fail(tr(_NO_CONTEXT))
 
     def _fail(self, text: str) -> None:
         if self._failure:

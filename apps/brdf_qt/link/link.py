@@ -36,6 +36,7 @@ from brdf_qt.link.messages import (
     encode,
     next_seq,
 )
+from brdf_qt.program.feature import Feature
 from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import SuiteError
 
@@ -60,7 +61,7 @@ class _Peer:
     open: bool = True
 
 
-class LiveLink(QObject):
+class LiveLink(Feature, QObject):
     """Publish and receive the newest value of a few topics.
 
     Parameters
@@ -89,7 +90,7 @@ class LiveLink(QObject):
     ) -> None:
         super().__init__(parent)
         self._role = role
-        self._name = link_name() if name is None else name
+        self.name = link_name() if name is None else name
         self._checks = checks
         self._id = uuid.uuid4().hex
         self._address: LinkAddress | None = None
@@ -119,7 +120,7 @@ class LiveLink(QObject):
         if self._running:
             return
         try:
-            self._address = LinkAddress(self._name)
+            self._address = LinkAddress(self.name)
         except LinkAddressError as error:
             log.warning("live link: %s", error)
             return

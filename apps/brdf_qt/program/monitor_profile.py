@@ -18,6 +18,7 @@ from typing import Any
 
 from PySide6.QtGui import QGuiApplication, QScreen
 
+from brdf_qt.program.translation import tr
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.icc import LARGEST_PROFILE, read_display_profile
@@ -41,21 +42,22 @@ def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     """Return what the platform (Qt's name of it) provides for a screen."""
     platform = platform or QGuiApplication.platformName()
     if platform == "cocoa":
-        return Monitor(SRGB_SPACE, "sRGB, which macOS converts to the monitor's profile", False)
+        return Monitor(SRGB_SPACE, tr("sRGB, which macOS converts to the monitor's profile"), False)
     if platform.startswith("wayland"):
         return Monitor(
-            SRGB_SPACE, "sRGB, which the Wayland compositor converts to the monitor's profile", False
+            SRGB_SPACE, tr("sRGB, which the Wayland compositor converts to the monitor's profile"), False
         )
     read = {"xcb": _x11_profile, "windows": _windows_profile}.get(platform)
     data = read(screen) if read is not None else None
     if data is None:
-        return Monitor(SRGB_SPACE, "No monitor profile found; assuming sRGB", False)
+        return Monitor(SRGB_SPACE, tr("No monitor profile found; assuming sRGB"), False)
     try:
         space = read_display_profile(data, "the monitor's profile")
     except FileError as error:
         log.warning("monitor: %s", error)
-        return Monitor(SRGB_SPACE, f"The monitor's profile {error.reason}; assuming sRGB", False)
-    return Monitor(space, f"Monitor profile: {space.title}", True)
+        text = tr("The monitor's profile {reason}; assuming sRGB").format(reason=error.reason)
+        return Monitor(SRGB_SPACE, text, False)
+    return Monitor(space, tr("Monitor profile: {title}").format(title=space.title), True)
 
 
 def _x11_profile(screen: QScreen | None) -> bytes | None:

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QMenu
 from brdf_qt.program.settings import settings
 from brdf_suite.resources import resource, resource_names
 
-TRANSLATED = ("Designer",)
+TRANSLATED = ("Designer", "Lobe Visualizer", "Color Swatch")
 """The programs whose own texts are collected; another one stays English, rather than half of it."""
 SYSTEM = "system"
 SOURCE = "en"

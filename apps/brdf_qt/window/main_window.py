@@ -5,10 +5,20 @@ A program adds its centre widget, its sections and its commands. Nothing here kn
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QKeyEvent, QKeySequence, QPaintEvent, QShortcut
+from PySide6.QtCore import QMimeData, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAction,
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QKeyEvent,
+    QKeySequence,
+    QPaintEvent,
+    QShortcut,
+)
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import plain_tip
@@ -19,10 +29,10 @@ from brdf_qt.program.theme import theme_menu
 from brdf_qt.program.translation import TRANSLATED, language_menu, mark, tr
 from brdf_qt.window.command_palette import CommandPalette
 from brdf_qt.window.help_windows import AboutWindow, ShortcutsWindow
-from brdf_qt.window.message_bar import MessageBar
+from brdf_qt.window.message_bar import Message, MessageBar
 from brdf_qt.window.panel import Panel
 from brdf_qt.window.progress_strip import ProgressStrip
-from brdf_qt.window.section import Inspector
+from brdf_qt.window.section import Inspector, Section
 from brdf_qt.window.status_line import StatusLine
 
 LAYOUT_VERSION = 1
@@ -30,9 +40,31 @@ Shortcut = str | QKeySequence | QKeySequence.StandardKey
 
 
 class SuiteWindow(QMainWindow):
-    """Menus File, Edit, View, Paint, Window, Help; call :meth:`restore_layout` at the end of ``__init__``."""
+    """Menus File, Edit, View, Paint, Window, Help; call :meth:`restore_layout` at the end of ``__init__``.
+
+    A feature adds to it with :meth:`add_section`, :meth:`add_dock` and :meth:`add_command`.
+
+    Signals
+    -------
+    first_painted()
+        The window was painted for the first time.
+    open_requested(Path | None)
+        A file is to be opened, None: the user is to be asked for one.
+    files_dropped(list[Path])
+        Files were dropped on the window.
+    recent_cleared()
+        The recent files are to be forgotten.
+    close_requested(QCloseEvent)
+        The window is about to close; to be ignored where it must stay.
+    """
 
     first_painted = Signal()
+    open_requested = Signal(object)
+    files_dropped = Signal(list)
+    recent_cleared = Signal()
+    close_requested = Signal(QCloseEvent)
+    takes_several_files = True
+    """Whether more than one file at a time can be dropped."""
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -43,6 +75,10 @@ class SuiteWindow(QMainWindow):
         self._program = name
         self._painted = False
         self._put_away: list[QDockWidget] = []
+        self._sections: dict[str, Section] = {}
+        self.docks: dict[str, QDockWidget] = {}
+        self._file_end: QAction | None = None
+        self.setAcceptDrops(True)
         self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
             self.menuBar().addMenu(title)
             for title in (
@@ -54,6 +90,14 @@ class SuiteWindow(QMainWindow):
                 tr("&Help"),
             )
         )
+        self.menus = {
+            "file": self.file_menu,
+            "edit": self.edit_menu,
+            "view": self.view_menu,
+            "paint": self.paint_menu,
+            "window": self.window_menu,
+            "help": self.help_menu,
+        }
         self.toolbar = QToolBar(tr("Toolbar"))
         self.toolbar.setObjectName("toolbar")
         self.toolbar.setMovable(False)
@@ -124,6 +168,103 @@ class SuiteWindow(QMainWindow):
         self.panels_menu.addAction(dock.toggleViewAction())
         return dock
 
+    # What a feature adds.
+
+    def add_section(
+        self, key: str, title: str, widget: QWidget, after: str | None = None, *, is_open: bool = True
+    ) -> Section:
+        """Add a section to the inspector: after the one of key ``after``, otherwise at the end.
+
+        ``is_open`` is how a first start shows it; later starts show it as the user left it.
+        """
+        section = Section(title, key, is_open=is_open)
+        section.add(widget)
+        self.inspector.add_section(section, after=self._sections[after] if after else None)
+        self._sections[key] = section
+        return section
+
+    def section(self, key: str) -> Section:
+        """Return the section of that key."""
+        return self._sections[key]
+
+    def add_dock(
+        self,
+        key: str,
+        title: str,
+        widget: QWidget,
+        area: Qt.DockWidgetArea = Qt.DockWidgetArea.BottomDockWidgetArea,
+        *,
+        visible: bool = False,
+    ) -> QDockWidget:
+        """Add a panel that docks, floats and hides; listed in View ▸ Panels. ``title``: English, marked."""
+        dock = self.add_panel(title, widget, area)
+        dock.setObjectName(f"panel_{key}")
+        dock.setVisible(visible)
+        self.docks[key] = dock
+        return dock
+
+    def add_command(
+        self,
+        menu: str,
+        text: str,
+        shortcut: Shortcut | None,
+        slot: Callable[..., object] | None,
+        key: str = "",
+        *,
+        icon: str | None = None,
+        tip: str = "",
+        checked: bool | None = None,
+    ) -> QAction:
+        """Add a command to a menu, one of the keys of ``menus``; Ctrl+K finds it by its text. Quit stays last in File.
+
+        ``text`` and ``tip`` are English, marked for translation. ``key`` is its object name after ``action_``, the
+        text where none is given. With ``checked`` it can be ticked, and ``slot`` is called with whether it is.
+        """
+        action = self.add_action(
+            self.menus[menu], text, None if checked is not None else slot, shortcut, icon, tip
+        )
+        if key:
+            action.setObjectName(f"action_{key}")
+        if checked is not None:
+            action.setCheckable(True)
+            action.setChecked(checked)
+            if slot is not None:
+                action.toggled.connect(slot)
+        if menu == "file" and self._file_end is not None:
+            self.file_menu.removeAction(action)
+            self.file_menu.insertAction(self._file_end, action)
+        return action
+
+    def command(self, key: str) -> QAction | None:
+        """Return the command of that key, None where there is none."""
+        return self.findChild(QAction, f"action_{key}")
+
+    def add_recent_menu(self) -> None:
+        """Add File ▸ Open Recent at the end of the File menu; :meth:`show_recent` fills it."""
+        self.recent_menu = self.file_menu.addMenu(tr("Open &Recent"))
+        self.recent_menu.setToolTipsVisible(True)
+
+    # What is shown.
+
+    def show_recent(self, paths: Sequence[Path]) -> None:
+        """Fill File ▸ Open Recent."""
+        self.recent_menu.clear()
+        for number, path in enumerate(paths, 1):
+            action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
+            action.setToolTip(plain_tip(str(path)))
+            action.triggered.connect(lambda _=False, path=path: self.open_requested.emit(path))
+        self.recent_menu.addSeparator()
+        self.recent_menu.addAction(tr("&Clear"), self.recent_cleared.emit)
+        self.recent_menu.setEnabled(bool(paths))
+
+    def show_message(self, message: Message) -> None:
+        """Show a message in the window."""
+        self.messages.show_message(message)
+
+    def dismiss_message(self, key: str) -> None:
+        """Take a message away."""
+        self.messages.dismiss(key)
+
     def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
         """Put ``widget`` under the messages; with ``tab_hides_panels`` Tab on it toggles the panels."""
         self._column.insertWidget(self._column.count() - 1, widget, 1)
@@ -140,8 +281,19 @@ class SuiteWindow(QMainWindow):
         self._put_away = shown
 
     def may_close(self) -> bool:
-        """Return whether the window may close now; a program asks here about unsaved work."""
-        return True
+        """Return whether the window may close now; a program answers through ``close_requested``."""
+        question = QCloseEvent()
+        self.close_requested.emit(question)
+        return question.isAccepted()
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        count = len(_local_files(event.mimeData()))
+        if count == 1 or (count and self.takes_several_files):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.files_dropped.emit(_local_files(event.mimeData()))
 
     def restore_layout(self) -> None:
         """Take up the size, place and panels of the last time."""
@@ -182,7 +334,7 @@ class SuiteWindow(QMainWindow):
 
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""
-        self.file_menu.addSeparator()
+        self._file_end = self.file_menu.addSeparator()
         self.add_action(self.file_menu, mark("&Quit"), self.close, "Ctrl+Q", "sign-out")
 
     def _toggle_full_screen(self) -> None:
@@ -216,6 +368,10 @@ class SuiteWindow(QMainWindow):
         store.setValue("window/state", self.saveState(LAYOUT_VERSION))
         store.sync()
         event.accept()
+
+
+def _local_files(data: QMimeData) -> list[Path]:
+    return [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
 
 
 def _plain(text: str) -> str:

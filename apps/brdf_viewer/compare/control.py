@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -20,10 +21,9 @@ from brdf_suite.pipeline.material import is_file, paint_names
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.source_chooser import Source, title_of
-from brdf_viewer.overlay.overlay import Label, Scale
+from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
 from brdf_viewer.traced.words import RENDERER_TITLES
 from brdf_viewer.window import ViewerWindow
@@ -44,7 +44,7 @@ class CompareControl(ViewerFeature):
         super().__init__(state, window)
         self._runner, self._ask = runner, ask
         self._names = paint_names()
-        self._recent = RecentFiles(KIND)
+        self._recent = RecentFiles(f"recent/{KIND}")
         self._loading: str | None = None
         self._listed = False
         self._before_blink = "off"
@@ -290,17 +290,19 @@ class CompareControl(ViewerFeature):
         self._blinking = on
 
 
-def labels_of(mode: str, names: tuple[str, str], shows_second: bool, divider: float) -> tuple[Label, ...]:
+def labels_of(
+    mode: str, names: tuple[str, str], shows_second: bool, divider: float
+) -> tuple[OverlayLabel, ...]:
     """Return the captions of a comparison, each where its paint is."""
     first, second = names
     if mode == "swipe":
-        return (Label(first, 0.0, divider), Label(second, divider, 1.0 - divider))
+        return (OverlayLabel(first, 0.0, divider), OverlayLabel(second, divider, 1.0 - divider))
     if mode == "side":
-        return (Label(first, 0.0, 0.5), Label(second, 0.5, 0.5))
+        return (OverlayLabel(first, 0.0, 0.5), OverlayLabel(second, 0.5, 0.5))
     if mode == "blink":
-        return (Label(second if shows_second else first),)
+        return (OverlayLabel(second if shows_second else first),)
     if mode == "difference":
-        return (Label(f"{first}  –  {second}"),)
+        return (OverlayLabel(f"{first}  –  {second}"),)
     return ()
 
 

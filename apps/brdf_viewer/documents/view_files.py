@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.window.dialogs import Dialogs, Overwrite
 from brdf_qt.window.message_bar import Message, message_of
@@ -14,7 +15,6 @@ from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import resolve
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -30,7 +30,7 @@ class ViewFiles(ViewerFeature):
     def __init__(self, state: ViewerState, window: ViewerWindow, dialogs: Dialogs) -> None:
         super().__init__(state, window)
         self._dialogs = dialogs
-        self._recent = RecentFiles(KIND)
+        self._recent = RecentFiles(f"recent/{KIND}")
         self._path: Path | None = None
         self._stamp: FileStamp | None = None
         window.commands.view_save_requested.connect(self.save)

@@ -93,7 +93,7 @@ class ExportJob:
             "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
         }[s.kind]
         words += ["-o", str(self.path), "--view", str(self._view), f"--size={width}x{height}"]
-        words += [f"--samples={s.samples}", "--follow"]
+        words.append(f"--samples={s.samples}")
         if len(s.form.colour_spaces) > 1:
             words.append(f"--colour-space={s.colour_space}")
         if s.form.bits is not None:

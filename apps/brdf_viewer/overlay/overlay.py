@@ -11,7 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QImage, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
-from brdf_suite.appearance.difference.scale import STEPS, scale_table
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 
 _MARGIN = 12.0
 _PADDING = 6.0
@@ -22,7 +22,7 @@ _PAPER, _INK = QColor(0, 0, 0, 168), QColor(255, 255, 255)
 
 
 @dataclass(frozen=True)
-class Label:
+class OverlayLabel:
     """A caption over the picture: at which share of its width it begins, and how wide its part is."""
 
     text: str
@@ -46,7 +46,7 @@ class PictureOverlay(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setAttribute(Qt.WidgetAttribute.WA_NoSystemBackground)
         self.setObjectName("overlay")
-        self.labels: tuple[Label, ...] = ()
+        self.labels: tuple[OverlayLabel, ...] = ()
         self.divider: float | None = None
         self.scale: Scale | None = None
         self.figures: tuple[str, ...] = ()
@@ -55,7 +55,9 @@ class PictureOverlay(QWidget):
         picture.installEventFilter(self)
         self._follow()
 
-    def show_labels(self, labels: tuple[Label, ...], divider: float | None, scale: Scale | None) -> None:
+    def show_labels(
+        self, labels: tuple[OverlayLabel, ...], divider: float | None, scale: Scale | None
+    ) -> None:
         """Show which paint is where, the divider (share of the width), and the scale."""
         if (labels, divider, scale) != (self.labels, self.divider, self.scale):
             self.labels, self.divider, self.scale = labels, divider, scale

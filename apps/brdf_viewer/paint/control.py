@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
@@ -30,7 +31,6 @@ from brdf_suite.pipeline.material import (
     paint_names,
 )
 from brdf_suite.progress import Progress, report, subrange
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
@@ -73,8 +73,8 @@ class PaintControl(ViewerFeature):
         self._stepped_to = ""
         self._link = link
         self.fitter = PaintFitter()
-        self._recent = RecentFiles(_KEY)
-        self._recent_palettes = RecentFiles("palette")
+        self._recent = RecentFiles(f"recent/{_KEY}")
+        self._recent_palettes = RecentFiles("recent/palette")
         self._names = paint_names()
         self._exact = ExactFit(self)
         self._exact.arrived.connect(lambda fit: self._set_fit(fit, state.paint_key))

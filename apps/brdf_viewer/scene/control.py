@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
@@ -16,7 +17,6 @@ from brdf_suite.pipeline.environments import AUTOMATIC
 from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environment_names, surface_names
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
-from brdf_viewer.documents.recent_files import RecentFiles
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.note import set_note
 from brdf_viewer.fields.source_chooser import Source, title_of
@@ -49,7 +49,7 @@ class SceneControl(ViewerFeature):
         self.loader = SceneLoader(runner, self)
         self._choosers = {ENVIRONMENT: window.environment.chooser, SURFACE: window.surface.chooser}
         self._names = {ENVIRONMENT: environment_names(), SURFACE: surface_names()}
-        self._recent = {kind: RecentFiles(kind) for kind in self._choosers}
+        self._recent = {kind: RecentFiles(f"recent/{kind}") for kind in self._choosers}
         self._loading: dict[str, str] = {}
         self._layout = state.view.environment_layout
         self._watch = FileWatch(self)

@@ -14,7 +14,7 @@ from PySide6.QtGui import QMouseEvent
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Material, PartMaterial
-from brdf_suite.lighting.cache.occlusion import baked_occlusion
+from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
 from brdf_suite.pipeline.surface import wants_baking
 from brdf_suite.realtime.camera import matrices
 from brdf_suite.surface.mesh import Mesh

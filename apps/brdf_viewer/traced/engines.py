@@ -20,7 +20,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.sums_file import write_sums
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
-from brdf_viewer.traced.job import Frame, Job, add_coverage
+from brdf_viewer.traced.job import Job, TracedFrame, add_coverage
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
@@ -60,6 +60,8 @@ class Engines:
 
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
+            from brdf_suite.tracing.reference.live import LiveReference  # here, because Mitsuba comes with it
+
             self._reference = LiveReference()
         live = self._reference
         look = request.view.surface_look
@@ -78,6 +80,8 @@ class Engines:
     ) -> RaytracedJob:
         if self._raytraced is None:
             report(progress, 0.2, "starting the ray tracer")
+            from brdf_suite.tracing.raytraced.picture import RaytracedSession
+
             self._raytraced = RaytracedSession()
         session = self._raytraced
         session.show(
@@ -108,7 +112,7 @@ class RaytracedJob:
         self.notices = session.scene.notices
         self.no_denoiser = "The ray tracer uses the same lights in each pixel: there is no noise to remove."
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures until the preset's samples are there."""
         grounded = self._session.scene.view.surface_look.ground
         for image in self._session.passes():
@@ -116,7 +120,7 @@ class RaytracedJob:
             pixels = add_coverage(image.sums.radiance, image.coverage)
             if grounded:
                 pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
-            yield Frame(pixels, image.samples, image.of, None, image.seconds)
+            yield TracedFrame(pixels, image.samples, image.of, None, image.seconds)
 
     def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         """Return them as they are."""

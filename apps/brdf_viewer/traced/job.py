@@ -14,7 +14,7 @@ from brdf_suite.documents.view import View
 
 
 @dataclass(frozen=True, eq=False)
-class Frame:
+class TracedFrame:
     """A picture so far.
 
     ``pixels`` (h, w, 4) float32: the object's radiance of the working space before exposure, weighted by its
@@ -41,7 +41,7 @@ class Job(Protocol):
     notices: tuple[str, ...]
     no_denoiser: str
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures; SuiteError where the renderer fails."""
         ...
 

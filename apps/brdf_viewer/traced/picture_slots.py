@@ -13,8 +13,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Singles
+
 SLOTS = 2
-Pixels = NDArray[np.float32]
 
 
 def slot_file(folder: Path, slot: int) -> Path:
@@ -47,7 +48,7 @@ class SlotWriter:
             self._free.append(slot)
 
 
-def take(folder: Path, slot: int, size: tuple[int, int]) -> Pixels:
+def take(folder: Path, slot: int, size: tuple[int, int]) -> Singles:
     """Return the picture (h, w, channels) of a slot; ValueError where the file is another size's. The window's side."""
     width, height = size
     found = np.fromfile(slot_file(folder, slot), np.float32)

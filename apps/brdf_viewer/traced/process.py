@@ -11,14 +11,14 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QObject, QProcess, Signal
+from brdf_qt.work.command_process import ChildProcess
+from PySide6.QtCore import QObject, Signal
 
+from brdf_suite.arrays import Singles
 from brdf_suite.processes import child_command
-from brdf_viewer.traced.picture_slots import Pixels, take
+from brdf_viewer.traced.picture_slots import take
 
 WORKER = "brdf_viewer.traced.worker"
-_LAST_WORDS = 4000
-"""Characters kept of what the process prints beside its answers: its last words are what a crash leaves."""
 _END_MS = 5000
 
 
@@ -34,7 +34,7 @@ class TracedPicture:
     """
 
     generation: int
-    pixels: Pixels
+    pixels: Singles
     samples: int
     of: int
     noise: float | None
@@ -48,7 +48,7 @@ class TracedPicture:
         return (self.pixels.shape[1], self.pixels.shape[0])
 
 
-class TraceProcess(QObject):
+class TraceProcess(ChildProcess):
     """Runs one worker; a new object for a new one.
 
     Signals
@@ -75,43 +75,27 @@ class TraceProcess(QObject):
         super().__init__(parent)
         self.folder = Path(tempfile.mkdtemp(prefix="brdf-traced-"))
         self._program = [*(program or child_command(WORKER))]
-        self._rest = b""
-        self._words = ""
-        self._is_wanted = True
-        self._process = QProcess(self)
-        self._process.readyReadStandardOutput.connect(self._read)
-        self._process.readyReadStandardError.connect(self._listen)
-        self._process.finished.connect(self._finished)
-        self._process.errorOccurred.connect(self._not_started)
 
     @property
     def process_id(self) -> int:
         """The worker's process; 0 where there is none."""
-        return int(self._process.processId())
+        return int(self.process.processId())
 
     def start(self) -> None:
         """Begin; what is sent is read as soon as it can be."""
-        program, *arguments = self._program
-        self._process.start(program, [*arguments, str(self.folder)])
-
-    def send(self, message: dict[str, Any]) -> None:
-        """Ask for something; nothing where the process has ended."""
-        if self._process.state() != QProcess.ProcessState.NotRunning:
-            self._process.write(json.dumps(message).encode() + b"\n")
+        self.launch([*self._program, str(self.folder)])
 
     def end(self) -> None:
         """End it, in the middle of whatever it does: it holds nothing that is not asked for again."""
-        self._is_wanted = False
-        if self._process.state() != QProcess.ProcessState.NotRunning:
-            self._process.kill()
-            self._process.waitForFinished(_END_MS)
+        self.has_ended = True
+        if self.is_running:
+            self.process.kill()
+            self.process.waitForFinished(_END_MS)
         shutil.rmtree(self.folder, ignore_errors=True)  # in the temporary folder, which is emptied anyway
 
-    def _read(self) -> None:
-        *lines, self._rest = (self._rest + self._process.readAllStandardOutput().data()).split(b"\n")
-        for line in lines:
-            if self._is_wanted and line:
-                self._take(json.loads(line))
+    def take_line(self, line: str) -> None:
+        if line:
+            self._take(json.loads(line))
 
     def _take(self, answer: dict[str, Any]) -> None:
         what, generation = answer["say"], int(answer.get("generation", 0))
@@ -150,27 +134,15 @@ class TraceProcess(QObject):
             )
         )
 
-    def _listen(self) -> None:
-        found = bytes(self._process.readAllStandardError().data()).decode("utf-8", errors="replace")
-        self._words = (self._words + found)[-_LAST_WORDS:]
+    def take_failed_start(self, reason: str) -> None:
+        self.crashed.emit(tr("The renderer could not be started: {reason}.").format(reason=reason))
 
-    def _not_started(self, error: QProcess.ProcessError) -> None:
-        if error == QProcess.ProcessError.FailedToStart and self._is_wanted:
-            self._is_wanted = False
-            reason = self._process.errorString()
-            self.crashed.emit(tr("The renderer could not be started: {reason}.").format(reason=reason))
-
-    def _finished(self, code: int, status: QProcess.ExitStatus) -> None:
-        self._read()
-        if not self._is_wanted:
-            return
-        self._is_wanted = False
-        self._listen()
+    def take_end(self, code: int, errors: str, *, crashed: bool) -> None:
         # Where Python reports the places of a crash, what was said of its cause stands before them.
-        words = self._words.partition("Fatal Python error:")[0] or self._words
+        words = errors.partition("Fatal Python error:")[0] or errors
         lines = [line for line in words.splitlines() if line.strip()]
         last = lines[-1].strip() if lines else tr("no message; the computer may be out of memory")
-        if status == QProcess.ExitStatus.CrashExit:
+        if crashed:
             text = tr("The renderer crashed (signal {code}): {words}.")
         else:
             text = tr("The renderer ended (status {code}): {words}.")

@@ -14,7 +14,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.reference.denoise import check_denoiser, denoise_picture
 from brdf_suite.reference.estimate_file import write_estimate
 from brdf_suite.tracing.reference.live import LiveReference
-from brdf_viewer.traced.job import Frame, add_coverage
+from brdf_viewer.traced.job import TracedFrame, add_coverage
 
 __all__ = ["LiveReference", "ReferenceJob"]
 
@@ -34,12 +34,12 @@ class ReferenceJob:
         except SuiteError:
             self.no_denoiser = "The denoiser (OptiX) needs an NVIDIA graphics card, which is not used here."
 
-    def frames(self) -> Iterator[Frame]:
+    def frames(self) -> Iterator[TracedFrame]:
         """Yield ever better pictures without end; first what there is of this very light already."""
         known = self._live.estimate
         while True:
             estimate, known = known or self._live.step(), None
-            yield Frame(
+            yield TracedFrame(
                 add_coverage(estimate.radiance, estimate.coverage),
                 estimate.samples,
                 0,

@@ -25,7 +25,7 @@ from typing import Any, TextIO
 from brdf_suite.documents.store import view_from_json
 from brdf_suite.errors import SuiteError
 from brdf_viewer.traced.engines import Engines
-from brdf_viewer.traced.job import Frame, Job
+from brdf_viewer.traced.job import Job, TracedFrame
 from brdf_viewer.traced.picture_slots import SlotWriter
 from brdf_viewer.traced.request import TraceRequest
 
@@ -74,9 +74,9 @@ class Worker:
         self._inbox, self._say, self._engines = inbox, say, engines
         self._request: TraceRequest | None = None
         self._job: Job | None = None
-        self._frames: Iterator[Frame] | None = None
-        self._newest: Frame | None = None
-        self._unsent: Frame | None = None
+        self._frames: Iterator[TracedFrame] | None = None
+        self._newest: TracedFrame | None = None
+        self._unsent: TracedFrame | None = None
         self._denoised = False
         self._paused = False
         self._samples = 0
@@ -141,7 +141,7 @@ class Worker:
             self._paused = True
         self._report(frame)
 
-    def _report(self, frame: Frame | None) -> None:
+    def _report(self, frame: TracedFrame | None) -> None:
         self._newest = self._unsent = frame
         if frame is None or self._request is None or self._job is None or not self._slots.is_free:
             return

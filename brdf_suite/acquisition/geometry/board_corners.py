@@ -7,9 +7,8 @@ from types import ModuleType
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.extras import import_extra
-
-Floats = npt.NDArray[np.float64]
 
 _LOW, _HIGH = 1.0, 99.5
 # A corner is refined within this share of the distance to the next one, so that no neighbour is drawn in.

@@ -16,11 +16,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.board_corners import find_corners, opencv
-from brdf_suite.acquisition.session.session import Intrinsics
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.progress import Progress, report
-
-Floats = npt.NDArray[np.float64]
 
 _FEWEST = 3
 _OUTLYING = 4.0
@@ -49,7 +48,7 @@ class CameraCalibration:
         Of fx, fy, cx, cy, k1, k2, p1, p2, k3; 0 where a coefficient was held at 0.
     """
 
-    intrinsics: Intrinsics
+    intrinsics: Lens
     rms_px: float
     photograph_rms_px: tuple[float, ...]
     names: tuple[str, ...]
@@ -67,7 +66,7 @@ class CameraCalibration:
         try:
             width, height = values["size"]
             return cls(
-                Intrinsics(**values["intrinsics"]),
+                Lens(**values["intrinsics"]),
                 float(values["rms_px"]),
                 tuple(float(v) for v in values["photograph_rms_px"]),
                 tuple(str(v) for v in values["names"]),
@@ -181,7 +180,7 @@ def _calibrated(
             best = (score, answer)
     assert best is not None
     rms, matrix, distortion, _, _, deviations, _, errors = best[1]
-    lens = Intrinsics(
+    lens = Lens(
         float(matrix[0, 0]),
         float(matrix[1, 1]),
         float(matrix[0, 2]),

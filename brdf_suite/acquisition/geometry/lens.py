@@ -11,14 +11,13 @@ and the pixel is (fx a' + cx, fy b' + cy). Turned round, it is solved by Newton'
 
 from __future__ import annotations
 
-import math
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.acquisition.session.values import PARAMETERS, set_numbers
+from brdf_suite.arrays import Floats
 
 _STEPS = 12
 _CLOSE = 1e-13
@@ -43,16 +42,9 @@ class Lens:
     k3: float = 0.0
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            if not math.isfinite(getattr(self, field.name)):
-                raise ValueRangeError(f"lens.{field.name}", "not a finite number")
-        if min(self.fx, self.fy) <= 0.0:
-            raise ValueRangeError("lens.fx, lens.fy", "a focal length in pixels is greater than 0")
-
-    @classmethod
-    def of(cls, numbers: object) -> Lens:
-        """Return the lens of anything that holds the nine numbers by these names, as a calibration does."""
-        return cls(*(float(getattr(numbers, field.name)) for field in fields(cls)))
+        set_numbers(self, PARAMETERS["focal"], "fx", "fy")
+        set_numbers(self, PARAMETERS["principal"], "cx", "cy")
+        set_numbers(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
 
     @property
     def distorts(self) -> bool:

@@ -9,9 +9,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.radiance.merge import MergedRadiance
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
-
-Floats = npt.NDArray[np.float64]
 
 TIME_TOLERANCE = 0.12
 """Of the logarithm of a time of exposure: shutters stray by a few per cent, and names of times by up to 5 %."""

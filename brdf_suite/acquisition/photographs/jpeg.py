@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import struct
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
-
-_Path = str | os.PathLike[str]
 
 _EXIF = b"Exif\0\0"
 _SCAN, _APP1 = 0xDA, 0xE1
@@ -29,7 +26,7 @@ class JpegParts:
     exif_at: int
 
 
-def jpeg_parts(content: bytes, path: _Path) -> JpegParts:
+def jpeg_parts(content: bytes, path: PathLike) -> JpegParts:
     """Return the parts of a JPEG picture.
 
     Raises
@@ -63,7 +60,7 @@ def jpeg_parts(content: bytes, path: _Path) -> JpegParts:
     return JpegParts(*size, exif, exif_at)
 
 
-def jpeg_pixels(content: bytes, path: _Path) -> NDArray[np.uint8]:
+def jpeg_pixels(content: bytes, path: PathLike) -> NDArray[np.uint8]:
     """Return the pixels (h, w, 3) uint8, as they are stored: not turned as EXIF might ask."""
     parts = jpeg_parts(content, path)
     if parts.exif_at:

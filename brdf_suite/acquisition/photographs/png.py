@@ -6,7 +6,6 @@ Written here because none of the imaging libraries that are always there reads 1
 from __future__ import annotations
 
 import mmap
-import os
 import struct
 import sys
 import zlib
@@ -17,10 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.png_filters import unfilter
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.made_size import check_made
 
-_Path = str | os.PathLike[str]
 Content = bytes | mmap.mmap
 """Of a file: as bytes, or mapped, so that only what is asked for is read."""
 
@@ -42,7 +40,7 @@ class PngParts:
     exif: bytes | None
 
 
-def png_parts(content: Content, path: _Path) -> PngParts:
+def png_parts(content: Content, path: PathLike) -> PngParts:
     """Return the parts of a PNG; that it is whole is seen from its chunks, before anything is unpacked.
 
     Raises
@@ -83,7 +81,7 @@ def png_parts(content: Content, path: _Path) -> PngParts:
     return PngParts(width, height, _CHANNELS[colour], bits, bool(interlace), tuple(packed), exif)
 
 
-def png_pixels(content: Content, path: _Path) -> NDArray[Any]:
+def png_pixels(content: Content, path: PathLike) -> NDArray[Any]:
     """Return the pixels (h, w, channels) of a PNG, uint8 or uint16; errors as :func:`png_parts`."""
     parts = png_parts(content, path)
     if parts.interlaced:

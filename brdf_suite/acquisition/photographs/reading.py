@@ -7,7 +7,6 @@ Nothing is converted: codes are those of the file, and of three equal channels w
 from __future__ import annotations
 
 import mmap
-import os
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -23,12 +22,11 @@ from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts
 from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_pixels
 from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
 from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
 from brdf_suite.files.made_size import within_memory
 
-_Path = str | os.PathLike[str]
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
 
 ENDINGS = (".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".hdr", *RAW_ENDINGS)
@@ -59,7 +57,7 @@ class Photograph:
     facts: PhotographFacts
 
 
-def photograph_facts(path: _Path) -> PhotographFacts:
+def photograph_facts(path: PathLike) -> PhotographFacts:
     """Return the facts in a file's header without unpacking its pixels, where it is whole.
 
     Raises
@@ -72,7 +70,7 @@ def photograph_facts(path: _Path) -> PhotographFacts:
 
 
 @within_memory
-def read_photograph(path: _Path) -> Photograph:
+def read_photograph(path: PathLike) -> Photograph:
     """Read a photograph; errors as :func:`photograph_facts`, and where its pixels are damaged."""
     with _opened(path) as content:
         facts = _facts(content, path)
@@ -89,13 +87,13 @@ def read_photograph(path: _Path) -> Photograph:
     return Photograph(_three_channels(codes, path), facts)
 
 
-def exif_time(path: _Path) -> float | None:
+def exif_time(path: PathLike) -> float | None:
     """Return the exposure time in seconds stored in a photograph; errors as :func:`photograph_facts`."""
     return photograph_facts(path).exposure_s
 
 
 @contextmanager
-def _opened(path: _Path) -> Iterator[Content]:
+def _opened(path: PathLike) -> Iterator[Content]:
     """Yield a file's content; of what is not asked for, nothing is read."""
     try:
         found = Path(path).stat()
@@ -115,7 +113,7 @@ def _opened(path: _Path) -> Iterator[Content]:
         raise FileError(path, f"cannot be read ({reason})") from error
 
 
-def _facts(content: Content, path: _Path) -> PhotographFacts:
+def _facts(content: Content, path: PathLike) -> PhotographFacts:
     kind = _kind(content[:16], path)
     if kind == "png":
         parts = png_parts(content, path)
@@ -134,7 +132,7 @@ def _facts(content: Content, path: _Path) -> PhotographFacts:
     return PhotographFacts(kind, width, height, None, None)
 
 
-def _kind(start: bytes, path: _Path) -> Kind:
+def _kind(start: bytes, path: PathLike) -> Kind:
     if Path(path).suffix.lower() in RAW_ENDINGS:
         return "raw"
     known: dict[bytes, Kind] = {
@@ -155,7 +153,7 @@ def _kind(start: bytes, path: _Path) -> Kind:
     )
 
 
-def _exposure(block: bytes, path: _Path) -> float | None:
+def _exposure(block: bytes, path: PathLike) -> float | None:
     """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
     try:
         with first_page(block, path) as page:
@@ -164,14 +162,14 @@ def _exposure(block: bytes, path: _Path) -> float | None:
         return None
 
 
-def _float_pixels(kind: Kind, path: _Path) -> NDArray[np.float32]:
+def _float_pixels(kind: Kind, path: PathLike) -> NDArray[np.float32]:
     pixels = read_exr(path).pixels if kind == "exr" else read_radiance(path)[0]
     if not np.isfinite(pixels).all():
         raise FileError(path, "holds values that are no numbers (NaN or infinite)")
     return pixels
 
 
-def _three_channels(codes: NDArray[Any], path: _Path) -> NDArray[Any]:
+def _three_channels(codes: NDArray[Any], path: PathLike) -> NDArray[Any]:
     """Return (h, w, 3): grey three times, and without an alpha channel."""
     if codes.dtype == np.float16:
         codes = codes.astype(np.float32)

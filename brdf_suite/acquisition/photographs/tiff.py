@@ -7,7 +7,6 @@ here: strips that reach beyond the file's end or hold less than their pixels, an
 from __future__ import annotations
 
 import math
-import os
 import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,14 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
-from brdf_suite.errors import ExtraError, FileError
+from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
 from brdf_suite.files.made_size import check_made
 
 if TYPE_CHECKING:
     from tifffile import TiffPage
 
-_Path = str | os.PathLike[str]
 
 MOST_PIXELS = 1 << 28
 _MOST_CHANNELS = 5
@@ -38,7 +36,7 @@ _FREE_SIZE = 1 << 28
 """Bytes that a strip may unpack to without a look at what it does."""
 
 
-def tiff_facts(path: _Path) -> tuple[int, int, int | None, float | None]:
+def tiff_facts(path: PathLike) -> tuple[int, int, int | None, float | None]:
     """Return width, height, bits (None of floats), and the exposure time in seconds or None.
 
     Raises
@@ -56,7 +54,7 @@ def tiff_facts(path: _Path) -> tuple[int, int, int | None, float | None]:
         return page.imagewidth, page.imagelength, bits, time
 
 
-def tiff_pixels(path: _Path) -> NDArray[Any]:
+def tiff_pixels(path: PathLike) -> NDArray[Any]:
     """Return the pixels (h, w, channels) of the first picture, as they stand in the file.
 
     Raises
@@ -73,7 +71,7 @@ def tiff_pixels(path: _Path) -> NDArray[Any]:
     return _by_opencv(path)
 
 
-def _check_layout(page: TiffPage, path: _Path) -> None:
+def _check_layout(page: TiffPage, path: PathLike) -> None:
     """Raise :class:`FileError` where the picture is no photograph's size, or its pixels are not all in the file."""
     # Of depth, too: tifffile leaves out a field that is cut off, and would take the depth for a single bit.
     if any(tag not in page.tags for tag in _NEEDED):
@@ -102,7 +100,7 @@ def _check_layout(page: TiffPage, path: _Path) -> None:
         raise FileError(path, f"ends at byte {size:,}, its pixels at {end:,}; it was not copied whole")
 
 
-def _unpacked(page: TiffPage, path: _Path) -> NDArray[Any]:
+def _unpacked(page: TiffPage, path: PathLike) -> NDArray[Any]:
     if page.dtype is None or page.dtype.str[1:] not in ("u1", "u2", "f2", "f4"):
         reason = f"has numbers of {page.bitspersample} bits in a form that is not read; write 8 or 16 bits, or floats"
         raise FileError(path, reason, "field SampleFormat")
@@ -121,7 +119,7 @@ def _unpacked(page: TiffPage, path: _Path) -> NDArray[Any]:
     return np.moveaxis(stored[:, 0], 0, -1).reshape(page.imagelength, page.imagewidth, -1)
 
 
-def _check_unpacked_size(page: TiffPage, path: _Path) -> None:
+def _check_unpacked_size(page: TiffPage, path: PathLike) -> None:
     """Raise :class:`FileError` at a strip that unpacks to more than its pixels, where that could fill the memory.
 
     Without imagecodecs tifffile unpacks whatever a strip holds.
@@ -144,7 +142,7 @@ def _check_unpacked_size(page: TiffPage, path: _Path) -> None:
             )
 
 
-def _by_opencv(path: _Path) -> NDArray[Any]:
+def _by_opencv(path: PathLike) -> NDArray[Any]:
     try:
         cv2 = import_extra(
             "cv2", purpose="this packing of a TIFF", instead="a TIFF without compression needs nothing more"

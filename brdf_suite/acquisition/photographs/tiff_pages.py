@@ -11,12 +11,11 @@ from typing import TYPE_CHECKING, Any
 
 from tifffile import TiffFile
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 
 if TYPE_CHECKING:
     from tifffile import TiffPage
 
-_Path = str | os.PathLike[str]
 
 _EXPOSURE_TIME, _SHUTTER_SPEED, _EXIF = 33434, 37377, 34665
 
@@ -26,7 +25,7 @@ logging.getLogger("tifffile").setLevel(logging.CRITICAL)
 
 
 @contextmanager
-def first_page(source: _Path | bytes, path: _Path) -> Iterator[TiffPage]:
+def first_page(source: PathLike | bytes, path: PathLike) -> Iterator[TiffPage]:
     """Yield the first page of the file, or block of bytes, ``source``; ``path`` is what errors name.
 
     Whatever goes wrong in the ``with`` block is taken as damage of the file.

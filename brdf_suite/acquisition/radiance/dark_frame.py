@@ -13,9 +13,8 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.radiance.noise_shrinking import shrunk
 from brdf_suite.acquisition.response.response import Response
+from brdf_suite.arrays import Singles
 from brdf_suite.errors import ValueRangeError
-
-Floats32 = npt.NDArray[np.float32]
 
 _CUT_OFF = 0.25
 _SIGMA_PX = 8.0
@@ -35,8 +34,8 @@ class Dark:
         (h, w) whether a pixel's current stands out far from that of its neighbours.
     """
 
-    offset: Floats32
-    rate: Floats32
+    offset: Singles
+    rate: Singles
     hot: npt.NDArray[np.bool_]
 
     def cropped(self, rows: slice, columns: slice) -> Dark:

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.acquisition.radiance.merge import DARK, GOOD, MergedRadiance
 from brdf_suite.acquisition.radiance.noise_shrinking import shrunk
+from brdf_suite.arrays import Singles
 from brdf_suite.errors import AcquisitionError
-
-Floats32 = npt.NDArray[np.float32]
 
 _SMOOTH_SHARE = 0.01
 _CENTRE_SHARE = 0.05
 _LEAST = 0.02
 
 
-def flat_field(merged: MergedRadiance) -> Floats32:
+def flat_field(merged: MergedRadiance) -> Singles:
     """Return (h, w, channels) the flat field, 1 at the picture's centre, from photographs of an evenly lit screen.
 
     The screen's photographs must not stamp their noise on every other: see

@@ -20,11 +20,8 @@ import numpy.typing as npt
 from brdf_suite.acquisition.radiance import merge_kernels as compiled_merge
 from brdf_suite.acquisition.radiance.dark_frame import Dark
 from brdf_suite.acquisition.response.response import Response
+from brdf_suite.arrays import Codes, Floats, Singles
 from brdf_suite.errors import ValueRangeError
-
-Floats = npt.NDArray[np.float64]
-Floats32 = npt.NDArray[np.float32]
-Codes = npt.NDArray[np.uint8] | npt.NDArray[np.uint16]
 
 OUTSIDE, GOOD, DARK, CLIPPED = 0, 1, 2, 3
 """States of a pixel: not in the mask; measured; below its noise in all exposures; clipped in all exposures."""
@@ -58,8 +55,8 @@ class MergedRadiance:
         (n,) of the pixels within the mask, over all channels, for each exposure.
     """
 
-    radiance: Floats32
-    variance: Floats32
+    radiance: Singles
+    variance: Singles
     state: npt.NDArray[np.uint8]
     time_ratios: Floats
     falling_share: Floats
@@ -77,7 +74,7 @@ class MergedRadiance:
         return np.asarray(np.all((self.state == GOOD) | (self.state == DARK), axis=-1))
 
     @property
-    def certainty(self) -> Floats32:
+    def certainty(self) -> Singles:
         """Return (h, w, channels) one over the variance, 0 where clipped or outside."""
         usable = (self.state == GOOD) | (self.state == DARK)
         answer = np.zeros_like(self.variance)
@@ -86,7 +83,7 @@ class MergedRadiance:
 
 
 def merge(
-    stack: Codes | Floats32,
+    stack: Codes | Singles,
     exposures_s: npt.ArrayLike,
     response: Response | None = None,
     *,
@@ -149,9 +146,9 @@ def _merge_codes(
     stack: Codes,
     times: Floats,
     response: Response,
-    offset: Floats32,
-    rate: Floats32,
-    gain: Floats32,
+    offset: Singles,
+    rate: Singles,
+    gain: Singles,
     allowed: npt.NDArray[np.bool_],
     threads: int | None,
 ) -> MergedRadiance:
@@ -225,7 +222,7 @@ def _each(work: Callable[[int], None], count: int, threads: int | None) -> None:
 
 
 def _merge_floats(
-    stack: Floats32, times: Floats, gain: Floats32, allowed: npt.NDArray[np.bool_]
+    stack: Singles, times: Floats, gain: Singles, allowed: npt.NDArray[np.bool_]
 ) -> MergedRadiance:
     """Return the mean of float pictures weighted by exposure time; they have no detectable clipping."""
     if not np.all(np.isfinite(stack)):

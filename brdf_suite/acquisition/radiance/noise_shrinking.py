@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import gaussian_filter, median_filter
 
-Floats = npt.NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 _OUTLYING = 6.0
 _TO_DEVIATION = 1.4826

@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.acquisition.geometry.sphere.nominal_geometry import in_rig
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple
-from brdf_suite.acquisition.geometry.sphere.stated import in_rig
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import AcquisitionError
 
@@ -27,7 +27,7 @@ def irradiance_from_white(
     Parameters
     ----------
     session
-        With :attr:`~brdf_suite.acquisition.session.session.session.Session.white`, which says where the white stood
+        With :attr:`~brdf_suite.acquisition.session.session.Session.white`, which says where the white stood
         and how it was turned.
     radiance
         (3,) mean over the white's region, the photographs' unit per second.

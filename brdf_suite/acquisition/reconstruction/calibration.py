@@ -18,7 +18,8 @@ from brdf_suite.acquisition.response.response import Response
 if TYPE_CHECKING:
     from brdf_suite.acquisition.radiance.dark_frame import Dark
     from brdf_suite.acquisition.radiance.merge import MergedRadiance
-    from brdf_suite.acquisition.reconstruction.source import Bools, SeriesKind, Stack
+    from brdf_suite.acquisition.reconstruction.source import SeriesKind, Stack
+    from brdf_suite.arrays import Bools
 
 
 @dataclass(frozen=True, eq=False)

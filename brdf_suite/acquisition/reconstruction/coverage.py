@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 

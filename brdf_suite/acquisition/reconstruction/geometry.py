@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.geometry.refinement.refinement import calibrate_geometry, format_movement_notice
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.highlight import find_highlight
+from brdf_suite.acquisition.geometry.sphere.nominal_geometry import nominal_geometry
 from brdf_suite.acquisition.geometry.sphere.outline import find_outline
-from brdf_suite.acquisition.geometry.sphere.stated import nominal_geometry
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError
@@ -60,7 +59,7 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
     )
     left_out: dict[int, str] = {}
     picture = np.asarray(union.picture, np.float32)
-    lens = None if photographs.intrinsics is None else Lens.of(photographs.intrinsics.intrinsics)
+    lens = None if photographs.intrinsics is None else photographs.intrinsics.intrinsics
     irradiance, notices = _irradiance(photographs)
     geometry = nominal_geometry(photographs.session, (picture.shape[0], picture.shape[1]), lens)
     geometry = replace(geometry, irradiance_rgb=irradiance)

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.acquisition.reconstruction.coverage import covered_share
+from brdf_suite.arrays import Bools
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 if TYPE_CHECKING:
     from brdf_suite.acquisition.reconstruction.calibration import Calibration
-    from brdf_suite.acquisition.table.finished import ParameterizedTable
+    from brdf_suite.acquisition.table.table_from_sums import ParameterizedTable
 
 ResponseChoice = Literal["auto", "linear"]
 BINS = (90, 90, 180)
-
-Bools = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,8 +63,6 @@ class AcquireOptions:
 
     def to_json(self) -> dict[str, object]:
         """Return what decides the result, for the key of a work file."""
-        import hashlib
-
         mask = self.mask
         digest = (
             None if mask is None else hashlib.sha256(repr(mask.shape).encode() + np.packbits(mask).tobytes())
@@ -124,8 +122,6 @@ class Acquired:
 
     def to_json(self) -> dict[str, Any]:
         """Return what ``brdf-suite acquire --json`` prints."""
-        from brdf_suite.acquisition.reconstruction.coverage import covered_share
-
         coverage = self.table.coverage
         median = 0.0
         if coverage is not None and (coverage.samples > 0.0).any():

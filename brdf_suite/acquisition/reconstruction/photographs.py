@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING
 
 from brdf_suite.acquisition.reconstruction.calibration import Corrections, corrections
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-from brdf_suite.acquisition.reconstruction.source import Bools, PhotographSource, SeriesKind, Stack
+from brdf_suite.acquisition.reconstruction.source import PhotographSource, SeriesKind, Stack
 from brdf_suite.acquisition.reconstruction.work_file import StepClock
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.arrays import Bools
 from brdf_suite.errors import AcquisitionError, FileError, ValueRangeError
 from brdf_suite.progress import Progress
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 import numpy as np
 import numpy.typing as npt
@@ -20,6 +20,7 @@ from brdf_suite.acquisition.session.finding import exposures_lost
 from brdf_suite.acquisition.session.series import read_mask, read_position
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.session.store import session_to_json
+from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
 
@@ -27,8 +28,6 @@ if TYPE_CHECKING:
     from brdf_suite.acquisition.session.finding import SessionFinding
     from brdf_suite.acquisition.session.series import PhotographSeries
 
-Codes = npt.NDArray[Any]
-Bools = npt.NDArray[np.bool_]
 SeriesKind = Literal["dark", "white", "flat_field"]
 
 _PIECE = 1 << 20
@@ -50,7 +49,7 @@ class Stack:
         What is wrong with photographs that were left out, each a sentence's clause that names its file.
     """
 
-    codes: Codes
+    codes: AnyArray
     exposures_s: npt.NDArray[np.float64]
     names: tuple[str, ...]
     findings: tuple[str, ...] = ()
@@ -82,7 +81,7 @@ class PhotographSource(Protocol):
         """Return the dark, white or flat-field photographs; None where the session has none."""
         ...
 
-    def board(self) -> list[tuple[str, Codes]]:
+    def board(self) -> list[tuple[str, AnyArray]]:
         """Return names and grey pictures (rows, columns) of the calibration board."""
         ...
 
@@ -130,7 +129,7 @@ class FolderSource:
         found = readers[kind](self.folder, self.session)
         return None if found is None else _stack(found, [])
 
-    def board(self) -> list[tuple[str, Codes]]:
+    def board(self) -> list[tuple[str, AnyArray]]:
         """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
         board = self.session.camera.board
         lost = {finding.place for finding in self._checked}

@@ -24,14 +24,14 @@ from brdf_suite.acquisition.reconstruction.work_file import (
     WorkRecord,
     open_work,
 )
-from brdf_suite.acquisition.table.finished import (
+from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
+from brdf_suite.acquisition.table.table_from_sums import (
     ParameterizedTable,
     bin_means,
     half_angle_table,
     tabulate_means,
 )
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
-from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
 from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable

@@ -1,58 +1,42 @@
 """What a reconstruction has done so far, kept on the disk so that it survives being stopped or killed.
 
-One file that only grows, a record for the calibration and one for each position of the turntable::
-
-    8   BRDFWORK, then for each record:
-    4   CALI or POSN
-    8   u64, length of the payload
-    32  SHA-256 of tag, length and payload
-    …   payload: u32 length of a JSON object, the object, and the arrays that it lists, C order
+One file that only grows, a record for the calibration and one for each position of the turntable. A record is a header
+with arrays, as in :mod:`brdf_suite.files.array_file`.
 
 A record is forced to the disk before the next position begins. What a kill leaves half written fails its checksum
 and is cut off when the file is taken up again: a record is there whole or not at all. The calibration carries a key,
 a hash of the session, the options and the calibration's own photographs, and a position the hash of its photographs;
-what does not fit is not taken up. Nothing in the file is ever executed or unpickled.
+what does not fit is not taken up.
 """
 
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import json
-import math
 import os
-import struct
 import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
+from io import FileIO
 from pathlib import Path
 from time import perf_counter
-from typing import IO, Any
+from typing import Any
 
-import numpy as np
-import numpy.typing as npt
 from filelock import FileLock, Timeout
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError
+from brdf_suite.files.array_file import Layout, encode_arrays, read_next
 
-MAGIC = b"BRDFWORK"
-CALIBRATION, POSITION = b"CALI", b"POSN"
-
-_HEAD = struct.Struct("<4sQ")
-_DIGEST = 32
-_LENGTH = struct.Struct("<I")
-_DTYPES = ("<i4", "<f4", "<f8")
-_LARGEST = 1 << 30
-
-Array = npt.NDArray[Any]
+CALIBRATION, POSITION = "calibration", "position"
+LAYOUT = Layout(b"BRDFWORK", 2, "work file of a reconstruction", ("<i4", "<f4", "<f8"), smallest=0)
 
 
 @dataclass(frozen=True)
 class WorkRecord:
-    """What one record holds besides its arrays: ``tag``, plain ``values``, and where its payload is in the file."""
+    """What one record holds besides its arrays: ``tag``, plain ``values``, and where it is in the file."""
 
-    tag: bytes
+    tag: str
     values: Mapping[str, Any]
     start: int
     length: int
@@ -61,13 +45,13 @@ class WorkRecord:
 class WorkFile:
     """An open work file; made by :func:`open_work`. Arrays stay on the disk until they are asked for."""
 
-    def __init__(self, stream: IO[bytes], path: Path) -> None:
+    def __init__(self, stream: FileIO, path: Path) -> None:
         self._stream = stream
         self.path = path
         self.records: list[WorkRecord] = []
         self._read()
 
-    def arrays(self, record: WorkRecord) -> dict[str, Array]:
+    def arrays(self, record: WorkRecord) -> dict[str, AnyArray]:
         """Return the arrays of a record, by name.
 
         Raises
@@ -77,14 +61,11 @@ class WorkFile:
         """
         try:
             self._stream.seek(record.start)
-            found = _unpacked(self._stream.read(record.length))
+            return read_next(LAYOUT, self.path, self._stream, record.start + record.length)[1]
         except OSError as error:
             raise FileError(self.path, f"cannot be read: {error.strerror or error}") from error
-        if found is None:
-            raise FileError(self.path, "was changed by another program", f"byte {record.start}")
-        return found[1]
 
-    def add(self, tag: bytes, values: Mapping[str, Any], arrays: Mapping[str, Array]) -> None:
+    def add(self, tag: str, values: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> None:
         """Append a record and force it to the disk.
 
         Raises
@@ -92,67 +73,43 @@ class WorkFile:
         FileError
             The disk is full or refuses; the file then ends where it ended before.
         """
-        payload = _packed(values, arrays)
-        head = _HEAD.pack(tag, len(payload))
+        record = b"".join(encode_arrays(LAYOUT, self.path, {"tag": tag, "values": values}, arrays))
         end = self._stream.seek(0, os.SEEK_END)
         try:
-            self._write(head + hashlib.sha256(head + payload).digest())
-            self._write(payload)
+            rest = memoryview(record)
+            while rest:
+                rest = rest[self._stream.write(rest) :]
             os.fsync(self._stream.fileno())
         except OSError as error:
             # Half a record would be cut off when the file is next opened; here it only takes room.
             with contextlib.suppress(OSError):
                 self._stream.truncate(end)
             raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
-        self.records.append(WorkRecord(tag, values, end + _HEAD.size + _DIGEST, len(payload)))
+        self.records.append(WorkRecord(tag, values, end, len(record)))
 
     def empty(self) -> None:
         """Forget everything; raises FileError where the disk is full or refuses."""
         try:
             self._stream.seek(0)
             self._stream.truncate(0)
-            self._write(MAGIC)
         except OSError as error:
             raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
         self.records = []
 
-    def _write(self, content: bytes) -> None:
-        rest = memoryview(content)
-        while rest:
-            rest = rest[self._stream.write(rest) :]
-
     def _read(self) -> None:
         """List the whole records and cut off what follows them."""
-        start = self._stream.read(len(MAGIC))
-        if start != MAGIC:
-            if start and not MAGIC.startswith(start):
-                raise FileError(
-                    self.path, "is no work file of a reconstruction and is left as it is", "byte 0"
-                )
-            self.empty()
-            return
-        end = self._stream.tell()
-        while (record := self._next()) is not None:
-            self.records.append(record)
-            end = record.start + record.length
+        start, end = self._stream.read(len(LAYOUT.magic)), 0
+        if start and not LAYOUT.magic.startswith(start):
+            raise FileError(self.path, "is no work file of a reconstruction and is left as it is", "byte 0")
+        size = self._stream.seek(0, os.SEEK_END)
+        with contextlib.suppress(FileError):
+            while end < size:
+                self._stream.seek(end)
+                header, _ = read_next(LAYOUT, self.path, self._stream, size)
+                length = self._stream.tell() - end
+                self.records.append(WorkRecord(header["tag"], header["values"], end, length))
+                end += length
         self._stream.truncate(end)
-
-    def _next(self) -> WorkRecord | None:
-        head = self._stream.read(_HEAD.size + _DIGEST)
-        if len(head) < _HEAD.size + _DIGEST:
-            return None
-        tag, length = _HEAD.unpack_from(head)
-        if tag not in (CALIBRATION, POSITION) or length > _LARGEST:
-            return None
-        start = self._stream.tell()
-        payload = self._stream.read(length)
-        if (
-            len(payload) != length
-            or hashlib.sha256(head[: _HEAD.size] + payload).digest() != head[_HEAD.size :]
-        ):
-            return None
-        found = _unpacked(payload)
-        return None if found is None else WorkRecord(tag, found[0], start, length)
 
 
 @contextmanager
@@ -173,10 +130,10 @@ def open_work(path: Path) -> Iterator[WorkFile]:
         raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     try:
         # Not "a": what a kill left half written is cut off.
-        mode = "r+b" if path.exists() else "w+b"
+        mode = "r+" if path.exists() else "w+"
         try:
             # Without a buffer: what a full disk refused would be written once more when the file is closed.
-            stream = path.open(mode, buffering=0)
+            stream = FileIO(path, mode)
         except OSError as error:
             raise FileError(path, f"cannot be opened: {error.strerror or error}") from error
         with stream:
@@ -185,30 +142,6 @@ def open_work(path: Path) -> Iterator[WorkFile]:
         lock.release()
         with contextlib.suppress(OSError):  # gone already, where the system's locks delete their file
             Path(lock.lock_file).unlink()
-
-
-def _packed(values: Mapping[str, Any], arrays: Mapping[str, Array]) -> bytes:
-    held = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
-    listed = [[name, array.dtype.str, list(array.shape)] for name, array in held.items()]
-    text = json.dumps({"values": values, "arrays": listed}, allow_nan=False).encode()
-    return b"".join((_LENGTH.pack(len(text)), text, *(array.tobytes() for array in held.values())))
-
-
-def _unpacked(payload: bytes) -> tuple[dict[str, Any], dict[str, Array]] | None:
-    """Return values and arrays of a payload whose checksum fits; None where another version wrote it."""
-    try:
-        (length,) = _LENGTH.unpack_from(payload)
-        at = _LENGTH.size + length
-        described = json.loads(payload[_LENGTH.size : at])
-        arrays: dict[str, Array] = {}
-        for name, dtype, shape in described["arrays"]:
-            if dtype not in _DTYPES:
-                return None
-            arrays[name] = np.frombuffer(payload, dtype, math.prod(shape), at).reshape(shape)
-            at += arrays[name].nbytes
-        return dict(described["values"]), arrays
-    except (ValueError, KeyError, TypeError, struct.error):
-        return None
 
 
 class StepClock:

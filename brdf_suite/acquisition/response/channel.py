@@ -12,9 +12,8 @@ from brdf_suite.acquisition.response.curve import CurveBasis, curve_basis, whole
 from brdf_suite.acquisition.response.noise import OTHERS_SIGNAL, estimate_noise, exposure_variance
 from brdf_suite.acquisition.response.response import MIDDLE_EXPOSURE, linear_response, middle_code
 from brdf_suite.acquisition.response.samples import ResponseSamples
+from brdf_suite.arrays import Floats
 from brdf_suite.progress import Progress, report
-
-Floats = npt.NDArray[np.float64]
 
 KNOTS = 16
 _STEPS = 20
@@ -64,7 +63,7 @@ def fit_channel(
 ) -> Channel:
     """Return the curve that ``codes`` (p, n) show, ``black`` and ``high`` being those of no light and of saturation.
 
-    The first start needs no curve (:func:`brdf_suite.acquisition.response.response.kernels.add_start`); then each
+    The first start needs no curve (:func:`brdf_suite.acquisition.response.kernels.add_start`); then each
     step measures the noise under the curve so far, and solves the equations that follow from it.
     """
     size = 1 << samples.bit_depth

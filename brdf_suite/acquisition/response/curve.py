@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-Floats = npt.NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 _BEYOND = 1.05
 _DEGREE = 3

@@ -2,7 +2,7 @@
 
 The energy Σ w(y_ij)·(g(y_ij) - t_i x_j)² weighs each code by one over the variance of its exposure, which is measured
 from the photographs themselves. Robertson, Borman and Stevenson (2003) minimize it by turns, one free value for each
-code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.response.curve`) and the radiances x_j are
+code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.curve`) and the radiances x_j are
 eliminated, so that Gauss-Newton steps take both at once. OpenCV's ``CalibrateRobertson`` takes 8 bits only, and its
 free values are noisy where codes are rare; docs/method/acquisition.md has the figures of both.
 """
@@ -18,10 +18,9 @@ from brdf_suite.acquisition.response.channel import fit_channel, known_channel
 from brdf_suite.acquisition.response.noise import time_residuals
 from brdf_suite.acquisition.response.response import Response, linear_response
 from brdf_suite.acquisition.response.samples import ResponseSamples
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, subrange
-
-Floats = npt.NDArray[np.float64]
 
 SMOOTHNESS = 1e-3
 """Weight of the third differences of ln g, over that of the photographs, where exposures differ by a factor of 1.65."""

@@ -9,9 +9,8 @@ from scipy.optimize import nnls
 from brdf_suite.acquisition.response import kernels as compiled_response
 from brdf_suite.acquisition.response.response import Response
 from brdf_suite.acquisition.response.samples import ResponseSamples
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import AcquisitionError
-
-Floats = npt.NDArray[np.float64]
 
 OTHERS_SIGNAL = 10.0
 """A pixel's exposures predict another one where they are at least so many times their noise."""

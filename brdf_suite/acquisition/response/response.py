@@ -18,9 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-
-Floats = npt.NDArray[np.float64]
 
 MIDDLE_EXPOSURE = 0.5
 """The exposure that the middle code represents, in the unit of the photographs."""

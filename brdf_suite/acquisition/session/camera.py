@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, get_args
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.values import (
     PARAMETERS,
     Matrix,
@@ -22,29 +23,6 @@ RESPONSES: tuple[str, ...] = get_args(ResponseKind)
 _MOST_BOARDS = 500
 # A matrix between camera and working space keeps white; what does not is one for another purpose.
 _WHITE_KEPT = 0.02
-
-
-@dataclass(frozen=True)
-class Intrinsics:
-    """A camera as OpenCV describes it: focal lengths and principal point in pixels, and the lens's distortion.
-
-    Pixel (column 0, row 0) has its middle at (0, 0); x grows to the right and y downwards.
-    """
-
-    fx: float
-    fy: float
-    cx: float
-    cy: float
-    k1: float = 0.0
-    k2: float = 0.0
-    p1: float = 0.0
-    p2: float = 0.0
-    k3: float = 0.0
-
-    def __post_init__(self) -> None:
-        set_numbers(self, PARAMETERS["focal"], "fx", "fy")
-        set_numbers(self, PARAMETERS["principal"], "cx", "cy")
-        set_numbers(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
 
 
 @dataclass(frozen=True)
@@ -91,7 +69,7 @@ class SessionCamera:
     response: ResponseKind = "unknown"
     tilt_deg: float = 0.0
     to_working: Matrix | None = None
-    intrinsics: Intrinsics | None = None
+    intrinsics: Lens | None = None
     board: Board | None = None
 
     def __post_init__(self) -> None:

@@ -7,7 +7,6 @@ Then one photograph of each position is unpacked, to see that the highlight goes
 from __future__ import annotations
 
 import math
-import os
 import re
 from collections import Counter
 from dataclasses import dataclass, field
@@ -18,10 +17,8 @@ from brdf_suite.acquisition.session.finding import SessionFinding, Severity
 from brdf_suite.acquisition.session.position_order import check_positions
 from brdf_suite.acquisition.session.series import MASK_FILE
 from brdf_suite.acquisition.session.session import Session
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.progress import Progress, report, subrange
-
-_Path = str | os.PathLike[str]
 
 LEAST_EXPOSURES = 4
 """Of a position, from which a response curve can be recovered."""
@@ -43,7 +40,7 @@ class _Seen:
 
 
 def check_session(
-    folder: _Path, session: Session, progress: Progress | None = None, *, pictures: bool = True
+    folder: PathLike, session: Session, progress: Progress | None = None, *, pictures: bool = True
 ) -> tuple[SessionFinding, ...]:
     """Return what is wrong with the files of a session; nothing is raised but :class:`Cancelled`.
 
@@ -101,13 +98,13 @@ def _severity_of_loss(place: str) -> Severity:
     return "exposure" if place.startswith("positions[") else "warning"
 
 
-def _add(seen: _Seen, folder: _Path, severity: Severity, place: str, reason: str) -> None:
+def _add(seen: _Seen, folder: PathLike, severity: Severity, place: str, reason: str) -> None:
     position, exposure = _indices(place)
     path = str(Path(folder) / seen.facts[place][0])
     seen.findings.append(SessionFinding(severity, path, reason, place, position, exposure))
 
 
-def _sizes(folder: _Path, seen: _Seen) -> None:
+def _sizes(folder: PathLike, seen: _Seen) -> None:
     """Check that all photographs of the sphere, and those compared pixel by pixel, have one size."""
     compared = {
         place: facts for place, (_, facts) in seen.facts.items() if not place.startswith("camera.board")
@@ -123,7 +120,7 @@ def _sizes(folder: _Path, seen: _Seen) -> None:
             del seen.facts[place]
 
 
-def _depths(folder: _Path, session: Session, seen: _Seen) -> None:
+def _depths(folder: PathLike, session: Session, seen: _Seen) -> None:
     for place, (_, facts) in list(seen.facts.items()):
         if facts.bits is not None and facts.bits < session.camera.bit_depth and not place.endswith("mask"):
             reason = (
@@ -134,7 +131,7 @@ def _depths(folder: _Path, session: Session, seen: _Seen) -> None:
             del seen.facts[place]
 
 
-def _floats(folder: _Path, seen: _Seen) -> None:
+def _floats(folder: PathLike, seen: _Seen) -> None:
     """Check for mixed units: floats and codes differ, so files unlike most positions are left out."""
     kinds = {
         place: facts.bits is None
@@ -155,7 +152,7 @@ def _floats(folder: _Path, seen: _Seen) -> None:
         _add(seen, folder, "warning", "dark[0]", "is not taken off: of floats black is taken to be 0")
 
 
-def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
+def _calibrations(folder: PathLike, session: Session, seen: _Seen) -> None:
     """Check that the calibration files named in session.json exist, at least in part, and are suitable."""
     fields = {
         "dark": session.dark,
@@ -186,7 +183,7 @@ def _calibrations(folder: _Path, session: Session, seen: _Seen) -> None:
             seen.findings.append(SessionFinding("fatal", str(Path(folder) / file), reason, "white.region"))
 
 
-def _times(folder: _Path, session: Session, seen: _Seen) -> None:
+def _times(folder: PathLike, session: Session, seen: _Seen) -> None:
     """Compare EXIF with the session: nominal times may differ a little, another exposure's time may not."""
     for place, (_, facts) in list(seen.facts.items()):
         position, exposure = _indices(place)
@@ -213,7 +210,7 @@ def _nearest(session: Session, seconds: float) -> int:
     return min(range(len(session.exposures_s)), key=lambda k: abs(math.log(seconds / session.exposures_s[k])))
 
 
-def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
+def _curve(folder: PathLike, session: Session, seen: _Seen) -> None:
     """Check the curve: a JPEG picture is never linear, so its curve must be stated or recovered."""
     jpegs = [
         place
@@ -243,7 +240,7 @@ def _curve(folder: _Path, session: Session, seen: _Seen) -> None:
         _add(seen, folder, "warning", jpegs[0], reason)
 
 
-def _what_is_left(folder: _Path, session: Session, seen: _Seen) -> None:
+def _what_is_left(folder: PathLike, session: Session, seen: _Seen) -> None:
     """Report a position that is lost as a whole once instead of each of its photographs."""
     reasons = {(f.position, f.exposure): f.reason for f in seen.findings if f.severity == "exposure"}
     lost = {f.position for f in seen.findings if f.severity == "position"}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,9 +14,7 @@ from brdf_suite.acquisition.photographs.exposure_order import check_exposures
 from brdf_suite.acquisition.photographs.reading import Photograph, read_photograph
 from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.session import Session
-from brdf_suite.errors import FileError
-
-_Path = str | os.PathLike[str]
+from brdf_suite.errors import FileError, PathLike
 
 MASK_FILE = "mask.png"
 """Taken as the session's mask where the session names none and the folder holds it."""
@@ -45,7 +42,7 @@ class PhotographSeries:
 
 
 def read_position(
-    folder: _Path, session: Session, position: int, leave_out: Collection[int] = ()
+    folder: PathLike, session: Session, position: int, leave_out: Collection[int] = ()
 ) -> PhotographSeries:
     """Read the photographs of a position but for the exposures in ``leave_out``.
 
@@ -97,14 +94,14 @@ def _without(series: PhotographSeries, found: tuple[SessionFinding, ...]) -> Pho
     )
 
 
-def read_dark(folder: _Path, session: Session) -> PhotographSeries | None:
+def read_dark(folder: PathLike, session: Session) -> PhotographSeries | None:
     """Read the dark frames, or return None where the session names none; errors as :func:`read_position`."""
     if not session.dark:
         return None
     return read_series(folder, session.dark, session.exposures_s, session.camera.bit_depth, place="dark")
 
 
-def read_white(folder: _Path, session: Session) -> PhotographSeries | None:
+def read_white(folder: PathLike, session: Session) -> PhotographSeries | None:
     """Read the white reference, or return None where the session has none; errors as :func:`read_position`."""
     white = session.white
     if white is None:
@@ -113,7 +110,7 @@ def read_white(folder: _Path, session: Session) -> PhotographSeries | None:
     return read_series(folder, white.photographs, times, session.camera.bit_depth, place="white.photographs")
 
 
-def read_flat_field(folder: _Path, session: Session) -> PhotographSeries | None:
+def read_flat_field(folder: PathLike, session: Session) -> PhotographSeries | None:
     """Read the flat field, or return None where the session has none; errors as :func:`read_position`."""
     flat = session.flat_field
     if flat is None:
@@ -125,7 +122,7 @@ def read_flat_field(folder: _Path, session: Session) -> PhotographSeries | None:
 
 
 def read_series(
-    folder: _Path,
+    folder: PathLike,
     names: Sequence[str],
     exposures_s: Sequence[float],
     bit_depth: int,
@@ -168,7 +165,7 @@ def read_series(
     )
 
 
-def check_codes(photograph: Photograph, bit_depth: int, path: _Path) -> NDArray[Any]:
+def check_codes(photograph: Photograph, bit_depth: int, path: PathLike) -> NDArray[Any]:
     """Return a photograph's codes where they fit the session's depth; :class:`FileError` where they do not."""
     codes, bits = photograph.codes, photograph.facts.bits
     if bits is None:
@@ -187,7 +184,7 @@ def check_codes(photograph: Photograph, bit_depth: int, path: _Path) -> NDArray[
     return codes
 
 
-def read_mask(folder: _Path, session: Session, position: int | None = None) -> NDArray[np.bool_] | None:
+def read_mask(folder: PathLike, session: Session, position: int | None = None) -> NDArray[np.bool_] | None:
     """Return the pixels (h, w) that may be used, or None where all may be.
 
     The session's mask, or ``mask.png`` where it names none, together with the position's own; white is used.

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
-from brdf_suite.acquisition.session.camera import RESPONSES, Board, Intrinsics, ResponseKind, SessionCamera
+from brdf_suite.acquisition.session.camera import RESPONSES, Board, ResponseKind, SessionCamera
 from brdf_suite.acquisition.session.values import (
     PARAMETERS,
     Point,
@@ -40,7 +40,6 @@ __all__ = [
     "SESSION_FILE",
     "Board",
     "FlatField",
-    "Intrinsics",
     "Light",
     "Position",
     "ResponseKind",

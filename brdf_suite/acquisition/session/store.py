@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.session import (
     FORMAT,
     SESSION_FILE,
     Board,
     FlatField,
-    Intrinsics,
     Light,
     Position,
     Session,
@@ -24,19 +23,18 @@ from brdf_suite.acquisition.session.session import (
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.reading import FieldReader, fill, read_json
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 
-_Path = str | os.PathLike[str]
 _T = TypeVar("_T")
 
 
-def session_path(folder: _Path) -> Path:
+def session_path(folder: PathLike) -> Path:
     """Return the path of a folder's ``session.json``; the file itself may be given as well."""
     path = Path(folder)
     return path if path.name == SESSION_FILE and not path.is_dir() else path / SESSION_FILE
 
 
-def read_session(folder: _Path) -> Session:
+def read_session(folder: PathLike) -> Session:
     """Read the session of a folder.
 
     Raises
@@ -57,7 +55,7 @@ def read_session(folder: _Path) -> Session:
     return session_from_json(read_json(path), path)
 
 
-def write_session(session: Session, folder: _Path) -> Path:
+def write_session(session: Session, folder: PathLike) -> Path:
     """Write ``session.json`` into a folder, whole or not at all, and return its path."""
     path = session_path(folder)
     write_atomically(path, encode(session_to_json(session)))
@@ -84,7 +82,7 @@ def _plain(value: object) -> object:
     return _fields(value) if dataclasses.is_dataclass(value) else value
 
 
-def session_from_json(value: object, path: _Path = "the message") -> Session:
+def session_from_json(value: object, path: PathLike = "the message") -> Session:
     """Return the session in a JSON value; ``path`` is what error messages call its origin.
 
     Raises
@@ -108,7 +106,7 @@ def session_from_json(value: object, path: _Path = "the message") -> Session:
 
 def _camera(reader: FieldReader) -> SessionCamera:
     parts = {
-        "intrinsics": _optional(reader, "intrinsics", Intrinsics, ("fx", "fy", "cx", "cy")),
+        "intrinsics": _optional(reader, "intrinsics", Lens, ("fx", "fy", "cx", "cy")),
         "board": _optional(reader, "board", Board, ("columns", "rows", "square_m", "photographs")),
     }
     return fill(reader, SessionCamera, required=("distance_m", "bit_depth"), taken={**parts})

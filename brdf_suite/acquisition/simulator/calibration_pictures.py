@@ -6,13 +6,11 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 TILE_REFLECTANCE = 0.99
 _TILE_HALF = 0.8

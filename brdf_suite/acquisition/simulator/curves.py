@@ -5,11 +5,9 @@ from __future__ import annotations
 import functools
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.settings import Curve
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 CURVE_STEPS = 1 << 16
 """Cells of a curve's table, so many that linear steps between are no error of a 16-bit code."""

@@ -6,12 +6,11 @@ import dataclasses
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,
-    Intrinsics,
     Light,
     Position,
     Session,
@@ -23,8 +22,7 @@ from brdf_suite.acquisition.simulator.calibration_pictures import TILE_REFLECTAN
 from brdf_suite.acquisition.simulator.curves import response
 from brdf_suite.acquisition.simulator.lamp import HOUSING_RADIUS_M, POST_RADIUS_M, profile_table
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 WHITE_ANGLE_DEG = 30.0
 TRUTH_FILE = "truth.json"
@@ -79,7 +77,7 @@ def nominal_session(
 def describe_truth(
     settings: SimulatorSettings,
     name: str,
-    lens: Intrinsics,
+    lens: Lens,
     irradiance: Floats,
     black: int,
     unit: Floats,

@@ -10,9 +10,9 @@ from brdf_suite.acquisition.session.session import SESSION_FILE, Session
 from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator.description import TRUTH_FILE
 from brdf_suite.acquisition.simulator.rig import Simulator
-from brdf_suite.acquisition.simulator.sensor import Codes
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 from brdf_suite.acquisition.simulator.writing import write_photograph
+from brdf_suite.arrays import Codes
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress, report

@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.optics import lengths
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 # Of a narrow optic before a light-emitting diode: half of the intensity at about 17° off its axis.
 _PROFILE_POWER = 16.0

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.compilation import Array, compiled_in_order
+from brdf_suite.compilation import Array, compiled
 
 _STEP = np.uint64(0x9E3779B97F4A7C15)
 _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
@@ -20,20 +20,20 @@ _NORMAL_FROM = 40.0
 _MOST_COUNTED = 400
 
 
-@compiled_in_order
+@compiled(in_order=True)
 def _mixed(state: Any) -> Any:
     state = (state ^ (state >> np.uint64(30))) * _FIRST
     state = (state ^ (state >> np.uint64(27))) * _SECOND
     return state ^ (state >> np.uint64(31))
 
 
-@compiled_in_order
+@compiled(in_order=True)
 def _uniform(state: Any) -> Any:
     """Return a number within 0…1, both excluded."""
     return (np.float64(_mixed(state) >> np.uint64(11)) + 0.5) * (1.0 / 9007199254740992.0)
 
 
-@compiled_in_order
+@compiled(in_order=True)
 def _electrons(mean: float, read: float, state: Any) -> Any:
     """Draw what is read of ``mean`` electrons: Poisson's number, and the read noise."""
     first, second = _uniform(state + _STEP), _uniform(state + _STEP + _STEP)
@@ -50,7 +50,7 @@ def _electrons(mean: float, read: float, state: Any) -> Any:
     return count + normal * read
 
 
-@compiled_in_order
+@compiled(in_order=True)
 def expose(
     rate: Array,
     gain: Array,

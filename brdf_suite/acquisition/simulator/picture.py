@@ -15,9 +15,8 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera, first_hits, lengths
 from brdf_suite.acquisition.simulator.turntable import turntable_reflection
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.protocol import Reflectance
-
-Floats = NDArray[np.float64]
 
 _LARGEST_GRID = 32
 _OUTLINE_GRID, _DARK_OUTLINE_GRID = 16, 8

@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session.session import Intrinsics, Session, SessionCamera
+from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.acquisition.session.session import Session, SessionCamera
 from brdf_suite.acquisition.session.values import Matrix
 from brdf_suite.acquisition.simulator.calibration_pictures import (
     BOARD_COLUMNS,
@@ -23,11 +24,10 @@ from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, descri
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
 from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilt_camera
 from brdf_suite.acquisition.simulator.picture import SimulatedScene
-from brdf_suite.acquisition.simulator.sensor import Codes, Sensor
+from brdf_suite.acquisition.simulator.sensor import Sensor
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
+from brdf_suite.arrays import Codes, Floats
 from brdf_suite.reflectance.protocol import Reflectance
-
-Floats = NDArray[np.float64]
 
 _LAMP_RGB = np.array([0.92, 1.0, 0.81])
 _METER_ANGLE_DEG = 60.0
@@ -212,7 +212,7 @@ def _optics(settings: SimulatorSettings) -> SimulatedCamera:
     focal = 0.5 * settings.fill * min(width, height) / outline
     corner = 0.5 * math.hypot(width, height) / focal
     # The principal point is never quite the middle of the picture.
-    lens = Intrinsics(
+    lens = Lens(
         focal,
         focal,
         0.5 * (width - 1) + 0.004 * width,

@@ -16,9 +16,7 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.simulator.curves import curve_table, exposure_at
 from brdf_suite.acquisition.simulator.noise import expose
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-
-Floats = NDArray[np.float64]
-Codes = NDArray[np.uint8] | NDArray[np.uint16]
+from brdf_suite.arrays import Codes, Floats
 
 _BLACK_OF_12_BITS = 64
 _HOT_SHARE = 2e-5

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
-
-Floats = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 _BELOW_M = 0.15
 _RADIUS_M = 0.6

@@ -16,7 +16,7 @@ from PIL.Image import Exif
 from PIL.TiffImagePlugin import IFDRational
 from tifffile import imwrite
 
-from brdf_suite.acquisition.simulator.sensor import Codes
+from brdf_suite.arrays import Codes
 from brdf_suite.errors import FileError
 
 _EXPOSURE_TIME, _EXIF_FOLDER = 0x829A, 0x8769

@@ -19,8 +19,7 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.table.hole_filling import fill_table_holes
 from brdf_suite.acquisition.table.parameterization import Parameterization
-
-Singles = npt.NDArray[np.float32]
+from brdf_suite.arrays import Singles
 
 ROUNDS = 2
 _MOST = 1.0

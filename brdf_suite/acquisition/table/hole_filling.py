@@ -15,13 +15,10 @@ for what the one before left:
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.acquisition.table.parameterization import Parameterization
+from brdf_suite.arrays import Bools, Singles
 from brdf_suite.reflectance.tabulated.holes import PHI_REACH, fill_holes
-
-Singles = npt.NDArray[np.float32]
-Bools = npt.NDArray[np.bool_]
 
 _LEAST = 1e-3
 """Of one reading: what a bell gathers below that lies in its tail."""

@@ -14,7 +14,8 @@ from typing import Literal, get_args
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 
 Layout = Literal["half-angle", "linear", "traditional"]

@@ -15,7 +15,7 @@ What a pixel covers
     clearcoat it is not: at 900 pixels across the sphere one pixel covers 0.13° of θh, a dozen bins of a table at its
     finest. There (θh < ``peak_deg``) each pixel is read in ``parts``² parts. How its radiance is divided among them
     follows a Gaussian on a base through its neighbours, sharpened by the pixel's own square (see
-    :func:`~brdf_suite.acquisition.table.sums.samples_kernel.lobe_through`), and keeps the pixel's mean: noise does
+    :func:`~brdf_suite.acquisition.table.samples_kernel.lobe_through`), and keeps the pixel's mean: noise does
     not grow. Each part has its own directions. The lens's blur is not undone.
 
 Everything that does not change with the light is computed once, for the pixels that can be samples; then a position
@@ -32,10 +32,8 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.table import samples_kernel
+from brdf_suite.arrays import Bools, Singles
 from brdf_suite.errors import ValueRangeError
-
-Singles = npt.NDArray[np.float32]
-Valid = npt.NDArray[np.bool_]
 
 GRAZING_DEG = 80.0
 PEAK_DEG = 3.0
@@ -105,7 +103,7 @@ class SphereSampler:
     def __init__(
         self,
         geometry: RigGeometry,
-        mask: Valid | None = None,
+        mask: Bools | None = None,
         grazing_deg: float = GRAZING_DEG,
         *,
         upper_half: bool = True,
@@ -126,7 +124,7 @@ class SphereSampler:
         self._parts = max(int(parts), 1)
         self._prepare(mask, upper_half)
 
-    def _prepare(self, mask: Valid | None, upper_half: bool) -> None:
+    def _prepare(self, mask: Bools | None, upper_half: bool) -> None:
         """Keep what each pixel that can be a sample sees of the sphere."""
         geometry = self.geometry
         height, width = geometry.shape
@@ -176,7 +174,7 @@ class SphereSampler:
         normals = (points - geometry.centre) / geometry.radius_m
         return points, normals, -rays
 
-    def _usable(self, pixels: npt.NDArray[np.int_], upper_half: bool) -> Valid:
+    def _usable(self, pixels: npt.NDArray[np.int_], upper_half: bool) -> Bools:
         """Return which pixels (..., 2) see the sphere, its upper half, and not too slantwise."""
         _, normals, views = self._surface(pixels.astype(float))
         cosine = np.einsum("...i,...i", normals, views)
@@ -186,7 +184,7 @@ class SphereSampler:
             up = unit(self.geometry.up)
             rising = normals @ up
             usable &= (rising > 0.0) & (2.0 * cosine * rising - views @ up >= 0.0)
-        kept: Valid = usable
+        kept: Bools = usable
         return kept
 
     def __len__(self) -> int:
@@ -194,7 +192,7 @@ class SphereSampler:
         return len(self._places)
 
     @property
-    def used(self) -> Valid:
+    def used(self) -> Bools:
         """Return the pixels that can be samples (h, w)."""
         shown = np.zeros(self.geometry.shape, bool)
         shown[self._places[:, 0], self._places[:, 1]] = True
@@ -205,7 +203,7 @@ class SphereSampler:
         k: int,
         radiance: Singles,
         variance: Singles | None = None,
-        good: Valid | None = None,
+        good: Bools | None = None,
     ) -> PositionSamples:
         """Return the samples of position ``k``.
 

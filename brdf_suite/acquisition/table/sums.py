@@ -19,9 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.table.parameterization import Parameterization
-
-Singles = npt.NDArray[np.float32]
-Doubles = npt.NDArray[np.float64]
+from brdf_suite.arrays import Floats, Singles
 
 FIELDS = ("n", "w", "w²", "w·r", "w·g", "w·b", "w·y²", "w²·σ²", "w·x₀", "w·x₁", "w·x₂")
 """Sums of a bin: readings, weights, their squares; f_r by channel; y² and the noise's part, with y the mean over the
@@ -38,24 +36,24 @@ class PositionSums:
     sums: Singles
 
 
-def reading_weights(wi: Singles, wo: Singles, value: Singles, variance: Singles | None) -> Doubles:
+def reading_weights(wi: Singles, wo: Singles, value: Singles, variance: Singles | None) -> Floats:
     """Return the weights (n,) of readings ``value`` (n, 3) with the ``variance`` of their noise (n, 3)."""
     cosines = np.maximum(wi[:, 2], 0.0).astype(np.float64) * np.maximum(wo[:, 2], 0.0)
     if variance is None:
-        weights: Doubles = cosines / GEOMETRIC_ERROR**2
+        weights: Floats = cosines / GEOMETRIC_ERROR**2
         return weights
     noise = variance.sum(axis=1, dtype=np.float64)
     total = np.maximum(value.sum(axis=1, dtype=np.float64), np.finfo(np.float32).tiny)
     with np.errstate(over="ignore"):  # next to nothing was seen there, and 0 is its weight
-        share: Doubles = noise / (total * total) + GEOMETRIC_ERROR**2
+        share: Floats = noise / (total * total) + GEOMETRIC_ERROR**2
     return cosines / share
 
 
 def position_sums(
     parameterization: Parameterization,
-    places: Doubles,
+    places: Floats,
     value: Singles,
-    weights: Doubles,
+    weights: Floats,
     variance: Singles | None = None,
 ) -> PositionSums:
     """Return the sums of readings ``value`` (n, 3) at ``places`` (3, n) in index space.
@@ -75,7 +73,7 @@ def position_sums(
     bins, which = np.unique(flat, return_inverse=True)
     mean = value.mean(axis=1, dtype=np.float64)
     noise = np.zeros(len(kept)) if variance is None else variance[kept].sum(axis=1, dtype=np.float64) / 9.0
-    columns: list[Doubles | None] = [None, weights, weights * weights]
+    columns: list[Floats | None] = [None, weights, weights * weights]
     columns += [weights * value[:, channel] for channel in range(3)]
     columns += [weights * mean * mean, weights * weights * noise]
     columns += [weights * (axis - low - 0.5) for axis, low in zip(places, whole, strict=True)]
@@ -90,7 +88,7 @@ class TableSums:
     """The sums of all positions so far, ``sums`` (bins, 11) float64: 128 MB for 90 × 90 × 180 bins."""
 
     parameterization: Parameterization = field(default_factory=Parameterization)
-    sums: Doubles = field(init=False)
+    sums: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         self.sums = np.zeros((self.parameterization.bins, len(FIELDS)))

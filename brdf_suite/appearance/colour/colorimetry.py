@@ -15,8 +15,8 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 WHITE_D65_10 = np.array([94.811, 100.0, 107.304])
 """White of D65 and the 10° observer, XYZ (CIE 15, as the paint trade's instruments use it)."""

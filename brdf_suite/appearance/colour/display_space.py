@@ -20,8 +20,8 @@ from brdf_suite.appearance.colour.colorimetry import (
     srgb_encode,
 )
 from brdf_suite.appearance.colour.spaces import P3_PRIMARIES, WORKING_TO_P3
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 Primaries = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]
 

@@ -32,11 +32,11 @@ from brdf_suite.appearance.colour.colorimetry import (
 )
 from brdf_suite.appearance.colour.spaces import P3_PRIMARIES, adapt_xyz, lch_to_lab, xyz_to_working
 from brdf_suite.appearance.colour.spectra import spectrum_to_lab
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import PARAMETERS, Lab, Paint, solid_paint
-from brdf_suite.geometry.directions import Floats
 
 ADOBE_RGB_PRIMARIES = ((0.64, 0.33), (0.21, 0.71), (0.15, 0.06))
 """Chromaticities of Adobe RGB (1998), with the white of D65 and a power of 563/256."""

@@ -21,8 +21,8 @@ from brdf_suite.appearance.colour.colorimetry import (
     srgb_encode,
     xyz_to_lab,
 )
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 P3_PRIMARIES = ((0.680, 0.320), (0.265, 0.690), (0.150, 0.060))
 """Chromaticities x, y of the primaries of Display P3 (SMPTE EG 432-1), with the white of D65."""

@@ -19,8 +19,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import RELATIVE_TO_WORKING, WORKING_TO_XYZ, xyz_to_lab
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.resources import resource
 
 Observer = Literal[2, 10]

@@ -18,8 +18,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import WHITE_D65_10, lab_to_xyz
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 SURROUNDS: dict[str, tuple[float, float, float]] = {
     "average": (1.0, 0.69, 1.0),

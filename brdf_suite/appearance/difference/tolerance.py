@@ -16,8 +16,8 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.difference.cam02ucs import delta_e_cam02ucs
 from brdf_suite.appearance.difference.formulas import delta_e_76, delta_e_2000, delta_e_cmc
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 Difference = Callable[[npt.ArrayLike, npt.ArrayLike], Floats]
 

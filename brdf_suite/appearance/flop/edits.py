@@ -19,8 +19,8 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 FACE_DEG = 45.0
 GREY_CHROMA = 0.05

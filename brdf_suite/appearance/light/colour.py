@@ -21,8 +21,8 @@ from brdf_suite.appearance.colour.spaces import adapt_xyz
 from brdf_suite.appearance.colour.spectra import spectrum_to_xyz, white_xyz
 from brdf_suite.appearance.difference.formulas import delta_e_76
 from brdf_suite.appearance.difference.tolerance import Difference
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 Road = Literal["measured", "adapted", "recomputed"]
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ
 from brdf_suite.appearance.colour.spectra import colour_matching, table_wavelengths
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 _SECOND_RADIATION_M_K = 1.438776877e-2  # CODATA 2018
 _JOIN_LOW_K, _JOIN_HIGH_K = 3900.0, 4100.0

@@ -18,8 +18,8 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WHITE_D65_10, WORKING_TO_XYZ, adaptation
 from brdf_suite.appearance.colour.spectra import white_xyz
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import LightColour
-from brdf_suite.geometry.directions import Floats
 
 ILLUMINANT_OF: dict[str, str] = {
     "D65": "D65",

@@ -12,13 +12,11 @@ from brdf_suite.cli.light import lights as environment_lights
 from brdf_suite.cli.light import studio_and_sky as environment_light
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and its actions."""
-    command = commands.add_parser(
-        "environment",
-        help="what an environment map holds; studios and skies from a description",
-        description="Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (booth, sunny, "
-        "overcast); or make one.",
+    command.description = (
+        "Look into an environment: an .exr, .hdr or .brdfstudio file, or a shipped one (booth, sunny, "
+        "overcast); or make one."
     )
     actions = command.add_subparsers(dest="action", metavar="ACTION", required=True)
     for module in (environment_info, environment_lights, environment_light):

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json
-
-if TYPE_CHECKING:
-    from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram
+from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram, environment_statistics
+from brdf_suite.pipeline.environments import read_environment_file
+from brdf_suite.pipeline.scene import find_environment
 
 _BAR = 40
 _ROWS = 20  # of the histogram; more stops than that are put together two by two, and so on
@@ -35,10 +34,6 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Read, count and print."""
-    from brdf_suite.lighting.statistics import environment_statistics
-    from brdf_suite.pipeline.environments import read_environment_file
-    from brdf_suite.pipeline.scene import find_environment
-
     name, path = find_environment(options.environment)
     read = read_environment_file(path, options.layout)
     environment = read.environment

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+
+from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json
-
-if TYPE_CHECKING:
-    from brdf_suite.lighting.environment import Environment
-    from brdf_suite.lighting.lights import DirectionalLights
-
-_MOST = 1024  # as in lighting.lights, which --help does not wait for
-_METHODS = ("relaxed", "structured", "median-cut")
+from brdf_suite.errors import FileError
+from brdf_suite.files.images.png import write_png
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.lights import DirectionalLights, directional_lights
+from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, MAX_LIGHTS, METHODS
+from brdf_suite.output.light_map import picture_of_lights
+from brdf_suite.pipeline.environments import read_environment
+from brdf_suite.pipeline.scene import find_environment
 
 
 def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -31,14 +34,19 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
     )
     action.add_argument(
-        "-n", "--count", type=_count, default=16, metavar="N", help=f"how many, 1 to {_MOST:,} (default: 16)"
+        "-n",
+        "--count",
+        type=_count,
+        default=16,
+        metavar="N",
+        help=f"how many, 1 to {MAX_LIGHTS:,} (default: 16)",
     )
     action.add_argument(
         "--method",
-        choices=_METHODS,
-        default=_METHODS[0],
+        choices=tuple(METHODS),
+        default=DEFAULT_METHOD,
         help="relaxed errs least; structured and median-cut keep a sun apart even with few lights "
-        f"(default: {_METHODS[0]})",
+        f"(default: {DEFAULT_METHOD})",
     )
     add_layout(action)
     action.add_argument("--json", action="store_true", help="print one JSON object")
@@ -50,14 +58,6 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Find the lights and print them."""
-    import numpy as np
-
-    from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-    from brdf_suite.errors import FileError
-    from brdf_suite.lighting.lights import directional_lights
-    from brdf_suite.pipeline.environments import read_environment
-    from brdf_suite.pipeline.scene import find_environment
-
     if options.image is not None and options.image.suffix.lower() != ".png":
         raise FileError(options.image, "must end in .png")
     name, path = find_environment(options.environment)
@@ -107,15 +107,12 @@ def run(options: argparse.Namespace) -> int:
 
 def _count(text: str) -> int:
     """Parse a number of lights (an argparse type)."""
-    if not (text.isascii() and text.isdecimal()) or not 1 <= int(text[:9]) <= _MOST or len(text) > 9:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of lights from 1 to {_MOST:,}")
+    if not (text.isascii() and text.isdecimal()) or not 1 <= int(text[:9]) <= MAX_LIGHTS or len(text) > 9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of lights from 1 to {MAX_LIGHTS:,}")
     return int(text)
 
 
 def _write_image(path: Path, name: str, environment: Environment, lights: DirectionalLights) -> None:
-    from brdf_suite.files.images.png import write_png
-    from brdf_suite.output.light_map import picture_of_lights
-
     write_png(
         path, picture_of_lights(environment, lights), {"Title": f"{name}: {len(lights)} directional lights"}
     )

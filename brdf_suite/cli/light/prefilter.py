@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import argparse
+from time import perf_counter
 
 from brdf_suite.cli.light.layout import add_layout
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.pipeline.scene import load_environment
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "prefilter",
-        help="prefilter an environment, its maps kept in the cache",
-        description="Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
-        "which the Viewer and `render` take them.",
+    command.description = (
+        "Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
+        "which the Viewer and `render` take them."
     )
     command.add_argument(
         "environment",
@@ -28,10 +28,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Prefilter and print what there is now."""
-    from time import perf_counter
-
-    from brdf_suite.pipeline.scene import load_environment
-
     start = perf_counter()
     with progress_bar("prefiltering", quiet=options.json) as progress:
         prepared = load_environment(options.environment, progress, layout=options.layout)

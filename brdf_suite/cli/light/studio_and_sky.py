@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import progress_bar
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.light_store import LightDocument
-
-_MODELS = ("hosek_wilkie", "preetham", "overcast")  # as in documents.studio, which --help does not wait for
+from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_light, save_light
+from brdf_suite.documents.studio import SKY_MODELS, Sky
+from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.files.images.environments import write_exr
+from brdf_suite.lighting.procedural.booth import BOOTH
+from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.pipeline.environments import draw_light
 
 
 def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -43,7 +44,7 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "OUT.brdfstudio is written as a description to edit, OUT.exr as a map of 1024 × 512.",
     )
     sky.add_argument("output", metavar="OUT", type=Path, help="the .brdfstudio or .exr file to write")
-    sky.add_argument("--model", choices=_MODELS, default=_MODELS[0], help=f"(default: {_MODELS[0]})")
+    sky.add_argument("--model", choices=SKY_MODELS, default=SKY_MODELS[0], help=f"(default: {SKY_MODELS[0]})")
     sky.add_argument(
         "--turbidity",
         type=float,
@@ -72,17 +73,12 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run_studio(options: argparse.Namespace) -> int:
     """Write an example, or draw a description."""
-    from brdf_suite.documents.light_store import STUDIO_ENDING, load_light, save_light
-    from brdf_suite.errors import FileError, SuiteError
-
     path: Path = options.description
     if options.new:
         if path.suffix.lower() != STUDIO_ENDING:
             raise FileError(path, f"must end in {STUDIO_ENDING}")
         if path.exists():
             raise FileError(path, "is there already, and --new writes over nothing")
-        from brdf_suite.lighting.procedural.booth import BOOTH
-        from brdf_suite.lighting.procedural.example import EXAMPLE
 
         light: LightDocument = BOOTH if options.booth else EXAMPLE
         save_light(light, path)
@@ -98,10 +94,6 @@ def run_studio(options: argparse.Namespace) -> int:
 
 def run_sky(options: argparse.Namespace) -> int:
     """Write a sky."""
-    from brdf_suite.documents.light_store import STUDIO_ENDING, save_light
-    from brdf_suite.documents.studio import Sky
-    from brdf_suite.errors import FileError
-
     path: Path = options.output
     if path.suffix.lower() not in (STUDIO_ENDING, ".exr"):
         raise FileError(path, f"must end in {STUDIO_ENDING} or .exr")
@@ -123,10 +115,6 @@ def run_sky(options: argparse.Namespace) -> int:
 
 
 def _render(light: LightDocument, path: Path) -> None:
-    from brdf_suite.errors import FileError
-    from brdf_suite.files.images.environments import write_exr
-    from brdf_suite.pipeline.environments import draw_light
-
     if path.suffix.lower() != ".exr":
         raise FileError(path, "must end in .exr")
     with progress_bar("drawing") as progress:

@@ -6,28 +6,25 @@ import argparse
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
+from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.cli.measured import acquire_simulate
 from brdf_suite.cli.output import print_json, progress_bar
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.reconstruction.options import Acquired
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+from brdf_suite.errors import SuiteError
 
 _MOST_ALIKE = 6
 """Return one notice for each kind of finding, where findings differ in names and numbers alone."""
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "acquire",
-        help="make a reflectance table from photographs of a painted sphere",
-        description="Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
+    command.description = (
+        "Reconstruct a table of half-angle bins (Günther et al. 2005) from a folder with session.json and "
         "photographs: the camera's response, the sphere and the light are found from the photographs themselves. What "
         "is done is kept in OUT.work: stopped or killed, the same command resumes where it stopped, with the same "
-        "table. docs/use/acquisition.md describes the folder.",
+        "table. docs/use/acquisition.md describes the folder."
     )
     command.add_argument("folder", metavar="DIR", type=Path, help="the session's folder, or its session.json")
     command.add_argument(
@@ -65,10 +62,6 @@ def run(options: argparse.Namespace) -> int:
     """Reconstruct, write the table and print a summary."""
     if acquire_simulate.is_requested(options):
         return acquire_simulate.run(options)
-    from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-    from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
-    from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-    from brdf_suite.errors import SuiteError
 
     chosen = AcquireOptions(
         grazing_deg=options.grazing,

@@ -6,7 +6,11 @@ import argparse
 from pathlib import Path
 from typing import Any
 
+from brdf_suite.acquisition.session.template import write_template
+from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
 from brdf_suite.cli.output import print_json, progress_bar, size
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import load_material
 
 
 def add_arguments(command: argparse.ArgumentParser) -> None:
@@ -67,16 +71,12 @@ def is_requested(options: argparse.Namespace) -> bool:
 
 def run(options: argparse.Namespace) -> int:
     """Write the folder and print a summary."""
-    from brdf_suite.errors import SuiteError
-
     if options.template and options.simulate:
         raise SuiteError("Give either --template or --simulate, not both.")
     return _template(options) if options.template else _simulate(options)
 
 
 def _template(options: argparse.Namespace) -> int:
-    from brdf_suite.acquisition.session.template import write_template
-
     written = write_template(Path(options.folder))
     if options.json:
         print_json(
@@ -90,9 +90,6 @@ def _template(options: argparse.Namespace) -> int:
 
 
 def _simulate(options: argparse.Namespace) -> int:
-    from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
-    from brdf_suite.pipeline.material import load_material
-
     given: dict[str, Any] = {
         "size": options.size,
         "positions": options.positions,
@@ -139,8 +136,6 @@ def _simulate(options: argparse.Namespace) -> int:
 
 def _moved(given: list[float]) -> tuple[int, float, float]:
     """Return the position, which must be a whole number, and the shift."""
-    from brdf_suite.errors import SuiteError
-
     position, right, down = given
     if not position.is_integer():
         raise SuiteError(f"--moved: a position is a whole number, the first is 0; {position:g} is none.")

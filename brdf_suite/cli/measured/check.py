@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json
+from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import load_material
+from brdf_suite.reflectance import registry
+from brdf_suite.reflectance.checks import CheckReport, check_model, check_reflectance
 
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.checks import CheckReport
 
-
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "check",
-        help="check a paint, a measured file or a model: reciprocity, sign, energy",
-        description="Measure whether a reflectance is reciprocal, never negative, and reflects no more light than "
+    command.description = (
+        "Measure whether a reflectance is reciprocal, never negative, and reflects no more light than "
         "arrives: its directional albedo (light at an angle) and the white furnace (view at an angle). What a model "
-        "claims and does not keep is a fault; what it does not claim is listed with its size.",
-        epilog="exit status: 0 every claim held, 1 one did not",
+        "claims and does not keep is a fault; what it does not claim is listed with its size."
     )
+    command.epilog = "exit status: 0 every claim held, 1 one did not"
     command.add_argument(
         "what",
         metavar="PAINT|FILE|MODEL",
@@ -34,8 +32,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Check and print."""
-    from brdf_suite.errors import SuiteError
-
     if options.models == (options.what is not None):
         raise SuiteError("Name one paint, file or model to check, or give --models for every model.")
     reports = _all_models() if options.models else [_report(options.what)]
@@ -48,20 +44,12 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _all_models() -> list[CheckReport]:
-    from brdf_suite.reflectance.checks import check_model
-    from brdf_suite.reflectance.registry import MODELS
-
-    return [check_model(entry) for entry in MODELS.values()]
+    return [check_model(entry) for entry in registry.MODELS.values()]
 
 
 def _report(what: str) -> CheckReport:
-    from brdf_suite.reflectance.checks import check_model, check_reflectance
-    from brdf_suite.reflectance.registry import MODELS
-
-    if what in MODELS:
-        return check_model(MODELS[what])
-    from brdf_suite.pipeline.material import load_material
-
+    if what in registry.MODELS:
+        return check_model(registry.MODELS[what])
     item = load_material(what)
     return check_reflectance(item.reflectance, item.name)
 

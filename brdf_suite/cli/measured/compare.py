@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import argparse
 
+from brdf_suite.appearance.difference.tolerance import difference_title
+from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.cli.measured.measure import ANYTHING, add_instrument
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
+from brdf_suite.inspection.measuring import compare
+from brdf_suite.pipeline.material import load_material
+from brdf_suite.reflectance.instruments.aperture import aperture
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "compare",
-        help="compare two paints or measured files: colour differences per angle, RMS and log error",
-        description="Compare B with the reference A. With tolerances the exit status is 1 where B fails.",
+    command.description = (
+        "Compare B with the reference A. With tolerances the exit status is 1 where B fails."
     )
     command.add_argument("a", metavar="A", help=f"the reference: {ANYTHING}")
     command.add_argument("b", metavar="B", help="the sample, likewise")
@@ -29,12 +32,6 @@ _SHORT = {"cmc21": "CMC 2:1", "cmc11": "CMC 1:1", "cam02ucs": "CAM02"}
 
 def run(options: argparse.Namespace) -> int:
     """Compare and print; 1 where a tolerance is exceeded."""
-    from brdf_suite.appearance.difference.tolerance import difference_title
-    from brdf_suite.appearance.geometries import geometry_set
-    from brdf_suite.inspection.measuring import compare
-    from brdf_suite.pipeline.material import load_material
-    from brdf_suite.reflectance.instruments.aperture import aperture
-
     geometry = geometry_set(options.geometry)
     tolerances = parse_tolerances(options, [one.aspecular_deg for one in geometry.geometries])
     first, second = (load_material(what, observer_deg=options.observer) for what in (options.a, options.b))

@@ -7,15 +7,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json
+from brdf_suite.inspection.measuring import convert
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "convert",
-        help="convert a measured file, or a paint, to a format of measured reflectance",
-        description="Read a measured file by its content and write it in the format that the ending of OUT names. "
-        "What a format cannot hold is refused, and OUT is left as it was.",
+    command.description = (
+        "Read a measured file by its content and write it in the format that the ending of OUT names. "
+        "What a format cannot hold is refused, and OUT is left as it was."
     )
     command.add_argument(
         "source", metavar="IN", type=Path, help="a measured file, a .brdfpaint, or a paint's name"
@@ -44,8 +43,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Convert and print a line or a JSON object."""
-    from brdf_suite.inspection.measuring import convert
-
     done = convert(
         options.source,
         options.target,

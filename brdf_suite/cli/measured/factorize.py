@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json, progress_bar
-
-if TYPE_CHECKING:
-    from brdf_suite.fitting.homomorphic.reflectance_fit import FactoredFit
+from brdf_suite.documents.store import PAINT_ENDING
+from brdf_suite.errors import FileError, FittingError
+from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
+from brdf_suite.fitting.homomorphic.reflectance_fit import (
+    TABLE_ENDING,
+    FactoredFit,
+    FactoringOptions,
+    check_target,
+    factor_reflectance,
+    save_factored,
+)
+from brdf_suite.pipeline.material import load_material
+from brdf_suite.progress import report, subrange
 
 _EXAMPLES = """\
 examples:
@@ -18,17 +27,15 @@ examples:
 """
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "factorize",
-        help="write anything that reflects as a product of textures",
-        description="Factor a reflectance into a product of maps, f_r = alpha p(wo) q(h) p(wi) or any other, by least "
+    command.description = (
+        "Factor a reflectance into a product of maps, f_r = alpha p(wo) q(h) p(wi) or any other, by least "
         "squares of the logarithm (McCool, Ang and Ahmad 2001), with the specular peak apart, and report how near the "
-        "product comes. The paint or table that is written opens in all programs.",
-        epilog=_EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
+        "product comes. The paint or table that is written opens in all programs."
     )
+    command.epilog = _EXAMPLES
+    command.formatter_class = argparse.RawDescriptionHelpFormatter
     command.add_argument(
         "reflectance", metavar="FILE|PAINT", help="a measured file, a .brdfpaint file, or the name of a paint"
     )
@@ -96,18 +103,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Factor, write the paint and print a summary."""
-    from brdf_suite.documents.store import PAINT_ENDING
-    from brdf_suite.errors import FileError, FittingError
-    from brdf_suite.fitting.homomorphic.reflectance_fit import (
-        TABLE_ENDING,
-        FactoringOptions,
-        check_target,
-        factor_reflectance,
-        save_factored,
-    )
-    from brdf_suite.pipeline.material import load_material
-    from brdf_suite.progress import report, subrange
-
     if options.output.suffix.lower() not in (PAINT_ENDING, TABLE_ENDING):
         raise FileError(
             options.output,
@@ -150,7 +145,6 @@ def _summary(found: FactoredFit, output: Path) -> str:
     if found.left_out or found.raised:
         lines.append(f"left out: {found.left_out:,} samples; negative ones taken for 0: {found.raised:,}")
     lines.append(f"relative error: median {near.median_relative:.3f}; SNR {near.snr_db:.2f} dB")
-    from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
 
     symmetric = [name for name, size in found.asymmetry.items() if size <= SYMMETRIC]
     if symmetric:

@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import argparse
 import math
-from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
 
 from brdf_suite.cli.output import print_json, progress_bar
-
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
-    from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
+from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.material import load_material
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "fit",
-        help="fit the cosine lobes to a paint or a measured file",
-        description="Fit the fixed set of cosine lobes to a paint of any kind or a measured file. "
+    command.description = (
+        "Fit the fixed set of cosine lobes to a paint of any kind or a measured file. "
         "Weights are linear Rec. 2020, f_r·cosθ at the stated incidence: KD and KDD times N·L, KG without. Errors are "
-        "those of the fit (L1) and those where the fit did not look.",
+        "those of the fit (L1) and those where the fit did not look."
     )
     command.add_argument(
         "paint",
@@ -45,8 +42,6 @@ def run(options: argparse.Namespace) -> int:
     """Fit and print."""
     if options.angles is not None:
         return _at_angles(options)
-    from brdf_suite.pipeline.lobe_fit import fit_material
-    from brdf_suite.pipeline.material import load_material
 
     with progress_bar("fitting", quiet=options.json) as progress:
         found = fit_material(load_material(options.paint), errors=True, progress=progress)
@@ -77,8 +72,6 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _at_angles(options: argparse.Namespace) -> int:
-    from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
-
     found = fit_at_angles(options.paint, options.angles)
     if options.json:
         print_json(found.to_json())

@@ -4,26 +4,31 @@ from __future__ import annotations
 
 import argparse
 import math
+from dataclasses import asdict, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+from numpy import asarray
 
 from brdf_suite.cli.output import print_json, progress_bar
-
-if TYPE_CHECKING:
-    from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit
-    from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors
+from brdf_suite.documents.store import save_paint
+from brdf_suite.errors import FileError, FittingError
+from brdf_suite.files.measured.brdftable import write_brdftable
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors
+from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
+from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
+from brdf_suite.pipeline.material import load_material
+from brdf_suite.progress import report, subrange
 
 _PAINT, _TABLE = ".brdfpaint", ".brdftable"
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "fit-cook-torrance",
-        help="fit Cook-Torrance lobes to a measured file and write them as a paint",
-        description="Fit kd and lobes (ks, m, r) to a table, to samples, or to a material of RGL, by the mean of "
+    command.description = (
+        "Fit kd and lobes (ks, m, r) to a table, to samples, or to a material of RGL, by the mean of "
         "|log(fit/measured)| (Günther et al. 2005, section 4.2), report the errors and each parameter's uncertainty, "
-        "and write a paint that every program opens.",
+        "and write a paint that every program opens."
     )
     command.add_argument(
         "reflectance", metavar="FILE", help="a measured file; also a .brdfpaint file or the name of a paint"
@@ -81,15 +86,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Fit, write the files and print a summary."""
-    from dataclasses import asdict, replace
-
-    from brdf_suite.errors import FittingError
-    from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
-    from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
-    from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
-    from brdf_suite.pipeline.material import load_material
-    from brdf_suite.progress import report, subrange
-
     settings = Settings(
         options.lobes,
         options.model,
@@ -155,8 +151,6 @@ def run(options: argparse.Namespace) -> int:
 
 def _check_output(options: argparse.Namespace) -> None:
     """Refuse before the fit what could not be written after it."""
-    from brdf_suite.errors import FileError
-
     output: Path | None = options.output
     if output is None:
         return
@@ -176,9 +170,6 @@ def _check_output(options: argparse.Namespace) -> None:
 
 
 def _write(found: FileFit, output: Path) -> None:
-    from brdf_suite.documents.store import save_paint
-    from brdf_suite.files.measured.brdftable import write_brdftable
-
     if found.paint is not None and output.suffix.lower() == _PAINT:
         save_paint(found.paint, output)
     else:
@@ -211,8 +202,6 @@ def _errors(errors: FitErrors) -> str:
 
 
 def _colour(values: object, errors: object) -> str:
-    from numpy import asarray
-
     pairs = zip(asarray(values).tolist(), asarray(errors).tolist(), strict=True)
     return "  ".join(_number(value, error) for value, error in pairs)
 

@@ -6,14 +6,15 @@ import argparse
 import csv
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from brdf_suite.appearance.geometries import geometry_set
+from brdf_suite.appearance.light.colour import ColourUnderLight
 from brdf_suite.cli.output import print_json
-
-if TYPE_CHECKING:
-    from brdf_suite.appearance.light.colour import ColourUnderLight
-    from brdf_suite.pipeline.material import Material
-    from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
+from brdf_suite.inspection.measuring import measurement_json
+from brdf_suite.pipeline.material import Material, load_material
+from brdf_suite.reflectance.instruments.aperture import aperture
+from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport, measure
+from brdf_suite.reflectance.instruments.under_light import readings_under
 
 GEOMETRY_HELP = (
     "e2194 (15, 45, 110°), five, six, e2539, or your own: LIGHT:ANGLE,ANGLE[;LIGHT:…] in degrees, as in "
@@ -29,13 +30,11 @@ _GREY = 0.005
 ANYTHING = "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint"
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "measure",
-        help="measure paints and measured files: colour per angle, gloss, haze, flop, travel",
-        description="Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
-        "and glossmeter (20, 60, 85°).",
+    command.description = (
+        "Read anything that reflects with a virtual multi-angle spectrophotometer (D65, 10° observer) "
+        "and glossmeter (20, 60, 85°)."
     )
     command.add_argument("what", metavar="FILE|PAINT", nargs="+", help=ANYTHING)
     add_instrument(command)
@@ -73,12 +72,6 @@ def add_instrument(command: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure and print."""
-    from brdf_suite.appearance.geometries import geometry_set
-    from brdf_suite.inspection.measuring import measurement_json
-    from brdf_suite.pipeline.material import load_material
-    from brdf_suite.reflectance.instruments.aperture import aperture
-    from brdf_suite.reflectance.instruments.spectrophotometer import measure
-
     geometries, through = geometry_set(options.geometry), aperture(options.aperture)
     measured: list[tuple[Material, InstrumentReport]] = []
     for what in options.what:
@@ -98,8 +91,6 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _under(item: Material, report: InstrumentReport, illuminant: str) -> tuple[ColourUnderLight, ...]:
-    from brdf_suite.reflectance.instruments.under_light import readings_under
-
     return readings_under(item.reflectance, report, illuminant, item.observer_deg)
 
 

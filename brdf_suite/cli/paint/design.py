@@ -4,23 +4,24 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.cli.measured.measure import ANYTHING, GEOMETRY_HELP
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import PAINT_ENDING, paint_to_json, save_paint
 from brdf_suite.errors import SuiteError
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.paint import Paint
+from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
+from brdf_suite.paint_design.mix import mixed, second_end
+from brdf_suite.paint_design.standard_files import load_standards
+from brdf_suite.paint_design.variations import examined, variations
+from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
 
 DIRECTIONS = ("lighter", "darker", "cleaner", "dirtier", "more_flop", "less_flop", "hue_forward", "hue_back")
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and its own commands."""
-    command = commands.add_parser(
-        "design", help="make a paint: from a measurement, a step away, or between two"
-    )
     kinds = command.add_subparsers(dest="kind", metavar="KIND", required=True)
     start = kinds.add_parser(
         "start",
@@ -52,9 +53,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run_start(options: argparse.Namespace) -> int:
     """Read, write, and print the report."""
-    from brdf_suite.appearance.geometries import geometry_set
-    from brdf_suite.paint_design.measured_start import load_start
-
     geometry = geometry_set(options.geometry)
     _check_output(options.output)
     with progress_bar("measuring", quiet=options.json) as progress:
@@ -88,9 +86,6 @@ def run_start(options: argparse.Namespace) -> int:
 
 def run_step(options: argparse.Namespace) -> int:
     """Take a step, write, and print."""
-    from brdf_suite.paint_design.variations import examined, variations
-    from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
-
     _check_output(options.output)
     found = {one.direction: one for one in variations(_design(options.what), options.step)}
     fitter = PaintFitter(time_limit_s=PATIENT_TIME_LIMIT_S)
@@ -108,9 +103,6 @@ def run_step(options: argparse.Namespace) -> int:
 
 def run_between(options: argparse.Namespace) -> int:
     """Mix, write, and print."""
-    from brdf_suite.paint_design.mix import mixed, second_end
-    from brdf_suite.paint_design.standard_files import load_standards
-
     _check_output(options.output)
     first = _design(options.first)
     second = second_end(first, load_standards(options.second)[0])
@@ -119,23 +111,16 @@ def run_between(options: argparse.Namespace) -> int:
 
 def _design(name_or_path: str) -> Paint:
     """Return the designed paint of a name or file; of anything else the design that is started from its readings."""
-    from brdf_suite.documents.paint import Paint
-    from brdf_suite.paint_design.measured_start import load_paint_or_start, load_start
-
     found = load_paint_or_start(name_or_path)
     return found if isinstance(found, Paint) else load_start(name_or_path).paint
 
 
 def _check_output(path: Path | None) -> None:
-    from brdf_suite.documents.store import PAINT_ENDING
-
     if path is not None and path.suffix.lower() != PAINT_ENDING:
         raise SuiteError(f"{path}: a paint is written to a file that ends in {PAINT_ENDING}.")
 
 
 def _done(paint: Paint, options: argparse.Namespace, facts: dict[str, object], lines: list[str]) -> int:
-    from brdf_suite.documents.store import paint_to_json, save_paint
-
     if options.output is not None:
         save_paint(paint, options.output)
     if options.json:

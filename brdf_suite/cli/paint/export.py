@@ -4,26 +4,27 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.export_progress import add_export, export_progress
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances
-
-if TYPE_CHECKING:
-    from brdf_suite.files.exports import ExportFormat, ExportItem
+from brdf_suite.documents.store import load_view
+from brdf_suite.errors import SuiteError, UnreachableError
+from brdf_suite.files.exports import ExportFormat, ExportItem
+from brdf_suite.paint_design.standard_files import load_standards
+from brdf_suite.reports.handover import export, export_losses, format_named, format_of, formats, item_of
+from brdf_suite.reports.paint_report.document import ReportOptions
 
 _NAMES = ("cxf", "csv", "json", "luxcore", "openpbr", "gltf", "rgl", "html", "pdf")
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "export",
-        help="hand paints over to other programs, or make a one-page report",
-        description="Write paints for other programs: CxF3 with one specification per angle, CSV, JSON; LuxCore car "
+    command.description = (
+        "Write paints for other programs: CxF3 with one specification per angle, CSV, JSON; LuxCore car "
         "paint, MaterialX OpenPBR, glTF clearcoat and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
-        "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer.",
+        "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer."
     )
     command.add_argument(
         "paints",
@@ -57,13 +58,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the export or list its losses, as lines or as a JSON object."""
-    from brdf_suite.appearance.difference.tolerance import Tolerances
-    from brdf_suite.documents.store import load_view
-    from brdf_suite.errors import SuiteError
-    from brdf_suite.paint_design.standard_files import load_standards
-    from brdf_suite.reports.handover import export, format_named, format_of, formats, item_of
-    from brdf_suite.reports.paint_report.document import ReportOptions
-
     items = [item_of(paint) for paint in options.paints]
     read = [m.aspecular_deg for item in items for m in item.paint.measurements]
     report = ReportOptions(
@@ -107,9 +101,6 @@ def run(options: argparse.Namespace) -> int:
 def _list_losses(
     options: argparse.Namespace, items: list[ExportItem], wanted: tuple[ExportFormat, ...]
 ) -> int:
-    from brdf_suite.errors import UnreachableError
-    from brdf_suite.reports.handover import export_losses
-
     table: dict[str, dict[str, list[str]]] = {}
     for name, item in zip(options.paints, items, strict=True):
         rows = table[str(name)] = {}

@@ -3,26 +3,25 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING
+from dataclasses import replace
 
+from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
+from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.paint import Paint
-    from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard
+from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_all, paint_like
+from brdf_suite.paint_design.standard_files import load_standards
+from brdf_suite.pipeline.material import default_paint
 
 KINDS = "a paint by name or file, a palette, CxF3, CSV or JSON of a hand-over, or a measured file"
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "judge",
-        help="judge batches against a standard: differences per angle, pass or fail, in words",
-        description="Judge each batch's readings against the standard's. What a standard was not read at is measured "
-        "of it where it is more than readings. With tolerances the exit status is 1 where a batch fails.",
+    command.description = (
+        "Judge each batch's readings against the standard's. What a standard was not read at is measured "
+        "of it where it is more than readings. With tolerances the exit status is 1 where a batch fails."
     )
     command.add_argument("standard", metavar="STANDARD", help=KINDS)
     command.add_argument(
@@ -38,10 +37,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 1 where a batch fails."""
-    from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
-    from brdf_suite.paint_design.standard import judge_all
-    from brdf_suite.paint_design.standard_files import load_standards
-
     standard = _chosen(load_standards(options.standard), options.name, options.standard)
     batches = _batches(options.batch, standard)
     angles = [m.aspecular_deg for paint in batches for m in paint.measurements]
@@ -77,12 +72,6 @@ def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Sta
 
 
 def _batches(paths: list[str], standard: Standard) -> list[Paint]:
-    from dataclasses import replace
-
-    from brdf_suite.paint_design.standard import paint_like
-    from brdf_suite.paint_design.standard_files import load_standards
-    from brdf_suite.pipeline.material import default_paint
-
     # What is no designed paint is read at the standard's angles, or at the usual ones where it has none of its own.
     like = standard.paint
     if like is None and len(standard.readings) >= 3:

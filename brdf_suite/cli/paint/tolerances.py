@@ -5,12 +5,9 @@ from __future__ import annotations
 import argparse
 import math
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING
 
+from brdf_suite.appearance.difference.tolerance import AngleVerdict, Limits, Tolerances, find_difference
 from brdf_suite.errors import SuiteError
-
-if TYPE_CHECKING:
-    from brdf_suite.appearance.difference.tolerance import AngleVerdict, Tolerances
 
 _PARTS = {"E": "difference", "L": "lightness", "C": "chroma", "H": "hue"}
 
@@ -73,8 +70,6 @@ def parse_tolerances(options: argparse.Namespace, read: Sequence[float]) -> Tole
     SuiteError
         There is no such formula, a limit is no size, or an angle is not read.
     """
-    from brdf_suite.appearance.difference.tolerance import Limits, Tolerances, find_difference
-
     find_difference(options.difference)
     if not options.tolerance:
         return None

@@ -5,12 +5,17 @@ from __future__ import annotations
 import argparse
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+import numpy as np
+
+from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.arrays import Floats
 from brdf_suite.cli.output import print_json
-
-if TYPE_CHECKING:
-    from brdf_suite.geometry.directions import Floats
+from brdf_suite.files.palettes import read_palette
+from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, labs_of
+from brdf_suite.palettes.search import nearest
+from brdf_suite.palettes.swatches.flat import colours_at
+from brdf_suite.pipeline.material import load_document, load_material
 
 _MOST = 1000
 
@@ -51,10 +56,6 @@ def _count(text: str) -> int:
 
 def run(options: argparse.Namespace) -> int:
     """Search and print a table or a JSON object."""
-    from brdf_suite.files.palettes import read_palette
-    from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns
-    from brdf_suite.palettes.search import nearest
-
     name, lab = _labs(options.paint)
     found = read_palette(options.palette)
     columns = Columns.of(found.palette.entries)
@@ -111,13 +112,6 @@ def run(options: argparse.Namespace) -> int:
 
 def _labs(name_or_path: str) -> tuple[str, Floats]:
     """The name and L*a*b* (3, 3) of what is looked for."""
-    import numpy as np
-
-    from brdf_suite.appearance.colour.colorimetry import working_to_lab
-    from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, labs_of
-    from brdf_suite.palettes.swatches.flat import colours_at
-    from brdf_suite.pipeline.material import load_document, load_material
-
     document = load_document(name_or_path)
     if document is not None:
         return document.name, labs_of(document)

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from brdf_suite.appearance.colour.flat_colours import display_notes, flat_labs, lab_to_hex
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.palette import find as palette_find
-
-if TYPE_CHECKING:
-    from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette_store import flat_to_json
+from brdf_suite.files.palettes import find_format, format_for, losses, read_palette, write_palette
+from brdf_suite.files.palettes.conversions import face_lab
 
 _FORMATS = (
     "brdfpalette",
@@ -31,13 +34,11 @@ _FORMATS = (
 _SHOWN = 20
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and its parts."""
-    command = commands.add_parser(
-        "palette",
-        help="convert a palette, describe one, or find paints in it",
-        description="Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
-        "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV.",
+    command.description = (
+        "Read palettes of every format that people have, known by their content: .brdfpalette, ASE, ACO, "
+        "ACB, GPL, KPL, Scribus XML, SOC, PAL, ACT, SBZ, CxF3, CSS, JSON, CSV."
     )
     parts = command.add_subparsers(dest="part", metavar="PART", required=True)
     convert = parts.add_parser(
@@ -69,8 +70,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run_convert(options: argparse.Namespace) -> int:
     """Convert and print lines or a JSON object."""
-    from brdf_suite.files.palettes import find_format, format_for, losses, read_palette, write_palette
-
     found = read_palette(options.source)
     known = format_for(options.target) if options.format is None else find_format(options.format)
     shown = _display_notes(found.palette)
@@ -106,8 +105,6 @@ def run_convert(options: argparse.Namespace) -> int:
 
 def run_info(options: argparse.Namespace) -> int:
     """Print what is in a palette."""
-    from brdf_suite.files.palettes import read_palette
-
     found = read_palette(options.file)
     palette = found.palette
     notes = [*found.notes, *_display_notes(palette)]
@@ -150,19 +147,11 @@ def run_info(options: argparse.Namespace) -> int:
 
 
 def _display_notes(palette: Palette) -> tuple[str, ...]:
-    from brdf_suite.appearance.colour.flat_colours import display_notes
-    from brdf_suite.documents.flat_colour import FlatColour
-
     return display_notes([entry.content for entry in palette if isinstance(entry.content, FlatColour)])
 
 
 def _shown(palette: Palette) -> list[dict[str, object]]:
     """Return each entry's appearance: L*a*b* (D65, 10°) of its one angle, or of its measured angles."""
-    from brdf_suite.appearance.colour.flat_colours import flat_labs, lab_to_hex
-    from brdf_suite.documents.flat_colour import FlatColour
-    from brdf_suite.documents.paint import Paint
-    from brdf_suite.files.palettes.conversions import face_lab
-
     flat = [entry.content for entry in palette if isinstance(entry.content, FlatColour)]
     labs = iter(flat_labs(flat).tolist())
     rows: list[dict[str, object]] = []
@@ -179,9 +168,6 @@ def _shown(palette: Palette) -> list[dict[str, object]]:
 
 
 def _entry_to_json(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
-    from brdf_suite.documents.flat_colour import FlatColour
-    from brdf_suite.documents.palette_store import flat_to_json
-
     content = entry.content
     kind = "flat" if isinstance(content, FlatColour) else type(content).__name__
     found: dict[str, object] = {
@@ -205,9 +191,6 @@ def _entry_to_json(entry: Entry, shown: dict[str, object]) -> dict[str, object]:
 
 
 def _line(entry: Entry) -> str:
-    from brdf_suite.documents.flat_colour import FlatColour
-    from brdf_suite.documents.paint import Paint
-
     content = entry.content
     if isinstance(content, FlatColour):
         values = content.values if len(content.values) < 5 else content.values[:1]

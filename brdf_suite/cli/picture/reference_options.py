@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
+from dataclasses import asdict
 
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.cli.paint.export_progress import export_progress
@@ -85,8 +86,6 @@ def check_renderer(options: argparse.Namespace) -> None:
 
 def run_reference(options: argparse.Namespace, view: View) -> int:
     """Path-trace and write; print a line or a JSON object."""
-    from dataclasses import asdict
-
     from brdf_suite.tracing.reference.picture import render_reference
 
     with export_progress("path tracing", options) as progress:
@@ -122,8 +121,6 @@ def run_reference(options: argparse.Namespace, view: View) -> int:
 
 def run_raytraced(options: argparse.Namespace, view: View) -> int:
     """Ray-trace and write; print a line or a JSON object."""
-    from dataclasses import asdict
-
     from brdf_suite.tracing.raytraced.file import render_raytraced
 
     with progress_bar("ray tracing", quiet=options.json) as progress:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+from dataclasses import asdict
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json
@@ -18,14 +19,12 @@ from brdf_suite.cli.picture.reference_options import (
 from brdf_suite.cli.picture.scene_options import add_scene, parse_view
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "render",
-        help="render a paint or a measured file to a PNG or EXR",
-        description="Render a paint of any kind, or a measured file, on a surface in an environment: to a PNG as a "
+    command.description = (
+        "Render a paint of any kind, or a measured file, on a surface in an environment: to a PNG as a "
         "screen shows it, or to an EXR as radiance before exposure and tone curve. Pictures of any size are drawn in "
-        "tiles. The environment is prefiltered once and kept in the cache.",
+        "tiles. The environment is prefiltered once and kept in the cache."
     )
     command.add_argument(
         "paint",
@@ -48,7 +47,6 @@ def run(options: argparse.Namespace) -> int:
         # The light is filtered on threads of its own, which those of numpy's matrix products only hinder. Numpy reads
         # this as it is imported.
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-    from dataclasses import asdict
 
     from brdf_suite.output.still import render_to_file
 

@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import asdict
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.export_progress import add_export, export_progress
 from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+from brdf_suite.reports.contact_sheet.document import write_sheet
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "sheet",
-        help="render the paints of a palette or a folder to one PNG or PDF, with their figures",
-        description="Render every paint of a palette (of any format that palette info reads) or of a folder on the "
-        "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°.",
+    command.description = (
+        "Render every paint of a palette (of any format that palette info reads) or of a folder on the "
+        "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°."
     )
     command.add_argument(
         "source",
@@ -46,10 +46,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object. 1 where a paint could not be drawn."""
-    from dataclasses import asdict
-
-    from brdf_suite.reports.contact_sheet.document import write_sheet
-
     view = parse_view(options)
     with export_progress("sheet", options) as progress:
         made = write_sheet(

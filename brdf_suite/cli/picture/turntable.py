@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+from dataclasses import asdict
 from pathlib import Path
 
 from brdf_suite.cli.output import print_json
@@ -11,15 +12,15 @@ from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, samples
 from brdf_suite.cli.picture.scene_options import add_scene, parse_view
 from brdf_suite.errors import SuiteError
+from brdf_suite.output.turntable import Turn, write_turntable
+from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "turntable",
-        help="render one turn of the object to a video or a folder of PNG",
-        description="Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
-        "(needs the extra “video”), or to a new folder of PNG pictures.",
+    command.description = (
+        "Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
+        "(needs the extra “video”), or to a new folder of PNG pictures."
     )
     command.add_argument(
         "paint",
@@ -57,10 +58,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Render and write; print a line or a JSON object."""
-    from dataclasses import asdict
-
-    from brdf_suite.output.turntable import Turn, write_turntable
-
     _check_renderer(options)
     view = parse_view(options)
     turn = Turn(options.frames, options.fps, options.clockwise)
@@ -76,9 +73,6 @@ def run(options: argparse.Namespace) -> int:
                 progress=progress,
             )
         else:
-            # Only where it is asked for: the optional extra comes with it.
-            from brdf_suite.tracing.turntable import Budget, write_traced_turntable
-
             made = write_traced_turntable(
                 options.renderer,
                 options.paint,

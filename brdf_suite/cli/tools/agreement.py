@@ -8,32 +8,18 @@ from pathlib import Path
 
 from brdf_suite.cli.output import print_json, progress_bar, size
 from brdf_suite.cli.picture.reference_options import samples
+from brdf_suite.extras import import_extra
+from brdf_suite.pipeline.material import paint_names
+from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.progress import subrange
-
-FORM_NAMES = (
-    "default",
-    "paper look-up",
-    "Fresnel off",
-    "weights over the angle",
-    "5 lobes",
-    "7 lobes",
-    "11 lobes",
-    "maps of half the edge",
-    "maps of a quarter",
-    "monotone rule",
-    "polynomial rule",
-    "near-specular × 0.7",
-)
-"""Of ``tracing.agreement.forms.FORMS``, which the start of the command must not import; a test holds them together."""
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "agreement",
-        help="compare the real-time picture with the path-traced one",
-        description="Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
-        "with -o write a page with pictures. What is path-traced can be kept, and is then not traced again.",
+    command.description = (
+        "Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
+        "with -o write a page with pictures. What is path-traced can be kept, and is then not traced again."
     )
     command.add_argument(
         "--paints",
@@ -60,10 +46,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     command.add_argument(
         "--forms",
         nargs="+",
-        choices=FORM_NAMES,
+        choices=tuple(FORMS),
         metavar="FORM",
         default=None,
-        help=f"ways to draw, of {', '.join(FORM_NAMES)} (default: all; of further surfaces {FORM_NAMES[0]} alone)",
+        help=f"ways to draw, of {', '.join(FORMS)} (default: all; of further surfaces {DEFAULT_FORM} alone)",
     )
     command.add_argument(
         "--size", type=size, default=(128, 128), metavar="WxH", help="pixels (default: 128x128)"
@@ -97,9 +83,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Compare; print a table or a JSON object, and write the page."""
-    from brdf_suite.pipeline.material import paint_names
-    from brdf_suite.pipeline.scene import environment_names
-    from brdf_suite.tracing.agreement.comparison import DEFAULT_FORM, FORMS, Case, Order, compare, summary
+    import_extra(
+        "flip_evaluator", purpose="the comparison of pictures"
+    )  # named first: it is found out sooner
+    from brdf_suite.tracing.agreement.comparison import Case, Order, compare, summary
     from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
     if options.output is not None:

@@ -6,30 +6,32 @@ import argparse
 import shlex
 import sys
 from collections.abc import Callable
+from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.export_progress import add_export, export_progress
-
-if TYPE_CHECKING:
-    from brdf_suite.fitting.basis_search.search import CountResult
+from brdf_suite.cli.tools.machine import describe_machine
+from brdf_suite.errors import Cancelled, SuiteError
+from brdf_suite.fitting.basis_search import document
+from brdf_suite.fitting.basis_search.database import load_database
+from brdf_suite.fitting.basis_search.search import CountResult, search
+from brdf_suite.fitting.basis_search.workers import usable_cores
+from brdf_suite.resources import resource_root
 
 _OUTPUT = Path("basis.json")
 _MOST_STARTS, _MOST_WORKERS = 64, 64
 _LIBRARIES = ("brdf-suite", "numpy", "scipy", "highspy")
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "basis",
-        help="search the lobe exponents that fit a database of paints best",
-        description="Search the exponents of the fixed cosine lobes: one lobe is added at a time, and each count is "
+    command.description = (
+        "Search the exponents of the fixed cosine lobes: one lobe is added at a time, and each count is "
         "optimized from several starts by Levenberg-Marquardt and a polish of maximum plus mean error. The same "
         "command on the same machine gives the same file. What is found is kept in FILE.part after each count; the "
-        "same command resumes from there.",
+        "same command resumes from there."
     )
     command.add_argument(
         "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
@@ -66,13 +68,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Search, write the file and print the table."""
-    from brdf_suite.errors import Cancelled, SuiteError
-    from brdf_suite.fitting.basis_search import document
-    from brdf_suite.fitting.basis_search.database import load_database
-    from brdf_suite.fitting.basis_search.search import search
-    from brdf_suite.fitting.basis_search.workers import usable_cores
-    from brdf_suite.resources import resource_root
-
     if options.default is not None and options.default > options.lobes:
         raise SuiteError(f"--default {options.default} is more than the {options.lobes} lobes of the search.")
     database = load_database(options.database or resource_root() / "paints")
@@ -134,7 +129,7 @@ def _number(low: int, high: int) -> Callable[[str], int]:
     return parse
 
 
-def _command(options: argparse.Namespace, workers: int) -> str:
+def command_line(options: argparse.Namespace, workers: int) -> str:
     """Return the command that makes this answer again; what was left out and has one default stays out."""
     words = [
         "brdf-suite",
@@ -159,13 +154,9 @@ def _provenance(
     options: argparse.Namespace, sha256: str, workers: int, resumed: int, results: list[CountResult]
 ) -> dict[str, object]:
     """Return how, where and when the answer was made."""
-    from datetime import UTC, datetime
-
-    from brdf_suite.cli.tools.machine import describe_machine
-
     machine = describe_machine()
     return {
-        "command": _command(options, workers),
+        "command": command_line(options, workers),
         "database_sha256": sha256,
         "starts": options.starts,
         "workers": workers,

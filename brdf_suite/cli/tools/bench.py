@@ -27,13 +27,9 @@ _DOCS = _CHECKOUT / "docs" / "method"
 _INSERT_FIGURES = _CHECKOUT / "packaging" / "documents" / "insert_figures.py"
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "bench",
-        help="measure the suite's figures (in a source checkout)",
-        description="Measure. Without --json a table with the bound beside each figure.",
-    )
+    command.description = "Measure. Without --json a table with the bound beside each figure."
     command.add_argument("name", nargs="?", metavar="NAME", help="which benchmark; see --list")
     command.add_argument("--list", action="store_true", help="name the benchmarks")
     command.add_argument("--all", action="store_true", help="run them all")

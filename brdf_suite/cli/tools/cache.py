@@ -4,24 +4,27 @@ from __future__ import annotations
 
 import argparse
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
 
 from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.errors import FileError
+from brdf_suite.files.array_file import read_header
+from brdf_suite.files.cache.disk_cache import CacheEntry
+from brdf_suite.files.meshes.occlusion_cache import occlusion_cache
+from brdf_suite.lighting.lobe_map_cache import MapCache
+from brdf_suite.lighting.lobe_map_file import PLAIN
+from brdf_suite.palettes.swatches.store import SwatchStore
 
-if TYPE_CHECKING:
-    from brdf_suite.lighting.cache.folder import CacheEntry
 
-
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command and what it does."""
-    command = commands.add_parser(
-        "cache",
-        help="show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
-        description="The prefiltered maps of environments are kept on disk and found again by the content of the "
+    command.description = (
+        "The prefiltered maps of environments are kept on disk and found again by the content of the "
         "environment; so are the occlusion that is baked for a surface and the pictures of the paints of palettes. "
-        "Nothing is lost with them but the time to make them again.",
-        epilog="The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
-        "of the maps.",
+        "Nothing is lost with them but the time to make them again."
+    )
+    command.epilog = (
+        "The environment variable BRDF_SUITE_CACHE chooses the folder, BRDF_SUITE_CACHE_MB the largest size "
+        "of maps and occlusion."
     )
     actions = command.add_subparsers(dest="action", metavar="info|clear|verify", required=True)
     for name, words, run in (
@@ -40,16 +43,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def info(options: argparse.Namespace) -> int:
     """Print the place, the sizes and the entries, the one used last first."""
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import LIMIT_BYTES, kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
 
-    cache = MapCache()
-    baked = kept_occlusion()
-    baked_bytes = sum(size for _, size in baked)
+    cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
     rows = [_row(entry) for entry in reversed(cache.entries())]
-    used = sum(entry.size for entry in cache.entries())
-    pictures = SwatchStore()
+    baked = occlusion.entries()
+    used, baked_bytes = (sum(entry.size for entry in kind.entries()) for kind in (cache, occlusion))
     number, pictures_bytes = pictures.size() if pictures.path.is_file() else (0, 0)
     if options.json:
         print_json(
@@ -60,10 +58,10 @@ def info(options: argparse.Namespace) -> int:
                 "unfinished": len(cache.unfinished()),
                 "entries": rows,
                 "occlusion": {
-                    "folder": str(occlusion_folder()),
+                    "folder": str(occlusion.folder),
                     "bytes": baked_bytes,
-                    "limit_bytes": LIMIT_BYTES,
-                    "entries": [{"entry": path.name, "bytes": size} for path, size in reversed(baked)],
+                    "limit_bytes": occlusion.limit_bytes,
+                    "entries": [{"entry": e.path.name, "bytes": e.size} for e in reversed(baked)],
                 },
                 "swatches": {
                     "file": str(pictures.path),
@@ -74,89 +72,60 @@ def info(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    there, room = _count(len(rows), "entry", "entries"), f"{cache.limit_bytes / 1e6:,.0f} MB"
-    print(f"{cache.folder}: {there}, {used / 1e6:,.1f} MB of {room}")
+    print(f"{cache.folder}: {_count(len(rows), 'entry', 'entries')}, {_share(used, cache.limit_bytes)}")
     for row in rows:
         print(
             f"  {row['last_used']}  {int(str(row['bytes'])) / 1e6:8,.1f} MB  {row['environment'] or row['entry']}"
         )
-    there, room = _count(len(baked), "surface", "surfaces"), f"{LIMIT_BYTES / 1e6:,.0f} MB"
-    print(f"{occlusion_folder()}: {there}, {baked_bytes / 1e6:,.1f} MB of {room}")
-    there, room = _count(number, "picture", "pictures"), f"{pictures.limit_bytes / 1e6:,.0f} MB"
-    print(f"{pictures.path}: {there}, {pictures_bytes / 1e6:,.1f} MB of {room}")
+    there = _count(len(baked), "surface", "surfaces")
+    print(f"{occlusion.folder}: {there}, {_share(baked_bytes, occlusion.limit_bytes)}")
+    there = _count(number, "picture", "pictures")
+    print(f"{pictures.path}: {there}, {_share(pictures_bytes, pictures.limit_bytes)}")
     return 0
 
 
 def clear(options: argparse.Namespace) -> int:
     """Empty the cache and print the size of the removed files."""
-    from brdf_suite.errors import FileError
-    from brdf_suite.lighting.cache.folder import remove
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
 
-    cache = MapCache()
-    before = cache.entries()
-    failed = cache.clear()
-    after = {entry.path for entry in cache.entries()}
-    gone = [entry for entry in before if entry.path not in after]
-    freed = sum(entry.size for entry in gone)
-    baked = [(path, size) for path, size in kept_occlusion() if remove(path)]
-    stuck = len(kept_occlusion())
-    for folder, left in ((cache.folder, failed), (occlusion_folder(), stuck)):
-        if left:
+    cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
+    removed: list[tuple[int, int]] = []
+    for kind in (cache, occlusion):
+        before = kind.entries()
+        if failed := kind.clear():
             raise FileError(
-                folder, f"{_count(left, 'entry', 'entries')} cannot be removed; is the disk read-only"
+                kind.folder, f"{_count(failed, 'entry', 'entries')} cannot be removed; is the disk read-only"
             )
-    baked_bytes = sum(size for _, size in baked)
-    pictures = SwatchStore()
-    there_were = pictures.path.is_file()
-    pictures_bytes = pictures.size()[1] if there_were else 0
-    number = pictures.clear() if there_were else 0
+        removed.append((len(before), sum(entry.size for entry in before)))
+    pictures_bytes = pictures.size()[1] if pictures.path.is_file() else 0
+    removed.append((pictures.clear() if pictures.path.is_file() else 0, pictures_bytes))
     if options.json:
+        maps, baked, drawn = ({"removed": number, "freed_bytes": size} for number, size in removed)
         print_json(
             {
                 "folder": str(cache.folder),
-                "removed": len(gone),
-                "freed_bytes": freed,
-                "occlusion": {
-                    "folder": str(occlusion_folder()),
-                    "removed": len(baked),
-                    "freed_bytes": baked_bytes,
-                },
-                "swatches": {
-                    "file": str(pictures.path),
-                    "removed": number,
-                    "freed_bytes": pictures_bytes,
-                },
+                **maps,
+                "occlusion": {"folder": str(occlusion.folder), **baked},
+                "swatches": {"file": str(pictures.path), **drawn},
             }
         )
-    else:
-        print(f"{cache.folder}: {_count(len(gone), 'entry', 'entries')} removed, {freed / 1e6:,.1f} MB")
-        there = _count(len(baked), "surface", "surfaces")
-        print(f"{occlusion_folder()}: {there} removed, {baked_bytes / 1e6:,.1f} MB")
-        there = _count(number, "picture", "pictures")
-        print(f"{pictures.path}: {there} removed, {pictures_bytes / 1e6:,.1f} MB")
+        return 0
+    words = (("entry", "entries"), ("surface", "surfaces"), ("picture", "pictures"))
+    for place, (number, size), (one, many) in zip(
+        (cache.folder, occlusion.folder, pictures.path), removed, words, strict=True
+    ):
+        print(f"{place}: {_count(number, one, many)} removed, {size / 1e6:,.1f} MB")
     return 0
 
 
 def verify(options: argparse.Namespace) -> int:
     """Check every entry and print what is damaged; 1 where something is, removed or not."""
-    from brdf_suite.lighting.cache.folder import remove
-    from brdf_suite.lighting.cache.maps import MapCache
-    from brdf_suite.lighting.cache.occlusion import damaged_occlusion, kept_occlusion, occlusion_folder
-    from brdf_suite.palettes.swatches.store import SwatchStore
 
-    cache = MapCache()
+    cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
     with progress_bar("checking", quiet=options.json) as progress:
-        found = cache.verify(remove=options.remove, progress=progress)
-    baked = damaged_occlusion()
-    sound = len(kept_occlusion()) - len(baked)
-    left = sum(not remove(path) for path, _ in baked) if options.remove else len(baked)
-    removed = options.remove and left == 0
-    pictures = SwatchStore()
+        found = cache.verify(remove_damaged=options.remove, progress=progress)
+    baked = occlusion.verify(remove_damaged=options.remove)
     whole, spoilt = pictures.verify(remove=options.remove) if pictures.path.is_file() else (0, 0)
-    passed = found.passed and not baked and not spoilt
+    passed = found.passed and baked.passed and not spoilt
     if options.json:
         print_json(
             {
@@ -168,10 +137,10 @@ def verify(options: argparse.Namespace) -> int:
                 "unfinished": found.unfinished,
                 "removed": found.removed,
                 "occlusion": {
-                    "folder": str(occlusion_folder()),
-                    "sound": sound,
-                    "damaged": [{"entry": path.name, "reason": reason} for path, reason in baked],
-                    "removed": removed,
+                    "folder": str(occlusion.folder),
+                    "sound": baked.sound,
+                    "damaged": [{"entry": name, "reason": reason} for name, reason in baked.damaged],
+                    "removed": baked.removed,
                 },
                 "swatches": {
                     "file": str(pictures.path),
@@ -181,34 +150,31 @@ def verify(options: argparse.Namespace) -> int:
                 },
             }
         )
-    else:
-        print(f"{cache.folder}: {found.sound} sound, {len(found.damaged)} damaged")
-        for name, reason in found.damaged:
-            print(f"  {name}: {reason}")
-        if found.outdated:
-            print(f"  {_count(found.outdated, 'entry', 'entries')} of another version, never read")
-        if found.unfinished:
-            print(f"  {_count(found.unfinished, 'file', 'files')} unfinished, never read")
-        print(f"{occlusion_folder()}: {sound} sound, {len(baked)} damaged")
-        for _, reason in baked:
+        return 0 if passed else 1
+    for kind, checked in ((cache, found), (occlusion, baked)):
+        print(f"{kind.folder}: {checked.sound} sound, {len(checked.damaged)} damaged")
+        for _, reason in checked.damaged:
             print(f"  {reason}")
-        print(f"{pictures.path}: {whole} sound, {spoilt} damaged")
-        if not passed:
-            print(
-                "removed"
-                if (found.removed or not found.damaged) and (removed or not baked) and options.remove
-                else "`brdf-suite cache verify --remove` removes what is damaged"
-            )
+        if checked.outdated:
+            print(f"  {_count(checked.outdated, 'entry', 'entries')} of another version, never read")
+        if checked.unfinished:
+            print(f"  {_count(checked.unfinished, 'file', 'files')} unfinished, never read")
+    print(f"{pictures.path}: {whole} sound, {spoilt} damaged")
+    if not passed:
+        print(
+            "removed"
+            if options.remove and found.removed and baked.removed
+            else "`brdf-suite cache verify --remove` removes what is damaged"
+        )
     return 0 if passed else 1
 
 
 def _row(entry: CacheEntry) -> dict[str, object]:
     """Return one entry as plain values; ``environment`` is empty where the file does not name it."""
-    from brdf_suite.lighting.cache.map_file import DamagedMapFileError, read_facts
 
     try:
-        facts = read_facts(entry.path)
-    except (DamagedMapFileError, OSError):
+        facts = read_header(PLAIN, entry.path)
+    except FileError:
         facts = {}
     exponents = facts.get("exponents")
     return {
@@ -219,6 +185,10 @@ def _row(entry: CacheEntry) -> dict[str, object]:
         "last_used": datetime.fromtimestamp(entry.last_used, UTC).strftime("%Y-%m-%dT%H:%M:%SZ"),
         "outdated": entry.outdated,
     }
+
+
+def _share(used: int, limit: int) -> str:
+    return f"{used / 1e6:,.1f} MB of {limit / 1e6:,.0f} MB"
 
 
 def _count(number: int, one: str, many: str) -> str:

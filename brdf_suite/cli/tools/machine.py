@@ -7,6 +7,9 @@ import platform
 from functools import cache
 from pathlib import Path
 
+from brdf_suite.errors import GraphicsError
+from brdf_suite.pipeline.picture import gl_renderer_name
+
 
 @cache
 def describe_machine() -> dict[str, object]:
@@ -43,9 +46,6 @@ def _memory_gib() -> float | None:
 
 
 def _gl_renderer() -> str:
-    from brdf_suite.errors import GraphicsError
-    from brdf_suite.pipeline.picture import gl_renderer_name
-
     try:
         return gl_renderer_name()
     except GraphicsError as error:

@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from brdf_suite.cli.output import progress_bar
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.lighting.filter.shading_table import shading_table
 
 _OUTPUT = Path("look_ups.json")
 
 
-def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(command: argparse.ArgumentParser) -> None:
     """Declare the command."""
-    command = commands.add_parser(
-        "shading-table",
-        help="make the table by which the shading looks lobes up",
-        description="Find direction, exponent and amplitude by which a cosine lobe times the cosine of incidence is "
+    command.description = (
+        "Find direction, exponent and amplitude by which a cosine lobe times the cosine of incidence is "
         "looked up in prefiltered maps, by least squares over the sphere. The suite's own is "
-        "resources/shading/look_ups.json; the same command gives the same file.",
+        "resources/shading/look_ups.json; the same command gives the same file."
     )
     command.add_argument(
         "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
@@ -29,9 +29,6 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Make the table and write it."""
-    from brdf_suite.documents.atomic import write_atomically
-    from brdf_suite.lighting.filter.shading_table import shading_table
-
     with progress_bar("fitting look-ups", quiet=False) as progress:
         table = shading_table(progress)
     write_atomically(options.output, table_text(table).encode())

@@ -21,6 +21,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.model_fit import (
     ModelFitSamples,
@@ -31,7 +32,6 @@ from brdf_suite.files.exports.model_fit import (
     sample_paint,
     schlick,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.designed.build import build_paint
 
 _NARROWEST, _WIDEST = 0.06, 1.0

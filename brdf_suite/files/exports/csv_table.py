@@ -12,17 +12,20 @@ spreadsheet would take for a formula has an apostrophe before it.
 from __future__ import annotations
 
 import csv
+import dataclasses
 import io
 import math
 import re
+import types
+import typing
 from collections.abc import Mapping, Sequence
 from functools import cache
 
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.documents.paint import Gloss, Paint
-from brdf_suite.errors import DocumentError, FileError, SuiteError
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike, readings_loss
-from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.documents.paint import Gloss, Paint, solid_paint
+from brdf_suite.errors import DocumentError, FileError, PathLike, SuiteError
+from brdf_suite.files.bounded_reading import read_bytes
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, readings_loss
 from brdf_suite.files.paint_fields import Reading, build_paint, flatten_paint, setting_from_text, setting_text
 from brdf_suite.progress import Progress
 
@@ -238,9 +241,6 @@ class Table:
 @cache
 def known_settings() -> frozenset[str]:
     """Return the names of every setting that a paint can have."""
-    import dataclasses
-    import types
-    import typing
 
     found = set(flatten_paint(_example()))
     for name, hint in typing.get_type_hints(Paint).items():
@@ -252,8 +252,6 @@ def known_settings() -> frozenset[str]:
 
 
 def _example() -> Paint:
-    from brdf_suite.documents.paint import solid_paint
-
     return solid_paint("any", (50.0, 0.0, 0.0))
 
 

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.documents.store import AnyPaint
-from brdf_suite.errors import UnreachableError, ValueRangeError
+from brdf_suite.errors import PathLike, UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
-
-PathLike = str | os.PathLike[str]
 
 
 @dataclass(frozen=True)

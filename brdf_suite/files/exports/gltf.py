@@ -16,9 +16,9 @@ import numpy as np
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.reading import read_json
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike, model_loss
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, model_loss
 from brdf_suite.files.exports.metal_rough_fit import GLTF_IOR, fit_gltf
 from brdf_suite.files.exports.model_fit import format_differences
 from brdf_suite.geometry.directions import spherical

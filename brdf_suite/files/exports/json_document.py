@@ -30,8 +30,8 @@ from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.documents.store import AnyPaint, any_paint_from_json, paint_to_json
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, PathLike
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints
 from brdf_suite.progress import Progress
 
 NAME = "brdf-suite-paints"

@@ -14,7 +14,7 @@ from functools import cache
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _ALPHAS = np.linspace(0.03, 1.0, 25)
 _COSINES = np.linspace(0.04, 1.0, 25)

@@ -10,8 +10,9 @@ from collections.abc import Sequence
 from importlib.metadata import version
 
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.errors import PathLike
 from brdf_suite.files.exports.carpaint_fit import CarPaint, fit_carpaint
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike
+from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.files.exports.material_names import material_names
 from brdf_suite.files.exports.model_fit import fitted_losses
 from brdf_suite.progress import Progress

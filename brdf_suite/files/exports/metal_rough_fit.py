@@ -23,6 +23,7 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.lobe_albedo import single_scattering_albedo
 from brdf_suite.files.exports.model_fit import (
@@ -34,7 +35,6 @@ from brdf_suite.files.exports.model_fit import (
     sample_paint,
     schlick,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.designed.build import build_paint
 

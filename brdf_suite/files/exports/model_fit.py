@@ -19,9 +19,10 @@ from brdf_suite.appearance.colour.colorimetry import (
     working_to_lab,
 )
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.files.exports.format import ExportItem, flake_loss, model_loss
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 
 _STEP_DEG = 10.0

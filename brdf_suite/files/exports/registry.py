@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
-from brdf_suite.files.measured.bounded_reading import open_plain
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
 
 FORMATS: tuple[ExportFormat, ...] = (
     cxf3.FORMAT,

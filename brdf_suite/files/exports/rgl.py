@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, PathLike, flake_loss
+from brdf_suite.errors import PathLike
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, flake_loss
 from brdf_suite.files.measured import write_measured
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance

@@ -14,8 +14,8 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ, adaptation, primaries_to_xyz
 from brdf_suite.appearance.colour.display_space import DisplaySpace, inverse_codes
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
-from brdf_suite.geometry.directions import Floats
 
 D50_XYZ = (0.9642, 1.0, 0.8249)
 """The white of the connection space, as ICC.1 states it."""

@@ -9,10 +9,11 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, number_in, numbered_lines
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import MOST_BANDS, number_in, numbered_lines
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,
@@ -26,7 +27,6 @@ from brdf_suite.files.measured.samples import (
     samples,
     sampling_notes,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

@@ -14,12 +14,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.parameter import describe
 from brdf_suite.documents.reading import read_json
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import MOST_SAMPLES
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import MOST_SAMPLES
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,
@@ -32,7 +33,6 @@ from brdf_suite.files.measured.samples import (
     samples,
     sampling_notes,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

@@ -1,4 +1,4 @@
-"""Our own tables and samples (.brdftable), read and written; see :mod:`.array_container` for the bytes.
+"""Our own tables and samples (.brdftable), read and written; see :mod:`brdf_suite.files.array_file` for the bytes.
 
 The header is ``{"format": "brdftable", "version": 1, "kind", "source", "facts", ...}``. Kinds, with their arrays:
 
@@ -23,8 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.measured.array_container import MAGIC, Array, read_container, write_container
+from brdf_suite.arrays import AnyArray
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.array_file import Layout, read_arrays, write_arrays
 from brdf_suite.files.measured.brdftable_product import (
     NEEDED,
     OPTIONAL,
@@ -32,7 +33,7 @@ from brdf_suite.files.measured.brdftable_product import (
     product_parts,
     product_value,
 )
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.protocol import Reflectance
@@ -42,6 +43,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 VERSION = 1
+LAYOUT = Layout(b"BRDFTABL", 0, ".brdftable file", ("<f4", "<f8", "|u1"), whole=True)
 
 Table = IsotropicTable | AnisotropicTable | Factored | ScatteredSamples
 
@@ -83,7 +85,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
         "facts": _plain(table.facts),
         **own,
     }
-    write_container(path, header, arrays)
+    write_arrays(LAYOUT, path, header, arrays)
     return notes
 
 
@@ -95,7 +97,7 @@ def read_brdftable(path: PathLike) -> Table:
     FileError
         The file is missing, damaged, of a newer version, or holds what is no reflectance; the message says where.
     """
-    header, arrays = read_container(path)
+    header, arrays = read_arrays(LAYOUT, path)
     if header.pop("format", None) != "brdftable":
         raise FileError(path, 'expected the format "brdftable"', "header, format")
     version = header.pop("version", None)
@@ -124,12 +126,12 @@ def read_brdftable(path: PathLike) -> Table:
         raise FileError(path, error.reason, f"array {error.place}") from error
 
 
-def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
+def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, AnyArray]]:
     """Return kind, header fields of its own, and arrays."""
     if isinstance(table, IsotropicTable):
         holes = np.asarray(table.holes).view(np.uint8)
         own = {"reciprocal": table.reciprocal}
-        arrays: dict[str, Array] = {"values": table.values, "holes": holes}
+        arrays: dict[str, AnyArray] = {"values": table.values, "holes": holes}
         if table.coverage is not None:
             arrays |= {"samples": table.coverage.samples, "deviation": table.coverage.deviation}
         return "isotropic", own, arrays
@@ -150,7 +152,7 @@ def _parts(table: Table) -> tuple[str, dict[str, Any], dict[str, Array]]:
     return "scattered", {"isotropic": table.isotropic}, arrays
 
 
-def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table:
+def _value(kind: str, header: dict[str, Any], arrays: dict[str, AnyArray]) -> Table:
     for name, array in arrays.items():
         singles = {"values"} if kind != "scattered" else set()
         single = name in {"p", "q", *OPTIONAL, "samples", "deviation", *singles}
@@ -180,7 +182,7 @@ def _value(kind: str, header: dict[str, Any], arrays: dict[str, Array]) -> Table
     )
 
 
-def _coverage(arrays: dict[str, Array], holes: Array) -> Coverage | None:
+def _coverage(arrays: dict[str, AnyArray], holes: AnyArray) -> Coverage | None:
     found = {name: arrays[name] for name in ("samples", "deviation") if name in arrays}
     if not found:
         return None
@@ -211,7 +213,7 @@ FORMAT = MeasuredFormat(
     "brdftable",
     "BRDF Suite table",
     (".brdftable",),
-    lambda head, _: head.startswith(MAGIC),
+    lambda head, _: head.startswith(LAYOUT.magic),
     _read,
     write_brdftable,
 )

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.measured.array_container import Array
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import MOST_MORE, Factored
 
@@ -21,9 +21,9 @@ def is_plain(value: Factored) -> bool:
     return not (value.logarithmic or value.more or value.peak or value.p.ndim == 2 or value.q.ndim == 2)
 
 
-def product_parts(value: Factored) -> tuple[dict[str, Any], dict[str, Array]]:
+def product_parts(value: Factored) -> tuple[dict[str, Any], dict[str, AnyArray]]:
     """Return the header's own field ``maps``, and the arrays."""
-    arrays: dict[str, Array] = {"p": value.p, "q": value.q, "alpha": np.asarray(value.alpha, np.float64)}
+    arrays: dict[str, AnyArray] = {"p": value.p, "q": value.q, "alpha": np.asarray(value.alpha, np.float64)}
     maps: dict[str, Any] = {"logarithmic": value.logarithmic}
     for part in ("more", "peak"):
         factors: tuple[MapFactor, ...] = getattr(value, part)
@@ -32,7 +32,7 @@ def product_parts(value: Factored) -> tuple[dict[str, Any], dict[str, Array]]:
     return {"maps": maps}, arrays
 
 
-def product_value(header: Mapping[str, Any], arrays: Mapping[str, Array]) -> Factored:
+def product_value(header: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> Factored:
     """Return what :func:`product_parts` took apart; ``header`` holds ``maps``, ``source`` and ``facts``.
 
     Raises
@@ -58,7 +58,7 @@ def product_value(header: Mapping[str, Any], arrays: Mapping[str, Array]) -> Fac
     )
 
 
-def _factors(part: str, listed: object, arrays: Mapping[str, Array]) -> tuple[MapFactor, ...]:
+def _factors(part: str, listed: object, arrays: Mapping[str, AnyArray]) -> tuple[MapFactor, ...]:
     if not isinstance(listed, list) or len(listed) > MOST_MORE:
         raise ValueRangeError("maps", f"{part}: expected a list of at most {MOST_MORE} factors")
     factors = []

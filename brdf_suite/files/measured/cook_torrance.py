@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.store import load_any_paint, save_paint
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.reflectance.protocol import SampledReflectance
 
 

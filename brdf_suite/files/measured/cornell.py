@@ -10,9 +10,9 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, number_in, numbered_lines
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import MOST_BANDS, number_in, numbered_lines
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.samples import (
     SampleRows,
     angles,

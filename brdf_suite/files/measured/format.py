@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Protocol
 
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
-
-PathLike = str | os.PathLike[str]
+from brdf_suite.arrays import Floats
+from brdf_suite.errors import PathLike
 
 
 class MeasuredReflectance(Protocol):

@@ -18,18 +18,17 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import open_plain
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.holes import fill_holes
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-
-Planes = npt.NDArray[np.float64]
 
 SCALE = np.array([1.0, 1.15, 1.66]) / 1500.0
 """f_r of a stored 1, per channel."""
@@ -147,7 +146,7 @@ def write_merl(value: Reflectance, path: PathLike, *, scale_factors: bool = True
     return tuple(notes)
 
 
-def stored_albedo(planes: Planes, grid: HalfAngleGrid) -> float:
+def stored_albedo(planes: Floats, grid: HalfAngleGrid) -> float:
     """Return the mean reflectance (per 1, over channels) at 45° incidence if the stored values were f_r.
 
     From the nearest bins of 4,096 cosine-weighted views; holes are left out.
@@ -165,7 +164,7 @@ def stored_albedo(planes: Planes, grid: HalfAngleGrid) -> float:
     return float(np.pi * stored.mean())
 
 
-def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Planes, list[str]]:
+def _read_planes(path: PathLike) -> tuple[HalfAngleGrid, Floats, list[str]]:
     """Return the bins, the stored values (3, bins), and notes."""
     with open_plain(path, _LARGEST) as stream:
         try:
@@ -215,7 +214,7 @@ def _grid_of(path: PathLike, head: bytes, size: int) -> tuple[HalfAngleGrid, lis
 
 
 def _to_working(
-    planes: Planes, scale: npt.NDArray[np.float64], grid: HalfAngleGrid
+    planes: Floats, scale: npt.NDArray[np.float64], grid: HalfAngleGrid
 ) -> npt.NDArray[np.float32]:
     """Return (θh, θd, φd, 3) float32, f_r in the working space; what a hole becomes does not matter."""
     values = np.empty((grid.bins, 3), np.float32)

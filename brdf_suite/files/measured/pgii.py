@@ -11,9 +11,9 @@ import math
 
 import numpy as np
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import number_in, numbered_lines
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import number_in, numbered_lines
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.samples import SampleRows, directions, rgb_values, samples
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

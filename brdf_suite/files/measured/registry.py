@@ -8,7 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.measured import (
     alta,
     astm,
@@ -21,11 +22,9 @@ from brdf_suite.files.measured import (
     rgl,
     utia,
 )
-from brdf_suite.files.measured.bounded_reading import open_plain
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
     MeasuredReflectance,
-    PathLike,
     ReadOptions,
     WrittenMeasurement,
 )
@@ -79,7 +78,7 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
     """Return the reflectance in a measured file of any known format.
 
     The value has ``eval`` and ``facts``; its class says what more it can do (a
-    :class:`~brdf_suite.reflectance.tensor.TensorReflectance`, scattered samples, a table).
+    :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`, scattered samples, a table).
 
     Raises
     ------

@@ -11,14 +11,15 @@ import math
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, read_bytes
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.bounded_reading import MOST_BANDS, read_bytes
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.files.measured.tensor_file import MAGIC, Arrays, pack, unpack
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tensor.tensor_reflectance import Float32s, TensorReflectance
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 _LARGEST = 2 << 30  # an anisotropic spectral material is about 200 MB
 
@@ -89,7 +90,7 @@ class _Fields:
             self.fail(name, f"expected bytes, not {array.dtype} of shape {array.shape}")
         return array.astype(np.uint8, copy=False)
 
-    def floats(self, name: str, dimensions: int) -> Float32s:
+    def floats(self, name: str, dimensions: int) -> Singles:
         array = self.take(name)
         if array.ndim != dimensions or array.dtype != np.float32:
             self.fail(name, f"expected float32 of {dimensions} dimensions, not {array.dtype} {array.shape}")
@@ -101,14 +102,14 @@ class _Fields:
             self.fail(name, "holds a number over 1e30")
         return floats
 
-    def rising(self, name: str, low: float, high: float) -> Float32s:
+    def rising(self, name: str, low: float, high: float) -> Singles:
         axis = self.floats(name, 1)
         slack = 1e-4 * (high - low)
         if axis[0] < low - slack or axis[-1] > high + slack or np.any(np.diff(axis.astype(float)) <= 1e-6):
             self.fail(name, f"expected numbers rising within {low:g} and {high:g}")
         return axis
 
-    def grids(self, name: str, directions: tuple[int, ...], dimensions: int) -> Float32s:
+    def grids(self, name: str, directions: tuple[int, ...], dimensions: int) -> Singles:
         grids = self.floats(name, dimensions)
         if grids.shape[: len(directions)] != directions:
             reason = f"the shape {grids.shape} does not begin with {directions}, the incident directions"
@@ -117,7 +118,7 @@ class _Fields:
             self.fail(name, f"expected grids of at least 2 x 2, not shape {grids.shape}")
         return grids
 
-    def densities(self, name: str, grids: Float32s) -> None:
+    def densities(self, name: str, grids: Singles) -> None:
         if grids.min() < 0.0:
             self.fail(name, "a density is negative")
         # What the trapezium rule gives the inner nodes; it is what the warp divides by.

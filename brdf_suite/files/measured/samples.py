@@ -12,10 +12,10 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_XYZ
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.measured.bounded_reading import MOST_BANDS, MOST_SAMPLES
-from brdf_suite.files.measured.format import PathLike
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
+from brdf_suite.files.bounded_reading import MOST_BANDS, MOST_SAMPLES
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

@@ -12,8 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.format import PathLike
+from brdf_suite.errors import FileError, PathLike
 
 MAGIC = b"tensor_file\0"
 _VERSION = (1, 0)

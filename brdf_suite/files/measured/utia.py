@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode
-from brdf_suite.errors import FileError
-from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.files.measured.format import MeasuredFormat, PathLike, ReadOptions
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import read_bytes
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 

@@ -7,7 +7,6 @@ targets are not read. The scene graph is walked once, each node's matrix being i
 from __future__ import annotations
 
 import base64
-import os
 from collections.abc import Iterator
 from pathlib import Path, PureWindowsPath
 from typing import Any
@@ -16,14 +15,11 @@ from urllib.parse import unquote
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.errors import FileError
+from brdf_suite.arrays import Floats, Integers
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.made_size import MOST_MADE_BYTES, check_made
 from brdf_suite.files.meshes.material_words import material_word
 from brdf_suite.surface.repair import RawPart
-
-_Path = str | os.PathLike[str]
-_Floats = NDArray[np.float64]
-_Ints = NDArray[np.int64]
 
 _COMPRESSED = {
     "EXT_meshopt_compression": "meshopt compression",
@@ -76,7 +72,7 @@ _SEPARATE, _MOST_TOGETHER = 64, 1 << 16
 """Instances of one primitive, and vertices of instances that are joined to one part where there are more."""
 
 
-def read_gltf(path: _Path, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
+def read_gltf(path: PathLike, document: dict[str, Any], binary: memoryview | None) -> list[RawPart]:
     """Return the parts of a glTF document with triangles, in world axes and the unit of the file, unchecked.
 
     ``binary`` is the binary chunk of a ``.glb``. One part for each primitive of each node; a primitive that has more
@@ -91,7 +87,7 @@ def read_gltf(path: _Path, document: dict[str, Any], binary: memoryview | None) 
     """
     _check_extensions(path, document)
     primitives = _Primitives(path, document, binary)
-    places: dict[tuple[int, int], list[_Floats]] = {}
+    places: dict[tuple[int, int], list[Floats]] = {}
     for mesh, matrix in _walk(path, document):
         for number, primitive in enumerate(_at(document["meshes"], mesh)["primitives"]):
             if primitive.get("mode", _TRIANGLES) in (_TRIANGLES, _STRIP, _FAN):
@@ -111,7 +107,7 @@ def read_gltf(path: _Path, document: dict[str, Any], binary: memoryview | None) 
     return parts
 
 
-def _check_extensions(path: _Path, document: dict[str, Any]) -> None:
+def _check_extensions(path: PathLike, document: dict[str, Any]) -> None:
     required = document.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else []:
         if name in _COMPRESSED:
@@ -125,7 +121,7 @@ def _check_extensions(path: _Path, document: dict[str, Any]) -> None:
 # The scene graph.
 
 
-def _walk(path: _Path, document: dict[str, Any]) -> Iterator[tuple[int, _Floats]]:
+def _walk(path: PathLike, document: dict[str, Any]) -> Iterator[tuple[int, Floats]]:
     """Yield the mesh of each node of the scene that has one, and its matrix (4, 4) to world axes."""
     nodes = document.get("nodes", [])
     if not isinstance(nodes, list) or not all(isinstance(node, dict) for node in nodes):
@@ -162,11 +158,11 @@ def _walk(path: _Path, document: dict[str, Any]) -> Iterator[tuple[int, _Floats]
         waiting += [(child, matrix) for child in node.get("children", [])]
 
 
-def _local_matrices(path: _Path, nodes: list[dict[str, Any]]) -> _Floats:
+def _local_matrices(path: PathLike, nodes: list[dict[str, Any]]) -> Floats:
     """Return (n, 4, 4): the matrix of each node, or its translation times rotation times scale."""
     count = len(nodes)
     shift, scale, turn = np.zeros((count, 3)), np.ones((count, 3)), np.tile([0.0, 0.0, 0.0, 1.0], (count, 1))
-    whole: dict[int, _Floats] = {}
+    whole: dict[int, Floats] = {}
     for place, node in enumerate(nodes):
         try:
             if "matrix" in node:
@@ -197,7 +193,7 @@ def _local_matrices(path: _Path, nodes: list[dict[str, Any]]) -> _Floats:
     return result
 
 
-def _placed(part: RawPart, matrices: _Floats) -> RawPart:
+def _placed(part: RawPart, matrices: Floats) -> RawPart:
     """Return the instances of a part at ``matrices`` (n, 4, 4), joined."""
     turns, count = matrices[:, :3, :3], len(part.positions)
     # What is not finite stays what it is, without a warning; the repair leaves it out and says so.
@@ -222,7 +218,7 @@ def _placed(part: RawPart, matrices: _Floats) -> RawPart:
 class _Primitives:
     """Reader of a document's primitives from its buffers."""
 
-    def __init__(self, path: _Path, document: dict[str, Any], binary: memoryview | None) -> None:
+    def __init__(self, path: PathLike, document: dict[str, Any], binary: memoryview | None) -> None:
         self._path, self._document, self._binary = path, document, binary
         self._buffers: dict[int, memoryview] = {}
 
@@ -252,7 +248,7 @@ class _Primitives:
         triangles[((triangles < 0) | (triangles >= len(positions))).any(axis=1)] = -1
         return RawPart(name, material_word(material, name), positions, triangles, normals, uvs)
 
-    def _values(self, index: int) -> _Floats:
+    def _values(self, index: int) -> Floats:
         """Return the values (count, width) of an accessor, normalized integers as the fractions that they represent."""
         accessor, place = _at(self._document["accessors"], index), f"accessors[{index}]"
         kind, width = _COMPONENTS[accessor["componentType"]], _WIDTHS[accessor["type"]]
@@ -327,7 +323,7 @@ class _Primitives:
         return memoryview(file.read_bytes())
 
 
-def _triangles(corners: _Ints, mode: int) -> _Ints:
+def _triangles(corners: Integers, mode: int) -> Integers:
     """Return the triangles (k, 3) of a list, a strip or a fan of corners."""
     if mode == _TRIANGLES:
         return corners[: len(corners) // 3 * 3].reshape(-1, 3)

@@ -17,9 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Reals
 from brdf_suite.documents.atomic import write_atomically
-
-Floats = npt.NDArray[np.floating]
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,12 +37,12 @@ class PointMesh:
         A name and (n,) numbers that go with the points; no name where there are none.
     """
 
-    points: Floats
-    normals: Floats
+    points: Reals
+    normals: Reals
     colours: npt.NDArray[np.uint8]
     faces: npt.NDArray[np.integer]
     quantity: str = ""
-    values: Floats | None = None
+    values: Reals | None = None
 
 
 def write_obj(path: str | os.PathLike[str], mesh: PointMesh, comments: Sequence[str] = ()) -> None:

@@ -21,8 +21,7 @@ from brdf_suite.documents.palette import (
     Palette,
     Usage,
 )
-from brdf_suite.errors import FileError, ValueRangeError
-from brdf_suite.files.palettes.format import PathLike
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
 
 _CHOICE = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
 _CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")

@@ -17,12 +17,12 @@ from brdf_suite.appearance.colour.colorimetry import (
 )
 from brdf_suite.appearance.colour.flat_colours import WHITES, decode_rgb, flat_labs, is_of_other_space
 from brdf_suite.appearance.colour.spaces import adapt_xyz, working_to_xyz
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.documents.palette import Entry
-from brdf_suite.geometry.directions import Floats
 
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 FACE_DEG = 45.0

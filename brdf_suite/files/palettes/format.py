@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
 from brdf_suite.documents.palette import Palette
+from brdf_suite.errors import PathLike
 
-PathLike = str | os.PathLike[str]
 Groups = Literal["none", "flat", "nested"]
 
 Order = Literal["kept", "by groups", "none first"]

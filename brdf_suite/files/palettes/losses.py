@@ -6,10 +6,10 @@ from collections import Counter
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
-from brdf_suite.errors import FileError, SuiteError
+from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.palettes import collecting
 from brdf_suite.files.palettes.conversions import in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.own import FORMAT as OWN
 
 _SAME = 1e-9

@@ -7,7 +7,8 @@ import re
 from brdf_suite.documents.flat_colour import MODELS
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import PALETTE_ENDING, encode_palette, palette_from_bytes
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.errors import PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _HEAD = re.compile(rb'\s*\{\s*"format"\s*:\s*"brdfpalette"')
 

@@ -14,12 +14,12 @@ from pathlib import Path
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.palette_store import LARGEST_PALETTE
-from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.files.measured.bounded_reading import read_bytes
+from brdf_suite.errors import FileError, PathLike, SuiteError
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.palettes import own
 from brdf_suite.files.palettes.archive import kpl, sbz
 from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
-from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, PathLike, ReadPalette, WrittenPalette
+from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
 from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
 from brdf_suite.files.palettes.xml import cxf3, scribus, soc

@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint
 from brdf_suite.errors import FileError, FittingError, SuiteError, UnreachableError
@@ -36,8 +37,6 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
-
-FloatArray = NDArray[np.float64]
 
 #: Aspecular angles at which colours are compared, degrees. Beyond 90° only KD is left of a fit.
 BETWEEN_DEG = (
@@ -71,10 +70,10 @@ class PaintTargets:
     """
 
     name: str
-    base: FloatArray
-    coat: FloatArray
-    lab: FloatArray
-    inside: FloatArray
+    base: Floats
+    coat: Floats
+    lab: Floats
+    inside: Floats
     energy: float
 
 
@@ -90,7 +89,7 @@ def sample_targets(name: str, paint: Layered) -> PaintTargets:
     base_samples, coat_samples = BaseSamples(), CoatSamples()
     fine, at = coat_rings()
 
-    def rings(samples: CoatSamples) -> FloatArray:
+    def rings(samples: CoatSamples) -> Floats:
         values = paint.coat.eval(samples.lights, samples.view) * samples.cosines[..., None]
         return np.asarray(values.mean(axis=1))
 
@@ -110,12 +109,12 @@ def sample_targets(name: str, paint: Layered) -> PaintTargets:
     return targets
 
 
-def coat_counts() -> FloatArray:
+def coat_counts() -> Floats:
     """Return ``(angles,)``: 1 at the angles at which the coat is part of the colour, 0 nearer to the mirror."""
     return (np.array(BETWEEN_DEG) >= COAT_FROM_DEG).astype(np.float64)
 
 
-def _coat_between(paint: Layered) -> FloatArray:
+def _coat_between(paint: Layered) -> Floats:
     """f_r (angles, 3) of the coat, in the plane at the measured angles, else the mean over a ring.
 
     The ring's mean is of ``f_r·(N·L)``, over the cosine of the colours' light.

@@ -17,10 +17,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,
@@ -34,8 +34,6 @@ from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, 
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
-
-FloatArray = NDArray[np.float64]
 
 #: What counts as much at the measured angles as a ΔE00 of 1 elsewhere: there readings are compared with the paint.
 MEASURED_UNIT = 0.4
@@ -80,12 +78,12 @@ class BasisError:
         energy = np.array([paint.energy for paint in database.paints])
         self._scale = np.where(energy > 0.0, 1.0 / np.where(energy > 0.0, energy, 1.0), 0.0)
 
-    def programs(self, exponents: FloatArray) -> tuple[PartProgram, PartProgram]:
+    def programs(self, exponents: Floats) -> tuple[PartProgram, PartProgram]:
         """Return the programs of base and coat, those of a :class:`LobeFitter` with these exponents."""
         base = base_program(self._base_samples, exponents)
         return base, coat_program(self._coat_samples, exponents)
 
-    def layers(self, exponents: Sequence[float] | FloatArray) -> tuple[FloatArray, FloatArray]:
+    def layers(self, exponents: Sequence[float] | Floats) -> tuple[Floats, Floats]:
         """Return RMS errors ``(paints,)`` of colour and of the coat's energy, each in its unit.
 
         Raises
@@ -109,19 +107,19 @@ class BasisError:
         moved = (energy - self._inside) / ENERGY_UNIT
         return np.sqrt(colour**2 @ self._colour_weights), np.sqrt((moved**2).mean(axis=(1, 2)))
 
-    def __call__(self, exponents: Sequence[float] | FloatArray) -> FloatArray:
+    def __call__(self, exponents: Sequence[float] | Floats) -> Floats:
         """Return Error(E, paint) ``(paints,)`` for exponents ``(m,)`` in any order; raises as :meth:`layers`."""
         base, coat = self.layers(exponents)
-        result: FloatArray = np.sqrt(0.5 * (base**2 + coat**2))
+        result: Floats = np.sqrt(0.5 * (base**2 + coat**2))
         return result
 
 
-def equation_4(errors: FloatArray) -> float:
+def equation_4(errors: Floats) -> float:
     """Return the paper's equation 4 for errors ``(paints,)``: their maximum plus their mean."""
     return float(errors.max() + errors.mean())
 
 
-def _solve(program: PartProgram, targets: FloatArray, batch: int) -> FloatArray:
+def _solve(program: PartProgram, targets: Floats, batch: int) -> Floats:
     """Return the optimal columns ``(m, k)`` for unweighted ``targets`` ``(n, k)``."""
     weighted = program.row_weights[:, None] * targets
     sizes = np.abs(weighted).sum(axis=0)
@@ -140,5 +138,5 @@ def _solve(program: PartProgram, targets: FloatArray, batch: int) -> FloatArray:
             if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
                 raise FittingError("The linear program of a basis was not solved; the basis is left out.")
         parts.append(solver.solution().solutions[0][:, :used])
-    columns: FloatArray = np.concatenate(parts, axis=1) * program.column_scale[:, None] * sizes
+    columns: Floats = np.concatenate(parts, axis=1) * program.column_scale[:, None] * sizes
     return columns

@@ -13,12 +13,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy.optimize import least_squares
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.basis_search.error import equation_4
 
-FloatArray = NDArray[np.float64]
-ErrorFunction = Callable[[FloatArray], FloatArray]
+ErrorFunction = Callable[[Floats], Floats]
 
 #: Exponents a search may use. 1 is the diffuse lobe; at 116,000 the prefilter's bandlimit of 2,048 ends.
 SMALLEST_EXPONENT, LARGEST_EXPONENT = 1.0, 116_000.0
@@ -55,9 +55,9 @@ class _Best:
         self._watch = watch
         self.evaluations = 0
         self.value = np.inf
-        self.point: FloatArray = np.empty(0)
+        self.point: Floats = np.empty(0)
 
-    def errors(self, point: FloatArray) -> FloatArray:
+    def errors(self, point: Floats) -> Floats:
         """Return the errors at log exponents ``(m,)``, clipped to their ends."""
         if self._watch is not None:
             self._watch()
@@ -94,20 +94,18 @@ def optimize(
 
 def _least_squares(best: _Best, norm: float) -> None:
     """Go downhill in the ``norm``-norm of the errors from the best point."""
-    # Deferred: half a second of import that only a search pays.
-    from scipy.optimize import least_squares
 
     scale = float(best.errors(best.point).max()) or 1.0
-    memory: dict[bytes, FloatArray] = {}
+    memory: dict[bytes, Floats] = {}
 
-    def residuals(point: FloatArray) -> FloatArray:
+    def residuals(point: Floats) -> Floats:
         key = point.tobytes()
         if key not in memory:
             outside = OUTSIDE * (point - np.clip(point, *LOG_ENDS))
             memory[key] = np.concatenate([(best.errors(point) / scale) ** (0.5 * norm), outside])
         return memory[key]
 
-    def slopes(point: FloatArray) -> FloatArray:
+    def slopes(point: Floats) -> Floats:
         here = residuals(point)
         columns = []
         for k in range(point.size):

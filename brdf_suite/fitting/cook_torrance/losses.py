@@ -15,7 +15,7 @@ from typing import Literal
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats, Indices
 from brdf_suite.fitting.cook_torrance.settings import ModelName
 from brdf_suite.fitting.cook_torrance.shapes import (
     Shape,
@@ -29,7 +30,6 @@ from brdf_suite.fitting.cook_torrance.shapes import (
     inverse_index,
     reflectance_from_inverse_index,
 )
-from brdf_suite.geometry.directions import Floats
 
 LEAST_WEIGHT = 1e-9
 """kd, or a, below which a fit cannot be distinguished from one without; it becomes 0."""
@@ -46,7 +46,6 @@ _NEARLY_NONE = 1.5
 _REVIVED = 1e-3
 
 Vector = Floats
-Places = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True)
@@ -147,7 +146,7 @@ class LobeModel:
         y[self.m_at(lobe) : self.m_at(lobe) + 2] = 0.0
         return y
 
-    def searched(self, x: Vector, channels: npt.ArrayLike) -> Places:
+    def searched(self, x: Vector, channels: npt.ArrayLike) -> Indices:
         """Return the parameters that a search may move: not those of a lobe without weight, nor of unknown channels."""
         known = np.asarray(channels, np.bool_)
         moved = np.ones(self.size, np.bool_)
@@ -177,7 +176,7 @@ class LobeModel:
         """Return (1 + N, 3, n) f_r in 1/sr of the diffuse part and of each lobe."""
         return self._evaluate(x, terms, None)
 
-    def columns(self, channel: int) -> Places:
+    def columns(self, channel: int) -> Indices:
         """Return which parameters (q,) a channel hangs on, in the order of the slopes of :meth:`logs`."""
         own = [channel]
         for lobe in range(self.lobes):

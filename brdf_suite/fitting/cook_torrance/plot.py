@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.samples import half_and_difference
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
+from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples

@@ -12,18 +12,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.fitting.cook_torrance.samples import Floor, LobeSamples, check_samples, even_weights, spread
 from brdf_suite.fitting.cook_torrance.settings import Settings
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
+from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
-
-Singles = npt.NDArray[np.float32]
-Bools = npt.NDArray[np.bool_]
 
 MISFIT = 0.05
 """What a model misses of a measurement anyway, relative: bins known better than this count alike."""

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
+from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.fitting.cook_torrance.shapes import Terms
 from brdf_suite.fitting.cook_torrance.solve import FitProblem
 from brdf_suite.fitting.cook_torrance.uncertainty import StandardErrors
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
 
 if TYPE_CHECKING:
@@ -170,8 +171,6 @@ class CookTorranceFit:
         ValueRangeError
             The data reflect so much that a parameter leaves a paint's range.
         """
-        from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
-
         if self.model.name != "cook-torrance":
             raise FittingError(
                 f"Lobes of the model {self.model.name} cannot be saved as a paint; fit cook-torrance, or write a table."

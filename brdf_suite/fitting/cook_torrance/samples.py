@@ -17,11 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Floats, Indices
 from brdf_suite.errors import FittingError
-from brdf_suite.geometry.directions import Floats
-
-Bools = npt.NDArray[np.bool_]
-Places = npt.NDArray[np.intp]
 
 CELLS = (60, 30)
 """Cells along √θh and along θd."""
@@ -199,7 +196,7 @@ def half_and_difference(wi: Floats, wo: Floats) -> tuple[Floats, Floats]:
     return np.asarray(theta_h), np.asarray(np.arctan2(*lengths))
 
 
-def spread(theta_h: Floats, theta_d: Floats, most: int, seed: int) -> Places:
+def spread(theta_h: Floats, theta_d: Floats, most: int, seed: int) -> Indices:
     """Return places, rising, of at most ``most`` pairs taken by turns from the cells over √θh and θd (radians)."""
     rng = np.random.default_rng(seed)
     # Ranking a million by cell takes longer than the fit; a few times as many as wanted fill the cells as well.

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.models.half_vector_terms import HalfVectorTerms
 
 _TINY = 1e-300

@@ -19,13 +19,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.optimize import least_squares
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.losses import Cost
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.settings import Loss
 from brdf_suite.fitting.cook_torrance.shapes import Terms
-from brdf_suite.geometry.directions import Floats
 
 Tick = Callable[[], None]
 
@@ -156,8 +157,6 @@ def estimate_spread(problem: FitProblem, x: Vector) -> float:
 
 
 def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick | None) -> Vector:
-    from scipy.optimize import least_squares  # takes longer to import than a paint to edit
-
     # What has no weight has no slope either, and would wander.
     moved = problem.model.searched(x, problem.samples.channels)
     if not moved.size:

@@ -14,7 +14,9 @@ import math
 
 import numpy as np
 import numpy.typing as npt
+from scipy.optimize import nnls
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.shapes import (
@@ -24,7 +26,6 @@ from brdf_suite.fitting.cook_torrance.shapes import (
     reflectance_from_inverse_index,
 )
 from brdf_suite.fitting.cook_torrance.solve import products
-from brdf_suite.geometry.directions import Floats
 
 SLOPES = np.geomspace(0.006, 0.9, 16)
 """The list of m."""
@@ -99,8 +100,6 @@ def _best_sets(
     model: LobeModel, samples: LobeSamples, terms: Terms, count: int, rng: np.random.Generator
 ) -> list[tuple[int, ...]]:
     """Return places in the list of slopes, rising, of the ``count`` sets that come nearest and differ."""
-    from scipy.optimize import nnls  # takes longer to import than a paint to edit
-
     columns = _columns(model, terms, SLOPES, np.full(len(SLOPES), 0.4))
     scale = np.exp(-_grey(samples)) * np.sqrt(samples.weights)
     relative = columns * scale[:, None]
@@ -126,8 +125,6 @@ def _weighted(
     model: LobeModel, samples: LobeSamples, terms: Terms, slopes: npt.ArrayLike, reflected: Floats
 ) -> Vector:
     """Return the vector of the slopes, with the weights of each channel by least squares of relative errors."""
-    from scipy.optimize import nnls  # takes longer to import than a paint to edit
-
     m = np.asarray(slopes, np.float64)
     columns = _columns(model, terms, m, reflected)
     if model.coat:

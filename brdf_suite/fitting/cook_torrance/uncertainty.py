@@ -15,10 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.cook_torrance.losses import Cost
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
 from brdf_suite.fitting.cook_torrance.solve import FitProblem, products
-from brdf_suite.geometry.directions import Floats
 
 _LEAST_WIDTH = 1e-6
 # A combination of parameters so much less determined than the best one counts as undetermined.

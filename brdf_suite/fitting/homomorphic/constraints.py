@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import sparse
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import LEAST_SIZE, MOST_SIZE, Factor
 from brdf_suite.geometry.map_look_up import bilinear
 

@@ -13,12 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, regularization
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
 from brdf_suite.fitting.homomorphic.projected import average_samples, enlarge_map
 from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.progress import Progress, report, subrange
 

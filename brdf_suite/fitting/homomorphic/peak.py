@@ -22,6 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
@@ -32,7 +33,6 @@ from brdf_suite.fitting.homomorphic.factorize import (
 )
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.geometry.fresnel import fresnel_dielectric

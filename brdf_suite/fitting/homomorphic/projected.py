@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 from scipy import sparse
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.homomorphic.constraints import MapLayout
-from brdf_suite.geometry.directions import Floats
 
 
 def average_samples(matrix: sparse.csr_array, layout: MapLayout, wanted: Floats) -> Floats:

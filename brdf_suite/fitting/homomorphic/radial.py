@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.factor_words import Factor
 from brdf_suite.geometry.map_look_up import look_up_map

@@ -11,9 +11,12 @@ from typing import Literal, get_args
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
+from brdf_suite.documents.factor_textures import write_textures
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.homomorphic.accuracy import Accuracy, accuracy
 from brdf_suite.fitting.homomorphic.factorization import Factorization
 from brdf_suite.fitting.homomorphic.factorize import (
@@ -38,7 +41,6 @@ from brdf_suite.fitting.homomorphic.samples import (
     sample_reflectance,
     samples_near_peak,
 )
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_words import (
     DEFAULT_FACTORS,
     MEASURED_FACTORS,
@@ -361,14 +363,11 @@ def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str
     # Before the textures are written, which would be left behind.
     check_target(target)
     if target.suffix.lower() == TABLE_ENDING:
-        from brdf_suite.files.measured.brdftable import write_brdftable
-
         write_brdftable(found.value, target)
         return
     if target.suffix.lower() != PAINT_ENDING:
         raise FileError(target, f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}")
     # What reads and writes EXR files is loaded where one is written.
-    from brdf_suite.documents.factor_textures import write_textures
 
     alpha = np.asarray(found.value.alpha, float)
     paint = FactoredPaint(

@@ -21,7 +21,7 @@ import numpy as np
 from scipy import linalg, sparse
 from scipy.sparse.linalg import LinearOperator, lsmr
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.progress import Progress, report, subrange
 
 Solver = Literal["auto", "direct", "iterative"]

@@ -8,17 +8,16 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolution
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future
 
-FloatArray = NDArray[np.float64]
 
 OPTIMUM = "optimum"
 
@@ -35,9 +34,9 @@ class LimitedSolution:
     where nothing is to be found, cancelled where a newer request came first.
     """
 
-    solutions: tuple[FloatArray, ...]
-    objectives: tuple[FloatArray, ...]
-    relative: tuple[FloatArray, ...]
+    solutions: tuple[Floats, ...]
+    objectives: tuple[Floats, ...]
+    relative: tuple[Floats, ...]
     methods: tuple[tuple[str, ...], ...]
     optimal: bool
     iterations: int
@@ -48,12 +47,12 @@ class LimitedSolution:
 class NormalizedTargets:
     """Targets normalized per part and channel, their scale factors, and factors on the weights."""
 
-    targets: tuple[FloatArray, ...]
-    sizes: tuple[FloatArray, ...]
-    factors: tuple[FloatArray, ...] | None
+    targets: tuple[Floats, ...]
+    sizes: tuple[Floats, ...]
+    factors: tuple[Floats, ...] | None
     has_zeros: bool
 
-    def factors_of(self, part: int) -> FloatArray | None:
+    def factors_of(self, part: int) -> Floats | None:
         """Return the factors of one part, or ``None``."""
         return None if self.factors is None else self.factors[part]
 
@@ -61,8 +60,8 @@ class NormalizedTargets:
 def normalize_targets(
     parts: Sequence[PartProgram],
     channels: int,
-    targets: Sequence[FloatArray],
-    factors: Sequence[FloatArray] | None,
+    targets: Sequence[Floats],
+    factors: Sequence[Floats] | None,
 ) -> NormalizedTargets:
     """Scale weighted ``targets``, one ``(n, channels)`` per part, each channel to a size Σ|b| of 1.
 
@@ -98,7 +97,7 @@ def normalize_targets(
 
 def optimal_answer(
     parts: Sequence[PartProgram], held: BlockSolution, request: NormalizedTargets, iterations: int
-) -> tuple[LimitedSolution, tuple[FloatArray, ...]]:
+) -> tuple[LimitedSolution, tuple[Floats, ...]]:
     """Return the answer of a solver that has come to its end, and the solutions of size 1 for the next start."""
     kept, errors = [], []
     for k, part in enumerate(parts):
@@ -111,8 +110,8 @@ def optimal_answer(
 
 
 def optimum(
-    request: NormalizedTargets, solutions: Sequence[FloatArray], errors: Sequence[FloatArray], iterations: int
-) -> tuple[LimitedSolution, tuple[FloatArray, ...]]:
+    request: NormalizedTargets, solutions: Sequence[Floats], errors: Sequence[Floats], iterations: int
+) -> tuple[LimitedSolution, tuple[Floats, ...]]:
     """Return optimal ``solutions`` of size 1 as an answer, and themselves for the next start."""
     if request.has_zeros:  # against a channel of zeros the solver's rounding is not small
         lit = [size > 0.0 for size in request.sizes]
@@ -124,8 +123,8 @@ def optimum(
 
 def rescale_solutions(
     request: NormalizedTargets,
-    solutions: Sequence[FloatArray],
-    errors: Sequence[FloatArray],
+    solutions: Sequence[Floats],
+    errors: Sequence[Floats],
     methods: tuple[tuple[str, ...], ...],
     optimal: bool,
     iterations: int,

@@ -20,8 +20,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution, NormalizedTargets, optimal_answer
 from brdf_suite.fitting.lobes.program import PartProgram
@@ -30,8 +30,7 @@ from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
 
-FloatArray = NDArray[np.float64]
-Solutions = tuple[FloatArray, ...]
+Solutions = tuple[Floats, ...]
 Then = Callable[[LimitedSolution], Any]
 
 #: Shortest slice, and its length per matrix entry: five times what the solver needs to start (15 ns an entry).
@@ -59,7 +58,7 @@ class BackgroundSolver:
     """Background solver of one request at a time; ``last`` are the newest normalized solutions, for the next start."""
 
     def __init__(self, parts: Sequence[PartProgram], channels: int) -> None:
-        # Deferred: 3 ms, with logging, on the start-up path of programs that may not fit.
+        # 3 ms, with logging, on the start-up path of programs that may not fit.
         from concurrent.futures import Future, ThreadPoolExecutor
 
         self.solver = BlockSolver(parts, channels)
@@ -141,7 +140,7 @@ class BackgroundSolver:
     def _slice(self, work: Work) -> None:
         future = work.future
         try:
-            answer = self._advance(work)
+            answer = self.advance(work)
             if answer is None:
                 if future.cancelled():
                     self._drop(work)
@@ -161,7 +160,7 @@ class BackgroundSolver:
             self.last = answer[1]
             future.set_result(value)
 
-    def _advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
+    def advance(self, work: Work) -> tuple[LimitedSolution, Solutions] | None:
         """Solve for one slice; None where the optimum is still to come or is not requested."""
         request = work.request
         with self.lock:

@@ -14,13 +14,11 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.reading import FieldReader, read_json
 from brdf_suite.errors import DocumentError, FittingError
 from brdf_suite.resources import resource
-
-FloatArray = NDArray[np.float64]
 
 #: What the stored answer of a search calls itself.
 STORED_FORMAT, STORED_VERSION = "lobe_basis", 1
@@ -61,7 +59,7 @@ class LobeBasis:
         """Number of lobes."""
         return len(self.exponents)
 
-    def array(self) -> FloatArray:
+    def array(self) -> Floats:
         """The exponents as a new array ``(m,)``."""
         return np.array(self.exponents, dtype=np.float64)
 

@@ -7,11 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 import numpy.typing as npt
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-
-FloatArray = NDArray[np.float64]
 
 CHANNELS = ("red", "green", "blue")
 #: Samples above this are no reflectance, in 1/sr; sums of what is below stay finite.
@@ -23,7 +21,7 @@ def check_targets(
     values: npt.ArrayLike,
     shape: tuple[int, ...],
     where: Callable[[tuple[int, ...]], str],
-) -> FloatArray:
+) -> Floats:
     """Return ``values`` as float64 of ``shape``, which ends with three channels.
 
     ``subject`` begins the message of an error ("The base"); ``where`` names the place of a sample from its index

@@ -15,11 +15,9 @@ import math
 import time
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.program import PartProgram
-
-FloatArray = NDArray[np.float64]
 
 #: Steps, unless the deadline comes first; the penalty that ties the two directions together, relative to the
 #: unit columns' curvature; and the over-relaxation. Between .1 and .3 the penalty hardly matters.
@@ -43,15 +41,13 @@ class FallbackSolver:
         norms = np.sqrt((program.matrix**2).sum(axis=0))
         # Columns of one length: a lobe that few samples see is then no slower than a broad one. A column of
         # zeros stays one, and its solution 0.
-        self._scale: FloatArray = 1.0 / np.where(norms > 0.0, norms, 1.0)
+        self._scale: Floats = 1.0 / np.where(norms > 0.0, norms, 1.0)
         scaled = program.matrix * self._scale
         self._transposed = np.ascontiguousarray(scaled.T)
-        gram: FloatArray = self._transposed @ scaled
+        gram: Floats = self._transposed @ scaled
         self._inverse = np.asarray(np.linalg.inv(gram + PENALTY * np.eye(gram.shape[0])), np.float64)
 
-    def rescaled(
-        self, last: FloatArray, target: FloatArray, factors: FloatArray | None = None
-    ) -> tuple[FloatArray, FloatArray]:
+    def rescaled(self, last: Floats, target: Floats, factors: Floats | None = None) -> tuple[Floats, Floats]:
         """Return ``last`` (m, channels) times one factor ≥ 0 per channel, best for ``target`` (n, channels).
 
         Best in the L1 sense: the weighted median of the ratios target / prediction (over some of the rows,
@@ -71,9 +67,7 @@ class FallbackSolver:
             rest *= factors
         return last * scales, rest.sum(axis=0)
 
-    def least_squares(
-        self, target: FloatArray, *, deadline: float = math.inf, steps: int = STEPS
-    ) -> FloatArray:
+    def least_squares(self, target: Floats, *, deadline: float = math.inf, steps: int = STEPS) -> Floats:
         """Return columns ≥ 0 ``(m, channels)`` near the least-squares optimum for ``target`` (n, channels).
 
         At most ``steps`` steps, down to eight where ``time.perf_counter()`` passes ``deadline``. (Boyd et al. 2011,
@@ -95,7 +89,7 @@ class FallbackSolver:
         return self._scale[:, None] * solution
 
 
-def _best_factor(target: FloatArray, prediction: FloatArray, sizes: FloatArray) -> float:
+def _best_factor(target: Floats, prediction: Floats, sizes: Floats) -> float:
     """Return the ``s ≥ 0`` that minimizes ``Σ size/|prediction|·|s·prediction - target|``.
 
     0 where nothing is predicted. Rows whose size is under rounding of the largest cannot move the median.

@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit, check_targets
 from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.weighting import (
     Weighting,
     check_weighting,
@@ -28,7 +28,6 @@ from brdf_suite.reflectance.protocol import Layered
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
 
-FloatArray = NDArray[np.float64]
 
 #: Limit of the first solve, made with the fitter itself: no edit waits for it.
 WARM_UP_S = 1.0
@@ -46,8 +45,8 @@ class PartError:
     ``method`` names where each channel's weights came from: optimum, simplex, rescaled, least squares or zero.
     """
 
-    absolute: FloatArray
-    relative: FloatArray
+    absolute: Floats
+    relative: Floats
     method: tuple[str, ...]
 
 
@@ -177,7 +176,7 @@ class LobeFitter:
         """End the background thread, should there be one, and drop what it works at."""
         self.solver.close()
 
-    def sample(self, reflectance: Layered) -> tuple[FloatArray, FloatArray]:
+    def sample(self, reflectance: Layered) -> tuple[Floats, Floats]:
         """Return ``f_r·(N·L)`` at the base's samples ``(n, 3)`` and the coat's rings ``(k, 3)``."""
         base = reflectance.base.eval(self.base_samples.light, self.base_samples.views)
         coat = reflectance.coat.eval(self.coat_samples.lights, self.coat_samples.view)
@@ -204,8 +203,8 @@ class LobeFitter:
 
     def fit_samples(
         self,
-        base: FloatArray,
-        coat: FloatArray,
+        base: Floats,
+        coat: Floats,
         *,
         ior: float,
         base_under_coat: bool = True,
@@ -224,8 +223,8 @@ class LobeFitter:
 
     def _solve(
         self,
-        base: FloatArray,
-        coat: FloatArray,
+        base: Floats,
+        coat: Floats,
         over: _Coat,
         deadline: float,
         start: float = 0.0,
@@ -247,7 +246,7 @@ class LobeFitter:
 
         return fit_of(self.solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
 
-    def _factors(self, base: FloatArray, coat: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _factors(self, base: Floats, coat: Floats) -> tuple[Floats, Floats]:
         """Return the relative weights of both parts; the energy outbids every ring, as it does without them."""
         rings = relative_factors(coat)
         return relative_factors(base), np.concatenate([rings, rings.max(axis=0, keepdims=True)], axis=0)
@@ -255,7 +254,7 @@ class LobeFitter:
     def _fit_of(
         self,
         answer: LimitedSolution,
-        kd: FloatArray,
+        kd: Floats,
         over: _Coat,
         start: float,
         sampling_seconds: float,
@@ -293,7 +292,7 @@ class LobeFitter:
         )
 
 
-def _checked(subject: str, values: FloatArray, gamma_rad: FloatArray) -> FloatArray:
+def _checked(subject: str, values: Floats, gamma_rad: Floats) -> Floats:
     def where(sample: tuple[int, ...]) -> str:
         return f"at the aspecular angle {np.rad2deg(gamma_rad[sample]):.4g}°"
 

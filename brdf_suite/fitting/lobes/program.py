@@ -14,11 +14,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-
-FloatArray = NDArray[np.float64]
 
 #: Entries below this are dropped: they are under the solver's own smallest matrix value.
 SMALLEST_ENTRY = 1e-9
@@ -39,18 +37,16 @@ class PartProgram:
         ``(m,)`` > 0: what a scaled solution is multiplied by to become lobe weights.
     """
 
-    matrix: FloatArray
-    row_weights: FloatArray
-    column_scale: FloatArray
+    matrix: Floats
+    row_weights: Floats
+    column_scale: Floats
 
     @property
     def shape(self) -> tuple[int, int]:
         """Number of samples and number of columns."""
         return self.matrix.shape[0], self.matrix.shape[1]
 
-    def residual_l1(
-        self, solution: FloatArray, scaled_target: FloatArray, factors: FloatArray | None = None
-    ) -> FloatArray:
+    def residual_l1(self, solution: Floats, scaled_target: Floats, factors: Floats | None = None) -> Floats:
         """Return ``(channels,)``: ``Σ_j w_j·|M x - b|_j`` of scaled columns ``(m, channels)``.
 
         ``factors`` ``(n, channels)`` > 0 multiply the weights.
@@ -58,11 +54,11 @@ class PartProgram:
         rest = np.abs(self.matrix @ solution - scaled_target)
         if factors is not None:
             rest *= factors
-        result: FloatArray = rest.sum(axis=0)
+        result: Floats = rest.sum(axis=0)
         return result
 
 
-def build_program(matrix: FloatArray, row_weights: FloatArray) -> PartProgram:
+def build_program(matrix: Floats, row_weights: Floats) -> PartProgram:
     """Scale ``matrix`` (n, m), entries ≥ 0, by ``row_weights`` (n,) > 0 and each column to a sum of 1.
 
     Raises

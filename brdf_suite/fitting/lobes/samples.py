@@ -15,9 +15,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from brdf_suite.arrays import Floats
 
 #: Incidence of the fit: 45°, where paints are measured (ASTM E2194).
 THETA_FIT_RAD = np.pi / 4.0
@@ -36,7 +35,7 @@ COAT_LOG_STEP = 0.4
 COAT_AZIMUTHS = 6
 
 
-def _incidence(theta: float) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _incidence(theta: float) -> tuple[Floats, Floats, Floats]:
     """Return light, its mirror direction, and the in-plane unit vector from there towards the normal."""
     light = np.array([-np.sin(theta), 0.0, np.cos(theta)])
     mirror = np.array([np.sin(theta), 0.0, np.cos(theta)])
@@ -51,10 +50,10 @@ class BaseSamples:
     theta_rad: float = THETA_FIT_RAD
     gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
     raw_weights: tuple[float, ...] = BASE_WEIGHTS
-    light: FloatArray = field(init=False)
-    views: FloatArray = field(init=False)
-    gamma_rad: FloatArray = field(init=False)
-    weights: FloatArray = field(init=False)
+    light: Floats = field(init=False)
+    views: Floats = field(init=False)
+    gamma_rad: Floats = field(init=False)
+    weights: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         light, mirror, towards_normal = _incidence(self.theta_rad)
@@ -65,9 +64,9 @@ class BaseSamples:
         object.__setattr__(self, "gamma_rad", gamma)
         object.__setattr__(self, "weights", np.array(self.raw_weights, dtype=np.float64))
 
-    def cosine_lobes(self, exponents: FloatArray) -> FloatArray:
+    def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(n, m)``: ``(R·V)^E``, 0 where the dot is negative."""
-        lobes: FloatArray = np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents
+        lobes: Floats = np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents
         return lobes
 
 
@@ -86,12 +85,12 @@ class CoatSamples:
     first_ring_rad: float = COAT_FIRST_RING_RAD
     log_step: float = COAT_LOG_STEP
     azimuths: int = COAT_AZIMUTHS
-    view: FloatArray = field(init=False)
-    lights: FloatArray = field(init=False)
-    cosines: FloatArray = field(init=False)
-    lit: FloatArray = field(init=False)
-    gamma_rad: FloatArray = field(init=False)
-    solid_angle: FloatArray = field(init=False)
+    view: Floats = field(init=False)
+    lights: Floats = field(init=False)
+    cosines: Floats = field(init=False)
+    lit: Floats = field(init=False)
+    gamma_rad: Floats = field(init=False)
+    solid_angle: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         view, mirror, towards_normal = _incidence(self.theta_rad)
@@ -116,19 +115,19 @@ class CoatSamples:
         }.items():
             object.__setattr__(self, name, value)
 
-    def cosine_lobes(self, exponents: FloatArray) -> FloatArray:
+    def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(n, m)``: ring means of ``(R·L)^E`` above the horizon.
 
         Computed as ``exp(E·log1p(-2 sin²(γ/2)))``, which is exact for sharp lobes.
         """
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
-        lobes: FloatArray = self.lit[:, None] * np.exp(log_cosine[:, None] * exponents)
+        lobes: Floats = self.lit[:, None] * np.exp(log_cosine[:, None] * exponents)
         return lobes
 
-    def lobe_energy(self, exponents: FloatArray) -> FloatArray:
+    def lobe_energy(self, exponents: Floats) -> Floats:
         """Return ``(m,)``: ``(R·L)^E`` integrated above the horizon, sr: ``2π/(E+1)`` times the lit share."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
         whole = np.exp(log_cosine[:, None] * exponents)
         share = (self.solid_angle * self.lit) @ whole / (self.solid_angle @ whole)
-        energy: FloatArray = 2.0 * np.pi / (exponents + 1.0) * share
+        energy: Floats = 2.0 * np.pi / (exponents + 1.0) * share
         return energy

@@ -23,12 +23,10 @@ from enum import Enum
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.program import PartProgram
-
-FloatArray = NDArray[np.float64]
 
 #: Feasibility tolerances of the scaled program, tighter than the solver's 1e-7.
 TOLERANCE = 1e-9
@@ -51,8 +49,8 @@ class SolverOutcome(Enum):
 class BlockSolution:
     """Solution of the solver: per part scaled columns ≥ 0 ``(m, channels)`` and duals y ``(n, channels)``."""
 
-    solutions: tuple[FloatArray, ...]
-    duals: tuple[FloatArray, ...]
+    solutions: tuple[Floats, ...]
+    duals: tuple[Floats, ...]
 
 
 class BlockSolver:
@@ -141,7 +139,7 @@ class BlockSolver:
         if status == self._error_status:
             raise FittingError(f"The linear-programming solver refused its {what}.")
 
-    def load(self, targets: Sequence[FloatArray], factors: Sequence[FloatArray] | None = None) -> None:
+    def load(self, targets: Sequence[Floats], factors: Sequence[Floats] | None = None) -> None:
         """Take new ``targets``, one ``(n, channels)`` of weighted rows per part, sizes near 1.
 
         ``factors``, of the same shapes and > 0, multiply the weights of single samples; 1 where left out.
@@ -199,7 +197,7 @@ class BlockSolver:
         )
 
     @staticmethod
-    def _array(values: Sequence[float], count: int) -> FloatArray:
+    def _array(values: Sequence[float], count: int) -> Floats:
         """Return the solver's list as an array; zeros for what it does not hold, or not as a number."""
         if len(values) != count:
             return np.zeros(count)
@@ -208,7 +206,7 @@ class BlockSolver:
             array[~np.isfinite(array)] = 0.0
         return array
 
-    def _split(self, array: FloatArray, axis: int) -> tuple[FloatArray, ...]:
+    def _split(self, array: Floats, axis: int) -> tuple[Floats, ...]:
         """Cut ``array`` into ``(size, channels)`` per part."""
         parts = []
         start = 0

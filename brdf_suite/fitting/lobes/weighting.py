@@ -16,11 +16,9 @@ from __future__ import annotations
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-
-FloatArray = NDArray[np.float64]
 
 Weighting = Literal["absolute", "relative", "solid angle"]
 
@@ -35,7 +33,7 @@ def check_weighting(weighting: str) -> None:
         raise FittingError(f"There is no sample weighting {weighting!r}; choose one of {known}.")
 
 
-def relative_factors(target: FloatArray) -> FloatArray:
+def relative_factors(target: Floats) -> Floats:
     """Return factors ``(n, channels)`` from 1 to 20 for ``target`` of that shape: the largest over each.
 
     ``target`` is not weighted. A channel of zeros gets ones.
@@ -44,11 +42,11 @@ def relative_factors(target: FloatArray) -> FloatArray:
     largest = sizes.max(axis=0)
     whole = np.where(largest > 0.0, largest, 1.0)
     shares = np.where(largest > 0.0, sizes / whole, 1.0)
-    factors: FloatArray = 1.0 / np.maximum(shares, SMALLEST_SHARE)
+    factors: Floats = 1.0 / np.maximum(shares, SMALLEST_SHARE)
     return factors
 
 
-def ring_solid_angles(gamma_rad: FloatArray) -> FloatArray:
+def ring_solid_angles(gamma_rad: Floats) -> Floats:
     """Return ``(n,)`` sr for ascending signed angles ``gamma_rad`` ``(n,)`` from the mirror direction.
 
     Each sample represents the directions nearer to it than to its neighbours, on its own side of the mirror
@@ -61,5 +59,5 @@ def ring_solid_angles(gamma_rad: FloatArray) -> FloatArray:
     edges = np.concatenate([[first], middles, [last]])
     # Half of a cap of angle γ, with the sign of γ: differences are the half rings between two edges.
     caps = np.sign(edges) * np.pi * (1.0 - np.cos(edges))
-    rings: FloatArray = np.diff(caps)
+    rings: Floats = np.diff(caps)
     return rings

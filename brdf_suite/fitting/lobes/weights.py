@@ -6,13 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.checks import check_ior
 from brdf_suite.reflectance.lobe_sum import lobe_sums
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,10 +45,10 @@ class LobeWeights:
         A shape that does not fit, a weight that is negative or not finite, or an index that is not one.
     """
 
-    exponents: FloatArray
-    kd: FloatArray
-    kdd: FloatArray
-    kg: FloatArray
+    exponents: Floats
+    kd: Floats
+    kdd: Floats
+    kg: Floats
     theta_fit_rad: float
     ior: float
     time_limited: bool = False
@@ -72,7 +70,7 @@ class LobeWeights:
             raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
         check_ior(self.ior)
 
-    def reflected(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> FloatArray:
+    def reflected(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
 
         ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
@@ -80,7 +78,7 @@ class LobeWeights:
         """
         return lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, self.kg).reflected()
 
-    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> FloatArray:
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the lobes' f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``.
 
         Shapes as for :meth:`reflected`; 0 at or below the horizon. The gloss part grows without bound as
@@ -88,14 +86,14 @@ class LobeWeights:
         """
         return lobe_sums(wi, wo, self.exponents, self.kd, self.kdd, self.kg).brdf()
 
-    def coat_energy(self) -> FloatArray:
+    def coat_energy(self) -> Floats:
         """Return ``(3,)`` what the gloss lobes reflect of a constant environment: ``Σ KG_i·2π/(E_i+1)``.
 
         The part of wide lobes that reaches below the horizon is counted; for a car's clearcoat it is nothing.
         """
-        result: FloatArray = (2.0 * np.pi / (self.exponents + 1.0)) @ self.kg
+        result: Floats = (2.0 * np.pi / (self.exponents + 1.0)) @ self.kg
         return result
 
 
-def _is_sound(values: FloatArray) -> bool:
+def _is_sound(values: Floats) -> bool:
     return bool((np.isfinite(values) & (values >= 0.0)).all())

@@ -14,7 +14,8 @@ from functools import cache
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, angle_between, mirror
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.pipeline.fit_errors import NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.reflectance.protocol import Reflectance
 

@@ -14,8 +14,9 @@ import numpy.typing as npt
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Lab
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.inspection.figures.errors import Errors, errors_between, fit_errors
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.albedo import directional_albedo

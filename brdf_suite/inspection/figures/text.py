@@ -12,13 +12,17 @@ import math
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.inspection.figures.errors import ErrorSet
-from brdf_suite.inspection.figures.figures import CHANNELS, AngleReading, ReflectanceFigures
 
-Named = tuple[str, ReflectanceFigures]
+if TYPE_CHECKING:  # the windows write figures, and only then measure
+    from brdf_suite.inspection.figures.errors import ErrorSet
+    from brdf_suite.inspection.figures.figures import AngleReading, ReflectanceFigures
+
+_CHANNELS = ("red", "green", "blue")
+
+Named = tuple[str, "ReflectanceFigures"]
 Group = Literal["overview", "albedo", "colours", "errors"]
 GROUPS: tuple[Group, ...] = ("overview", "albedo", "colours", "errors")
 
@@ -43,7 +47,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
     def add(group: Group, name: str, unit: str, values: Iterable[float | None]) -> None:
         rows.append(FigureRow(group, name, unit, tuple(_kept(value) for value in values)))
 
-    for c, channel in enumerate(CHANNELS):
+    for c, channel in enumerate(_CHANNELS):
         add("overview", f"hemispherical albedo, {channel}", "", [f.curve.hemispherical[c] for f in figures])
     add("overview", "largest albedo of a channel", "", [f.curve.largest[0] for f in figures])
     add("overview", "its incidence", "°", [f.curve.largest[1] for f in figures])
@@ -52,7 +56,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
     add("overview", "directions without a number", "", [f.missing for f in figures])
     for k, incidence in enumerate(figures[0].curve.incidence_deg):
         add("albedo", f"albedo at {incidence:g}°", "", [f.curve.luminous[k] for f in figures])
-        for c, channel in enumerate(CHANNELS):
+        for c, channel in enumerate(_CHANNELS):
             add("albedo", f"albedo at {incidence:g}°, {channel}", "", [f.curve.albedo[k, c] for f in figures])
     for k, geometry in enumerate(g.name for g in figures[0].geometry_set.geometries):
         readings = [f.readings[k] for f in figures]

@@ -10,13 +10,11 @@ from functools import lru_cache
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_encode
+from brdf_suite.arrays import Bytes, Singles
 from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
 
-Codes = npt.NDArray[np.uint8]
-Singles = npt.NDArray[np.float32]
 Channel = Literal["colour", "r", "g", "b", "luminance"]
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")
 
@@ -40,7 +38,7 @@ def scalar_of(values: Singles, channel: Channel) -> Singles:
     return np.asarray(values @ LUMINANCE.astype(np.float32))
 
 
-def light_codes(values: Singles) -> Codes:
+def light_codes(values: Singles) -> Bytes:
     """Return the colour of light (..., 3), working space, at full brightness; grey where there is none."""
     linear = values @ WORKING_TO_SRGB.T.astype(np.float32)
     np.maximum(linear, 0.0, out=linear)
@@ -54,22 +52,22 @@ def light_codes(values: Singles) -> Codes:
     return codes
 
 
-def mapped_codes(share: Singles) -> Codes:
+def mapped_codes(share: Singles) -> Bytes:
     """Return the value map's colours of shares (...): 0 is its least, 1 its most; beyond them the ends."""
     return _looked_up(value_map(), share)
 
 
-def difference_codes(share: Singles) -> Codes:
+def difference_codes(share: Singles) -> Bytes:
     """Return the difference map's colours of shares (...): -1, 0 (grey) to 1."""
     return _looked_up(difference_map(), 0.5 * (share + np.float32(1.0)))
 
 
-def one_colour(code: tuple[float, float, float] | tuple[int, int, int], shape: tuple[int, ...]) -> Codes:
+def one_colour(code: tuple[float, float, float] | tuple[int, int, int], shape: tuple[int, ...]) -> Bytes:
     """Return a colour, sRGB codes 0 to 255, for every point of ``shape``."""
     return np.broadcast_to(np.asarray(code).round().astype(np.uint8), (*shape, 3))
 
 
-def _looked_up(table: Codes, share: Singles) -> Codes:
+def _looked_up(table: Bytes, share: Singles) -> Bytes:
     places = np.nan_to_num(share, nan=0.0, posinf=1.0, neginf=0.0)
     np.clip(places, 0.0, 1.0, out=places)
     places *= len(table) - 1
@@ -78,6 +76,6 @@ def _looked_up(table: Codes, share: Singles) -> Codes:
 
 
 @lru_cache(maxsize=1)
-def _encoded() -> Codes:
+def _encoded() -> Bytes:
     """Codes for linear light in even steps; below 16 of them the steps of dark codes are wider than one."""
     return np.asarray(np.round(255.0 * srgb_encode(np.arange(_STEPS) / (_STEPS - 1.0))), np.uint8)

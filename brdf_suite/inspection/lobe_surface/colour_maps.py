@@ -11,13 +11,10 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, WORKING_TO_XYZ, srgb_decode, srgb_encode
 from brdf_suite.appearance.difference.cam02ucs import xyz_to_cam02ucs
-from brdf_suite.geometry.directions import Floats
-
-Codes = npt.NDArray[np.uint8]
+from brdf_suite.arrays import Bytes, Floats
 
 ENTRIES = 256
 _TO_LMS = np.array(
@@ -32,7 +29,7 @@ _FINE = 1025
 
 
 @lru_cache(maxsize=1)
-def value_map() -> Codes:
+def value_map() -> Bytes:
     """Return (256, 3) sRGB codes: dark blue for the least by green to yellow for the most."""
     t = np.linspace(0.0, 1.0, _FINE)
     hue = np.radians(np.interp(t, [0.0, 0.3, 0.6, 1.0], [285.0, 238.0, 165.0, 105.0]))
@@ -40,7 +37,7 @@ def value_map() -> Codes:
 
 
 @lru_cache(maxsize=1)
-def difference_map() -> Codes:
+def difference_map() -> Bytes:
     """Return (256, 3) sRGB codes: blue below, neutral grey in the middle, orange above; the ends are as dark."""
     t = np.linspace(0.0, 1.0, _FINE)
     blue = _even(_in_gamut(0.46 + 0.46 * t, 0.17 * (1.0 - t) ** 0.9, np.full_like(t, np.radians(255.0))), 128)
@@ -72,7 +69,7 @@ def _linear(lightness: Floats, chroma: Floats, hue: Floats) -> Floats:
     return np.asarray(responses**3 @ _TO_LMS.T)
 
 
-def _even(linear: Floats, entries: int = ENTRIES) -> Codes:
+def _even(linear: Floats, entries: int = ENTRIES) -> Bytes:
     """Codes (entries, 3) along a curve of linear sRGB, at equal distances of CAM02-UCS."""
     uniform = _uniform(linear)
     travelled = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(uniform, axis=0), axis=-1))))
@@ -87,6 +84,6 @@ def _uniform(linear: Floats) -> Floats:
     return xyz_to_cam02ucs(100.0 * working @ WORKING_TO_XYZ.T, white)
 
 
-def uniform_steps(codes: Codes) -> Floats:
+def uniform_steps(codes: Bytes) -> Floats:
     """Return the CAM02-UCS distances (n - 1,) between neighbours of a map (n, 3)."""
     return np.asarray(np.linalg.norm(np.diff(_uniform(srgb_decode(codes / 255.0)), axis=0), axis=-1))

@@ -24,7 +24,8 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, mirror
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import mirror
 
 ROWS, COLUMNS = 128, 256
 """Points from the mirror direction to the horizon, and around it."""

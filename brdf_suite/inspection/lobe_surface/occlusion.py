@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.inspection.lobe_surface.grid import WARP, LobeGrid
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface
 

@@ -15,10 +15,10 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 
-Singles = npt.NDArray[np.float32]
 FitPart = Literal["diffuse", "directional", "gloss"]
 FIT_PARTS: tuple[FitPart, ...] = ("diffuse", "directional", "gloss")
 PART_CODES: dict[FitPart, tuple[int, int, int]] = {

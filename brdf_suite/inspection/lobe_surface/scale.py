@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.errors import ValueRangeError
 
-Singles = npt.NDArray[np.float32]
 RadiusKind = Literal["linear", "cbrt", "log"]
 RADIUS_KINDS: tuple[RadiusKind, ...] = ("linear", "cbrt", "log")
 

@@ -13,11 +13,9 @@ single precision resolves.
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
-
-Singles = npt.NDArray[np.float32]
 
 _ROUNDING = 6e-7
 

@@ -12,8 +12,8 @@ from functools import lru_cache
 from typing import Literal
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Bytes, Singles, Words
 from brdf_suite.inspection.lobe_surface.colour import (
     CHANNEL_CODES,
     Channel,
@@ -27,9 +27,6 @@ from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.scale import RadiusScale
 from brdf_suite.inspection.lobe_surface.shape import surface_normals, surface_points
 
-Singles = npt.NDArray[np.float32]
-Codes = npt.NDArray[np.uint8]
-Faces = npt.NDArray[np.uint32]
 Colouring = Literal["light", "line", "values"]
 COLOURINGS: tuple[Colouring, ...] = ("light", "line", "values")
 
@@ -56,7 +53,7 @@ class LobeSurface:
 
     points: Singles
     normals: Singles
-    colours: Codes
+    colours: Bytes
     values: Singles
     scale: RadiusScale
     holes: int = 0
@@ -69,7 +66,7 @@ class LobeSurface:
         return rows, columns
 
     @property
-    def faces(self) -> Faces:
+    def faces(self) -> Words:
         """Triangles (n, 3) of points, counter-clockwise seen from outside; none that has a point in a hole."""
         whole = grid_faces(*self.shape)
         if not self.holes:
@@ -139,7 +136,7 @@ def _made(
     grid: LobeGrid,
     radius: Singles,
     values: Singles,
-    colours: Codes,
+    colours: Bytes,
     scale: RadiusScale,
     holes: int,
     most_radius: float | None,
@@ -160,7 +157,7 @@ def _holes(values: Singles) -> int:
 
 
 @lru_cache(maxsize=4)
-def grid_faces(rows: int, columns: int) -> Faces:
+def grid_faces(rows: int, columns: int) -> Words:
     """Return the triangles (n, 3) of a whole grid; the mirror direction, row 0, is a fan."""
     row, column = np.meshgrid(np.arange(rows - 1), np.arange(columns - 1), indexing="ij")
     first = (row * columns + column).astype(np.uint32)

@@ -13,13 +13,13 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.arrays import Floats, Singles
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.trilinear import trilinear
 
-Singles = npt.NDArray[np.float32]
 Measured = Callable[[npt.ArrayLike, npt.ArrayLike], npt.NDArray[np.bool_]]
 
 _BLOCK = 8192

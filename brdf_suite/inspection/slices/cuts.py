@@ -23,9 +23,9 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, spherical
+from brdf_suite.arrays import Bools, Floats
+from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 
-Bools = npt.NDArray[np.bool_]
 Axis = Literal["gamma", "theta_o", "theta_h", "theta_d"]
 AXES: tuple[Axis, ...] = ("gamma", "theta_o", "theta_h", "theta_d")
 

@@ -18,9 +18,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.geometry.concentric import hemisphere_to_square, square_to_hemisphere
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, mirror
-from brdf_suite.inspection.slices.cuts import Bools, light_at
+from brdf_suite.geometry.directions import from_half_angle_coordinates, mirror
+from brdf_suite.inspection.slices.cuts import light_at
 from brdf_suite.inspection.slices.values import Cosine, Evaluated, cosine_of
 
 SEED_INCIDENCES_DEG = (10.0, 40.0, 70.0)

@@ -14,8 +14,9 @@ from typing import Protocol
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats, half_angle_coordinates
-from brdf_suite.inspection.slices.cuts import Bools, Slice
+from brdf_suite.arrays import Bools, Floats
+from brdf_suite.geometry.directions import half_angle_coordinates
+from brdf_suite.inspection.slices.cuts import Slice
 from brdf_suite.inspection.slices.values import Cosine, cosine_of
 
 NEAR_DEG = 2.5

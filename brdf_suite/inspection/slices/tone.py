@@ -13,11 +13,10 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_SRGB, srgb_decode, srgb_encode
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Bytes, Floats
 
 Tone = Literal["gamma", "log"]
 TONES: tuple[Tone, ...] = ("gamma", "log")
-Bytes = npt.NDArray[np.uint8]
 DECADES = 4.0
 """Decades below white that a logarithmic image shows."""
 

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.inspection.slices.cuts import Slice
 
 Channel = Literal["colour", "r", "g", "b", "luminance"]

@@ -14,15 +14,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Reals
 from brdf_suite.lighting.cubemap import face_coordinates
-
-Faces = NDArray[np.float32] | NDArray[np.float64]
 
 _SHARE = 1.0 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.25·h
 _CORNER_SHARE = 1.2 * _SHARE  # a corner's look-ups take the mean of three texels
 
 
-def edge_changes(faces: Faces) -> Faces:
+def edge_changes(faces: Reals) -> Reals:
     """Return what the texels along the edges of a smooth map (6, F, F, 3), F ≥ 3, have too much.
 
     (6, 4, F, 3): of the columns 0 and F-1 and the rows 0 and F-1 of every face. A corner's texel lies on two of them.
@@ -37,7 +36,7 @@ def edge_changes(faces: Faces) -> Faces:
     return changes
 
 
-def balance_edges(faces: Faces, changes: Faces | None = None) -> None:
+def balance_edges(faces: Reals, changes: Reals | None = None) -> None:
     """Move the light of the texels along all edges of a smooth map (6, F, F, 3), F ≥ 3, in place.
 
     ``changes``: see :func:`edge_changes`; None takes those of ``faces``.
@@ -47,7 +46,7 @@ def balance_edges(faces: Faces, changes: Faces | None = None) -> None:
             line -= less
 
 
-def _lines(face: Faces) -> tuple[Faces, Faces, Faces, Faces]:
+def _lines(face: Reals) -> tuple[Reals, Reals, Reals, Reals]:
     return face[:, 0], face[:, -1], face[0], face[-1]
 
 

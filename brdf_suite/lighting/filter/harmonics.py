@@ -24,8 +24,8 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Complexes, Floats
 from brdf_suite.progress import Progress, report
 
 MAX_BANDLIMIT = 2048
@@ -33,9 +33,6 @@ _RINGS = 32
 _STEPS = 16
 _LIFT = 300.0
 _MAX_WORKERS = 8
-
-Floats = NDArray[np.float64]
-Complexes = NDArray[np.complex128]
 
 
 def worker_count() -> int:

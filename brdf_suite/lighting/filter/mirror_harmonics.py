@@ -14,15 +14,12 @@ a facet model adds to them few more. All orders are taken up to degree 48, order
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.filter.shading_table import typical_power
 from brdf_suite.lighting.filter.zonal import lobe_coefficients
-
-Floats: TypeAlias = NDArray[np.float64]
 
 BROAD_DEGREES = 48
 SHARP_DEGREES = 320

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Complexes, Floats, Reals
 from brdf_suite.lighting.cubemap import face_coordinates
 from brdf_suite.lighting.filter.harmonics import worker_count
 
@@ -29,10 +30,6 @@ _BETA = 2.30 * WIDTH
 _LINES = 32  # orders, and lines of a side face, at once
 _LARGEST_DOUBLE = 256  # texels along a face's side
 _POINTS = 16384  # of a polar face's octant at once
-
-Floats = NDArray[np.float64]
-Faces = NDArray[np.float32] | NDArray[np.float64]
-Complexes = NDArray[np.complex128]
 
 
 def rings_for(bandlimit: int) -> int:
@@ -73,7 +70,7 @@ def _taps(position: Floats) -> tuple[NDArray[np.int64], Floats]:
     return first, kernel((position - first)[..., None] - np.arange(WIDTH))
 
 
-def cube_from_rings(orders: Complexes, size: int) -> Faces:
+def cube_from_rings(orders: Complexes, size: int) -> Reals:
     """Return the cube map (6, size, size, channels) of a real function given by its ring harmonics.
 
     Float64 up to faces of 256 texels, float32 above, where time and memory count; the error is then 2e-7.

@@ -15,16 +15,15 @@ exponent E + 1. Over the cosine c = N·R, b is a polynomial of second order; e a
 
 from __future__ import annotations
 
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.lighting.filter.zonal import lobe_coefficients
 from brdf_suite.progress import Progress, report
 
-Floats: TypeAlias = NDArray[np.float64]
 Target = Literal["plain", "coated", "gloss"]
 TARGETS: tuple[Target, ...] = ("plain", "coated", "gloss")
 

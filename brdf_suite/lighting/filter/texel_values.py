@@ -17,7 +17,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 
-from brdf_suite.lighting.filter.cube_edges import Faces, balance_edges, edge_changes
+from brdf_suite.arrays import Reals
+from brdf_suite.lighting.filter.cube_edges import balance_edges, edge_changes
 from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.filter.harmonics import worker_count
 from brdf_suite.lighting.filter.kernels.compilation import loaded_kernels
@@ -26,7 +27,7 @@ BEND_SHARE = 1.0 / 16.0
 """How much of the second differences a texel lies below its value."""
 
 
-def pack_lobe(faces: Faces) -> FaceArray:
+def pack_lobe(faces: Reals) -> FaceArray:
     """Pack the map (6, F, F, 3) of a lobe, F ≥ 4, for look-ups."""
     changes = edge_changes(faces)
     kernels = loaded_kernels()
@@ -45,7 +46,7 @@ def pack_lobe(faces: Faces) -> FaceArray:
     return pack_faces(values)
 
 
-def pack_background(faces: Faces) -> FaceArray:
+def pack_background(faces: Reals) -> FaceArray:
     """Pack the environment itself (6, F, F, 3), F ≥ 3, as it is."""
     kernels = loaded_kernels()
     if kernels is not None and faces.dtype == np.float32:
@@ -54,7 +55,7 @@ def pack_background(faces: Faces) -> FaceArray:
     return pack_faces(faces)
 
 
-def bends(faces: Faces) -> Faces:
+def bends(faces: Reals) -> Reals:
     """Return the sum (..., F, F, 3) of second differences along both sides of a face; at the rim the next texel's."""
     total = np.zeros_like(faces)
     for axis in (-3, -2):

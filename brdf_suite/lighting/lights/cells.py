@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 
-Float64 = NDArray[np.float64]
 MAX_COLUMNS = 2048
 _BLOCK_TEXELS = 1 << 20
 
@@ -45,12 +45,12 @@ class Cells:
         Radians about +y, as :meth:`.DirectionalLights.turned` takes them, from these directions to the map's.
     """
 
-    energy: Float64
-    luminous: Float64
-    moments: Float64
-    solid_angles: Float64
-    theta: Float64
-    widths: Float64
+    energy: Floats
+    luminous: Floats
+    moments: Floats
+    solid_angles: Floats
+    theta: Floats
+    widths: Floats
     turn: float
 
     @property
@@ -58,11 +58,11 @@ class Cells:
         """Rows and columns."""
         return self.luminous.shape[0], self.luminous.shape[1]
 
-    def areas(self) -> Float64:
+    def areas(self) -> Floats:
         """Return the solid angles (h, w) in steradians."""
         return np.asarray(self.solid_angles[:, None] * (self.widths / (2.0 * np.pi))[None, :])
 
-    def centres(self) -> Float64:
+    def centres(self) -> Floats:
         """Return the unit directions (h, w, 3) of the cells' middles."""
         theta = 0.5 * (self.theta[1:] + self.theta[:-1])
         phi = np.cumsum(self.widths) - 0.5 * self.widths - np.pi
@@ -73,7 +73,7 @@ class Cells:
         rows, columns = (np.arange(0, size, step) for size in self.shape)
         whole = step < 8 and not (self.shape[0] % step or self.shape[1] % step)
 
-        def summed(values: Float64) -> Float64:
+        def summed(values: Floats) -> Floats:
             if not whole:
                 return np.asarray(np.add.reduceat(np.add.reduceat(values, rows, axis=0), columns, axis=1))
             # The same sums in the same order, in a fraction of the time.
@@ -135,7 +135,7 @@ def sum_cells(radiance: NDArray[np.float32], max_columns: int = MAX_COLUMNS) -> 
     )
 
 
-def _seam(profile: Float64) -> int:
+def _seam(profile: Floats) -> int:
     """Return the column opposite to the mean direction of the light (w,), or to the brightest where there is none."""
     columns = len(profile)
     harmonic = profile @ np.exp(2j * np.pi * np.arange(columns) / columns)

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-
-Float64 = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,9 +32,9 @@ class DirectionalLights:
         The shapes do not belong together, or a value is not finite or negative where it may not be.
     """
 
-    directions: Float64
-    strengths: Float64
-    solid_angles: Float64
+    directions: Floats
+    strengths: Floats
+    solid_angles: Floats
 
     def __post_init__(self) -> None:
         count = len(self.solid_angles)
@@ -69,6 +67,6 @@ class DirectionalLights:
         turn = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
         return DirectionalLights(self.directions @ turn.T, self.strengths, self.solid_angles)
 
-    def irradiance(self, normals: Float64) -> Float64:
+    def irradiance(self, normals: Floats) -> Floats:
         """Return the irradiance (..., 3) on surfaces of unit ``normals`` (..., 3)."""
         return np.asarray(np.maximum(normals @ self.directions.T, 0.0) @ self.strengths)

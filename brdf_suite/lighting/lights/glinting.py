@@ -11,15 +11,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.lights.cells import Cells, sum_cells
 from brdf_suite.lighting.lights.structured import structured_strata
-
-Float64 = NDArray[np.float64]
 
 MOST_LIGHTS = 16
 _STRATA = 96
@@ -45,9 +43,9 @@ class GlintLights:
         (l,) standard deviation of the light's directions along one axis, radians.
     """
 
-    directions: Float64
-    strengths: Float64
-    spreads: Float64
+    directions: Floats
+    strengths: Floats
+    spreads: Floats
 
     def __post_init__(self) -> None:
         count = len(self.spreads)
@@ -90,12 +88,12 @@ def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLig
     return GlintLights(directions[order], energy[order], np.sqrt(spread2[order])).turned(cells.turn)
 
 
-def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
+def _strata(cells: Cells) -> tuple[Floats, Floats, Floats]:
     """Light (k, 3), moments (k, 3) and squared spread along an axis (k,) of the strata."""
     labels = structured_strata(cells, _STRATA).ravel()
     number = int(labels.max()) + 1
 
-    def summed(values: Float64) -> Float64:
+    def summed(values: Floats) -> Floats:
         flat = values.reshape(labels.size, -1)
         return np.stack([np.bincount(labels, flat[:, k], number) for k in range(flat.shape[1])], axis=1)
 
@@ -108,11 +106,11 @@ def _strata(cells: Cells) -> tuple[Float64, Float64, Float64]:
     return energy, moments, apart + texel
 
 
-def _joined(energy: Float64, moments: Float64, spread2: Float64) -> tuple[Float64, Float64, Float64]:
+def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, Floats, Floats]:
     """Merge strata within reach of a brighter one, while the merged extent stays small."""
     luminous = energy @ LUMINANCE
     rest = np.argsort(-luminous, kind="stable").tolist()
-    out: list[tuple[Float64, Float64, float]] = []
+    out: list[tuple[Floats, Floats, float]] = []
     while rest:
         first = rest.pop(0)
         if luminous[first] <= 0.0:

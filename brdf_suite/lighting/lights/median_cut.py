@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.lights.cells import Cells
 
-Float64 = NDArray[np.float64]
 _NEXT_TO_NOTHING = 1e-12
 
 
@@ -34,7 +34,7 @@ class _Region:
 class _Sums:
     """Sums over any rectangle of cells, from a table of running sums."""
 
-    def __init__(self, values: Float64) -> None:
+    def __init__(self, values: Floats) -> None:
         self._table = np.zeros((values.shape[0] + 1, values.shape[1] + 1))
         np.cumsum(np.cumsum(values, axis=0), axis=1, out=self._table[1:, 1:])
 
@@ -43,7 +43,7 @@ class _Sums:
         below = table[region.bottom, region.right] - table[region.bottom, region.left]
         return float(below - (table[region.top, region.right] - table[region.top, region.left]))
 
-    def along_columns(self, region: _Region) -> Float64:
+    def along_columns(self, region: _Region) -> Floats:
         """Return the sums left of each edge between the region's columns, (columns - 1,)."""
         inner = slice(region.left + 1, region.right)
         strip = self._table[region.bottom, inner] - self._table[region.top, inner]
@@ -51,7 +51,7 @@ class _Sums:
             strip - (self._table[region.bottom, region.left] - self._table[region.top, region.left])
         )
 
-    def along_rows(self, region: _Region) -> Float64:
+    def along_rows(self, region: _Region) -> Floats:
         """Return the sums above each edge between the region's rows, (rows - 1,)."""
         inner = slice(region.top + 1, region.bottom)
         strip = self._table[inner, region.right] - self._table[inner, region.left]
@@ -92,7 +92,7 @@ def median_cut(cells: Cells, count: int) -> NDArray[np.intp]:
     return labels
 
 
-def _cut(region: _Region, sums: _Sums, theta: Float64, width: float) -> tuple[_Region, _Region]:
+def _cut(region: _Region, sums: _Sums, theta: Floats, width: float) -> tuple[_Region, _Region]:
     """Cut a region of two or more cells across its longer axis where the sums come closest to one half."""
     across = region.bottom - region.top
     along = region.right - region.left

@@ -9,27 +9,24 @@ A light that lost all its cells takes one side of the brightest stratum, as thei
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Indices
 from brdf_suite.lighting.lights.cells import Cells
 from brdf_suite.lighting.lights.median_cut import median_cut
-
-Float64 = NDArray[np.float64]
-Labels = NDArray[np.intp]
 
 _COLUMNS = 512  # larger maps are joined: strata of a degree need no finer edges
 _STEPS = 10  # error against steps: docs/method/lights.md
 _DARK = 1e-9  # weight of a black cell against the same area of mean light
 
 
-def relaxed_strata(cells: Cells, count: int) -> Labels:
+def relaxed_strata(cells: Cells, count: int) -> Indices:
     """Return for each cell (h, w) which of ``count`` strata it belongs to; fewer where there are fewer cells."""
     from scipy.spatial import cKDTree
 
     step = max(1, -(-cells.shape[1] // _COLUMNS))
     # A small map keeps its cells: joined ones could be fewer than the lights.
     coarse = cells.joined(step) if step > 1 else cells
-    labels: Labels = median_cut(coarse, count).ravel()
+    labels: Indices = median_cut(coarse, count).ravel()
     number = int(labels.max()) + 1
     areas = coarse.areas().ravel()
     weights = coarse.luminous.ravel() + _DARK * areas * max(float(coarse.luminous.sum()), 1.0) / areas.sum()
@@ -39,7 +36,7 @@ def relaxed_strata(cells: Cells, count: int) -> Labels:
     for _ in range(_STEPS):
         light = np.bincount(labels, weights, number)
         sums = [np.bincount(labels, weights * towards[:, k], number) for k in range(3)]
-        middles: Float64 = np.stack(sums, axis=1) / light[:, None]
+        middles: Floats = np.stack(sums, axis=1) / light[:, None]
         # Not brought to length 1: where light comes from all around, no direction is right, and the middle is.
         moved = np.asarray(cKDTree(middles).query(towards, workers=-1)[1], dtype=np.intp)
         _fill_empty(moved, number, weights, towards)
@@ -51,7 +48,7 @@ def relaxed_strata(cells: Cells, count: int) -> Labels:
     return np.repeat(np.repeat(wide, step, axis=0)[:rows], step, axis=1)[:, :columns]
 
 
-def _fill_empty(labels: Labels, number: int, weights: Float64, towards: Float64) -> None:
+def _fill_empty(labels: Indices, number: int, weights: Floats, towards: Floats) -> None:
     """Give each of ``number`` labels at least one cell, in place."""
     held = np.bincount(labels, minlength=number)
     for empty in np.flatnonzero(held == 0):

@@ -14,11 +14,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Indices
 from brdf_suite.geometry.components import connected_components
 from brdf_suite.lighting.lights.cells import Cells
-
-Float64 = NDArray[np.float64]
-Labels = NDArray[np.intp]
 
 LAYERS = 6
 LARGEST_USEFUL = 0.01
@@ -27,7 +25,7 @@ _LEAST_SHARE = 0.5  # of a light: a region with less belongs to the layer below
 _ALL_ALIKE = 1e-6
 
 
-def structured_strata(cells: Cells, count: int) -> Labels:
+def structured_strata(cells: Cells, count: int) -> Indices:
     """Return for each cell (h, w) which of ``count`` strata it belongs to; fewer where there are fewer cells."""
     areas = cells.areas()
     layers = _layers(cells, areas)
@@ -62,7 +60,7 @@ def structured_strata(cells: Cells, count: int) -> Labels:
     return labels.reshape(regions.shape)
 
 
-def _nearest(centres: Float64, towards: Float64) -> Labels:
+def _nearest(centres: Floats, towards: Floats) -> Indices:
     """Return the index (n,) of the centre (k, 3) nearest to each direction (n, 3), the first of several."""
     nearest = np.zeros(len(towards), dtype=np.intp)
     least = np.full(len(towards), np.inf)
@@ -74,7 +72,7 @@ def _nearest(centres: Float64, towards: Float64) -> Labels:
     return nearest
 
 
-def farthest_points(towards: Float64, count: int, start: int) -> tuple[Labels, Labels]:
+def farthest_points(towards: Floats, count: int, start: int) -> tuple[Indices, Indices]:
     """Return the owner (n,) of each direction, 0…count-1, and the ``count`` directions chosen, as indices.
 
     ``towards`` (n, 3) are unit vectors in the order of their height, row by row; the first point is ``start``, each
@@ -100,7 +98,7 @@ def farthest_points(towards: Float64, count: int, start: int) -> tuple[Labels, L
     return owner, chosen
 
 
-def _layers(cells: Cells, areas: Float64) -> Labels:
+def _layers(cells: Cells, areas: Floats) -> Indices:
     """Return the layer (h, w) of each cell: how many standard deviations its luminance reaches, at most five."""
     luminance = cells.luminous / areas
     mean = float(cells.luminous.sum() / areas.sum())
@@ -110,7 +108,7 @@ def _layers(cells: Cells, areas: Float64) -> Labels:
     return np.minimum(luminance / deviation, LAYERS - 1).astype(np.intp)
 
 
-def _shares(cells: Cells, areas: Float64, regions: Labels, number: int) -> Float64:
+def _shares(cells: Cells, areas: Floats, regions: Indices, number: int) -> Floats:
     """Return Γ (number,) of regions; -1 in ``regions`` is none of them. Without any light, their sizes."""
     inside = regions >= 0
     light = np.bincount(regions[inside], cells.luminous[inside], number)
@@ -119,7 +117,7 @@ def _shares(cells: Cells, areas: Float64, regions: Labels, number: int) -> Float
     return np.asarray(shares, dtype=np.float64)
 
 
-def _regions(layers: Labels) -> tuple[Labels, int]:
+def _regions(layers: Indices) -> tuple[Indices, int]:
     """Return the connected region (h, w) of each cell within its layer, and how many there are."""
     regions = np.empty(layers.shape, dtype=np.intp)
     number = 0
@@ -131,7 +129,7 @@ def _regions(layers: Labels) -> tuple[Labels, int]:
     return regions, number
 
 
-def _connected(mask: NDArray[np.bool_]) -> tuple[Labels, int]:
+def _connected(mask: NDArray[np.bool_]) -> tuple[Indices, int]:
     """Return the connected part (h, w) of each cell of ``mask``, -1 elsewhere, and how many there are.
 
     Cells that share an edge or a corner are connected, over the map's seam too; at a pole all cells of the ring meet.
@@ -157,7 +155,7 @@ def _connected(mask: NDArray[np.bool_]) -> tuple[Labels, int]:
     return np.where(mask, names[runs] if number else -1, -1), number
 
 
-def _share_out(shares: Float64, room: Labels, count: int) -> Labels:
+def _share_out(shares: Floats, room: Indices, count: int) -> Indices:
     """Return how many of ``count`` points each region gets: by its share, whole, no more than it has cells.
 
     What a small region cannot hold goes to the others, and to regions without a share only when all others are

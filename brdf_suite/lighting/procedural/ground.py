@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.panorama import edge, mix
-
-Float64 = NDArray[np.float64]
 
 _EYE_M = 1.0
 _YARD_M, _YARD_EDGE_M = 11.0, 0.8
@@ -18,7 +16,7 @@ _PAVING = REC709_TO_WORKING @ [0.235, 0.230, 0.222]
 _GRASS = REC709_TO_WORKING @ [0.072, 0.090, 0.042]
 
 
-def ground_radiance(toward: Float64, light: Float64, haze: Float64) -> Float64:
+def ground_radiance(toward: Floats, light: Floats, haze: Floats) -> Floats:
     """Return the ground's radiance (..., 3) for directions below the horizon.
 
     Parameters
@@ -44,6 +42,6 @@ def ground_radiance(toward: Float64, light: Float64, haze: Float64) -> Float64:
     return mix(albedo * light, haze, far)
 
 
-def _joint(place: Float64) -> Float64:
+def _joint(place: Floats) -> Floats:
     off = np.abs((place / _SLAB_M) % 1.0 - 0.5) * _SLAB_M
     return np.asarray(1.0 - edge(off - 0.012, 0.02))

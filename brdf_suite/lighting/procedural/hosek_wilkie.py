@@ -13,13 +13,11 @@ import math
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ
 from brdf_suite.appearance.colour.spectra import colour_matching, table_wavelengths
+from brdf_suite.arrays import Floats
 from brdf_suite.resources import resource
-
-Float64 = NDArray[np.float64]
 
 WAVELENGTHS_NM = np.arange(320.0, 721.0, 40.0)
 _LM_PER_W = 683.002  # SI, luminous efficacy at 540 THz over the observer's peak
@@ -28,13 +26,13 @@ _MODEL_DISC_DEG = 0.5358  # for which the sun's radiance is given
 
 
 @cache
-def _tables() -> dict[str, Float64]:
+def _tables() -> dict[str, Floats]:
     with np.load(resource("sky", "hosek_wilkie.npz"), allow_pickle=False) as stored:
         return {name: stored[name].astype(np.float64) for name in stored.files}
 
 
 @cache
-def spectrum_to_working() -> Float64:
+def spectrum_to_working() -> Floats:
     """Return the matrix (11, 3) from radiance at the model's wavelengths, W/(m²·sr·nm), to the working space, kcd/m².
 
     Between the wavelengths radiance is linear; beyond 720 nm, where it is not given, the eye sees 0.03 % of it.
@@ -45,7 +43,7 @@ def spectrum_to_working() -> Float64:
     return np.asarray(np.linalg.solve(WORKING_TO_XYZ, xyz.T).T)
 
 
-def _of_turbidity(table: Float64, turbidity: float) -> Float64:
+def _of_turbidity(table: Floats, turbidity: float) -> Floats:
     low = min(int(turbidity) - 1, len(table) - 2)
     share = turbidity - 1.0 - low
     return np.asarray(table[low] * (1.0 - share) + table[low + 1] * share)
@@ -64,20 +62,20 @@ class HosekWilkieSky:
         Of the ground, 0 to 1, the same at all wavelengths.
     """
 
-    def __init__(self, sun: Float64, turbidity: float, albedo: float) -> None:
+    def __init__(self, sun: Floats, turbidity: float, albedo: float) -> None:
         self._sun = sun
         # Quintic Bézier curves over the cube root of the elevation (eq. 11 of the paper).
         x = (math.asin(min(1.0, float(sun[1]))) / (0.5 * np.pi)) ** (1.0 / 3.0)
         weights = np.array([math.comb(5, i) * (1.0 - x) ** (5 - i) * x**i for i in range(6)])
 
-        def chosen(name: str) -> Float64:
+        def chosen(name: str) -> Floats:
             grid = _of_turbidity(_tables()[name], turbidity)
             return np.asarray(np.tensordot(weights, grid[0] * (1.0 - albedo) + grid[1] * albedo, axes=1))
 
         self._configuration = chosen("sky_params_spec")  # (11, 9)
         self._mean = chosen("sky_rad_spec")  # (11,)
 
-    def spectral(self, toward: Float64) -> Float64:
+    def spectral(self, toward: Floats) -> Floats:
         """Return the radiance (..., 11), W/(m²·sr·nm), in unit directions (..., 3) above the horizon (eq. 8)."""
         cos_theta = np.maximum(toward[..., 1], 0.0)[..., None]
         cos_gamma = np.clip(toward @ self._sun, -1.0, 1.0)[..., None]
@@ -88,12 +86,12 @@ class HosekWilkieSky:
         scattering = c + d * np.exp(e * gamma) + f * cos_gamma**2 + g * chi + i * np.sqrt(cos_theta)
         return np.asarray(np.maximum(gradient * scattering * self._mean, 0.0))
 
-    def radiance(self, toward: Float64) -> Float64:
+    def radiance(self, toward: Floats) -> Floats:
         """Return working-space radiance (..., 3), kcd/m²; below the horizon that of the horizon is held."""
         return np.maximum(self.spectral(toward) @ spectrum_to_working(), 0.0)
 
 
-def sun_spectral(elevation_rad: float, turbidity: float, disc_deg: float, cos_psi: Float64) -> Float64:
+def sun_spectral(elevation_rad: float, turbidity: float, disc_deg: float, cos_psi: Floats) -> Floats:
     """Return the radiance (..., 11) of the sun's disc, W/(m²·sr·nm), at places ``cos_psi`` (...) on it.
 
     Parameters

@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import StudioLamp
-
-Float64 = NDArray[np.float64]
 
 _UP = np.array([0.0, 1.0, 0.0])
 _FORWARD = np.array([0.0, 0.0, 1.0])
@@ -25,13 +23,13 @@ class LampSurface:
     """A lamp as geometry: its centre, unit axes (3,), the direction in which it shines and its half sides, metres."""
 
     lamp: StudioLamp
-    centre: Float64
-    first: Float64
-    second: Float64
-    facing: Float64
+    centre: Floats
+    first: Floats
+    second: Floats
+    facing: Floats
     wide: float
     high: float
-    colour: Float64
+    colour: Floats
 
     @classmethod
     def of(cls, lamp: StudioLamp) -> LampSurface:
@@ -53,7 +51,7 @@ class LampSurface:
         colour = np.ones(3) if lamp.colour_temperature_k is None else lamp_colour(lamp.colour_temperature_k)
         return cls(lamp, centre, first, second, facing, wide, high, colour)
 
-    def seen(self, toward: Float64) -> tuple[Float64, Float64]:
+    def seen(self, toward: Floats) -> tuple[Floats, Floats]:
         """Return coverage 0…1 and luminance (...) of the lamp in directions (..., 3) from the middle of the scene.
 
         Seen from behind it covers what is there and gives no light.
@@ -83,7 +81,7 @@ class LampSurface:
         # The corners are the farthest of what is less than 90° away.
         return least - 1e-6 if least > 0.0 else -1.0
 
-    def coverage(self, u: Float64, v: Float64) -> Float64:
+    def coverage(self, u: Floats, v: Floats) -> Floats:
         """Return by how much (0…1) the lamp covers places (...) of its plane, in half sides from its middle."""
         soft = self.lamp.softness_m
         if self.lamp.shape == "box":
@@ -92,7 +90,7 @@ class LampSurface:
             )
         return smooth(self._depth(u, v) / soft)
 
-    def _depth(self, u: Float64, v: Float64) -> Float64:
+    def _depth(self, u: Floats, v: Floats) -> Floats:
         """Return how far (...) within the outline of a strip or ring places are, metres; negative outside."""
         x, y = np.abs(u) * self.wide, np.abs(v) * self.high
         if self.lamp.shape == "strip":
@@ -101,7 +99,7 @@ class LampSurface:
         radius, band = np.hypot(x, y), self.lamp.size_m[1]
         return np.asarray(np.minimum(self.wide - radius, radius - (self.wide - band)))
 
-    def patches(self) -> tuple[Float64, Float64]:
+    def patches(self) -> tuple[Floats, Floats]:
         """Return places (n, 3) on the lamp and the area (n,) that each represents; the areas sum to the lamp's."""
         count_u, count_v = (max(3, round(4 * side)) for side in (self.wide, self.high))
         if self.lamp.shape != "box":
@@ -130,7 +128,7 @@ class LampSurface:
             return 4.0 * (self.wide - self.high) * self.high + np.pi * self.high**2
         return np.pi * (self.wide**2 - (self.wide - self.lamp.size_m[1]) ** 2)
 
-    def illuminance(self, places: Float64, normals: Float64) -> Float64:
+    def illuminance(self, places: Floats, normals: Floats) -> Floats:
         """Return the illuminance (...) on surface places (..., 3) with ``normals`` (..., 3), over the lamp's unit."""
         total = np.zeros(places.shape[:-1])
         on_lamp, areas = self.patches()
@@ -144,7 +142,7 @@ class LampSurface:
         return np.asarray(total * float(areas[0]) * mean * self.lamp.luminance)
 
 
-def smooth(x: Float64) -> Float64:
+def smooth(x: Floats) -> Floats:
     """Return a soft step: 0 below 0, 1 above 1."""
     t = np.clip(x, 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.ground import ground_radiance
 from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, draw, edge, finish, mix
 from brdf_suite.lighting.procedural.skyline import Skyline
-
-Float64 = NDArray[np.float64]
 
 ILLUMINANCE_KLX = 15.0
 """On flat ground: a bright overcast day."""
@@ -20,7 +18,7 @@ _ZENITH = ILLUMINANCE_KLX * 9.0 / (7.0 * np.pi)
 _WALL_SHARE = 0.396 + 0.5 * 0.17
 
 
-def overcast_sky(toward: Float64) -> Float64:
+def overcast_sky(toward: Floats) -> Floats:
     """Return neutral radiance (..., 3), kcd/m²: CIE standard overcast sky (CIE S 011, type 16).
 
     ``L = L_zenith · (1 + 2 sin(elevation))/3`` (Moon and Spencer 1942).
@@ -34,7 +32,7 @@ def overcast(height: int = 512, samples: int = 4) -> ProceduralEnvironment:
     skyline = Skyline.grown(7)
     light = np.full(3, ILLUMINANCE_KLX / np.pi)
 
-    def radiance(toward: Float64) -> Float64:
+    def radiance(toward: Floats) -> Floats:
         sky = overcast_sky(toward)
         above = skyline.over(sky, toward, light * _WALL_SHARE)
         below = ground_radiance(toward, light, overcast_sky(toward * [1.0, 0.0, 1.0]))

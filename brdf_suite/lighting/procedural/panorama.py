@@ -15,10 +15,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, WORKING_TO_XYZ
+from brdf_suite.arrays import Floats
 from brdf_suite.progress import Progress, report
 
-Float64 = NDArray[np.float64]
-Radiance = Callable[[Float64], Float64]
+Radiance = Callable[[Floats], Floats]
 """Unit directions (..., 3) in, linear working-space radiance (..., 3) in kcd/m² out."""
 
 _LARGEST_HALF = 65504.0
@@ -59,7 +59,7 @@ class ProceduralEnvironment:
         return self.radiance
 
 
-def directions(rows: Float64, columns: Float64) -> Float64:
+def directions(rows: Floats, columns: Floats) -> Floats:
     """Return unit directions (r, c, 3) at places (0…1) down and across a latitude-longitude map."""
     theta = np.pi * rows[:, None]
     phi = 2.0 * np.pi * (columns[None, :] - 0.5)
@@ -67,18 +67,18 @@ def directions(rows: Float64, columns: Float64) -> Float64:
     return np.stack([-np.sin(theta) * np.sin(phi), y, np.sin(theta) * np.cos(phi)], axis=-1)
 
 
-def centres(count: int) -> Float64:
+def centres(count: int) -> Floats:
     """Return the places of ``count`` pixel centres along a side of length 1."""
     return (np.arange(count) + 0.5) / count
 
 
-def solid_angles(height: int) -> Float64:
+def solid_angles(height: int) -> Floats:
     """Return the solid angle of a pixel in each row, (height, 1), sr; over the map they sum to 4π."""
     edges = np.cos(np.pi * np.arange(height + 1) / height)
     return np.asarray((edges[:-1] - edges[1:])[:, None] * np.pi / height)
 
 
-def draw(radiance: Radiance, height: int, samples: int = 4, progress: Progress | None = None) -> Float64:
+def draw(radiance: Radiance, height: int, samples: int = 4, progress: Progress | None = None) -> Floats:
     """Return the map (height, 2·height, 3): the mean of ``samples``² directions in each pixel."""
     width = 2 * height
     across = centres(width * samples)
@@ -100,7 +100,7 @@ def horizontal_illuminance(picture: NDArray[np.floating]) -> float:
     return float((luminance * cosine * solid_angles(height)).sum())
 
 
-def finish(name: str, picture: Float64, description: str, *, absolute: bool = True) -> ProceduralEnvironment:
+def finish(name: str, picture: Floats, description: str, *, absolute: bool = True) -> ProceduralEnvironment:
     """Scale a picture in kcd/m², or without unit where it is not ``absolute``, so that a white card is 1.
 
     Where next to nothing falls on a flat card, as with one lamp below it, the mean over the sphere counts instead.
@@ -112,20 +112,20 @@ def finish(name: str, picture: Float64, description: str, *, absolute: bool = Tr
     return ProceduralEnvironment(name, shown, white * 1000.0 if absolute else None, description)
 
 
-def colour_from_chromaticity(x: float | Float64, y: float | Float64) -> Float64:
+def colour_from_chromaticity(x: float | Floats, y: float | Floats) -> Floats:
     """Return the working-space colour (..., 3) of unit luminance with CIE 1931 chromaticity (x, y)."""
     x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
     xyz = np.stack([x / y, np.ones_like(y), (1.0 - x - y) / y], axis=-1)
     return np.asarray(xyz @ np.linalg.inv(WORKING_TO_XYZ).T)
 
 
-def mix(first: Float64, second: Float64, share: Float64) -> Float64:
+def mix(first: Floats, second: Floats, share: Floats) -> Floats:
     """Return colours (..., 3) that go from ``first`` to ``second`` as ``share`` (...) goes from 0 to 1."""
     part = np.asarray(share)[..., None]
     return np.asarray(first * (1.0 - part) + second * part)
 
 
-def edge(x: Float64, width: float) -> Float64:
+def edge(x: Floats, width: float) -> Floats:
     """Return a soft step: 0 below -width/2, 1 above width/2, smooth between."""
     t = np.clip(x / width + 0.5, 0.0, 1.0)
     return np.asarray(t * t * (3.0 - 2.0 * t))

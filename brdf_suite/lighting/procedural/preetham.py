@@ -7,11 +7,9 @@ chromaticities x and y over turbidity; all constants are those of the paper's ap
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.panorama import colour_from_chromaticity
-
-Float64 = NDArray[np.float64]
 
 # Rows: luminance Y, x, y. Columns: A, B, C, D, E. Each is a slope over turbidity and a constant.
 _SLOPE = np.array(
@@ -45,7 +43,7 @@ _ZENITH_Y = np.array(
 )
 
 
-def zenith(turbidity: float, sun_zenith: float) -> Float64:
+def zenith(turbidity: float, sun_zenith: float) -> Floats:
     """Return luminance (kcd/m²) and chromaticity x, y of the zenith, (3,); ``sun_zenith`` in radians."""
     chi = (4.0 / 9.0 - turbidity / 120.0) * (np.pi - 2.0 * sun_zenith)
     luminance = (4.0453 * turbidity - 4.9710) * np.tan(chi) - 0.2155 * turbidity + 2.4192
@@ -54,7 +52,7 @@ def zenith(turbidity: float, sun_zenith: float) -> Float64:
     return np.array([luminance, haze @ _ZENITH_X @ angle, haze @ _ZENITH_Y @ angle])
 
 
-def _perez(cos_zenith: Float64, cos_sun: Float64, turbidity: float) -> Float64:
+def _perez(cos_zenith: Floats, cos_sun: Floats, turbidity: float) -> Floats:
     """Return Perez's function (..., 3) for Y, x and y."""
     a, b, c, d, e = (_SLOPE * turbidity + _CONSTANT).T
     cos_zenith, cos_sun = cos_zenith[..., None], cos_sun[..., None]
@@ -63,7 +61,7 @@ def _perez(cos_zenith: Float64, cos_sun: Float64, turbidity: float) -> Float64:
     return np.asarray(gradient * (1.0 + c * np.exp(d * from_sun) + e * cos_sun**2))
 
 
-def sky_radiance(toward: Float64, sun: Float64, turbidity: float = 3.0) -> Float64:
+def sky_radiance(toward: Floats, sun: Floats, turbidity: float = 3.0) -> Floats:
     """Return the sky's radiance (..., 3), working space, kcd/m², without the sun's disc.
 
     Parameters

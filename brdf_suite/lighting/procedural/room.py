@@ -9,12 +9,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import BoothRoom
 from brdf_suite.lighting.procedural.lamps import LampSurface
-
-Float64 = NDArray[np.float64]
 
 
 class LitRoom:
@@ -26,9 +24,9 @@ class LitRoom:
         self._high = np.array([0.5 * room.width_m, room.height_m + low_y, 0.5 * room.length_m])
         self._maps = self._lit(room, lamps, cells)
 
-    def _lit(self, room: BoothRoom, lamps: Sequence[LampSurface], cells: int) -> list[Float64]:
+    def _lit(self, room: BoothRoom, lamps: Sequence[LampSurface], cells: int) -> list[Floats]:
         low, high = self._low, self._high
-        maps: list[Float64] = []
+        maps: list[Floats] = []
         areas: list[tuple[float, float]] = []
         light, weight = np.zeros(3), 0.0
         steps = (np.arange(cells) + 0.5) / cells
@@ -59,7 +57,7 @@ class LitRoom:
         neutral = all(bool((lamp.colour == 1.0).all()) for lamp in lamps)
         return [one[..., :1] for one in maps] if neutral else maps
 
-    def radiance(self, toward: Float64) -> Float64:
+    def radiance(self, toward: Floats) -> Floats:
         """Return the luminance (..., 3) of floor, walls and ceiling in directions from the middle of the scene."""
         with_sign = np.where(toward >= 0.0, self._high, self._low)
         reach = with_sign / np.where(np.abs(toward) < 1e-9, 1e-9, toward)
@@ -78,7 +76,7 @@ class LitRoom:
         return np.repeat(result, 3 // channels, axis=-1)
 
 
-def _bilinear(values: Float64, u: Float64, v: Float64) -> Float64:
+def _bilinear(values: Floats, u: Floats, v: Floats) -> Floats:
     size = values.shape[0]
     x, y = (np.clip(w * size - 0.5, 0.0, size - 1.0) for w in (u, v))
     i, j = (np.minimum(w.astype(np.int64), size - 2) for w in (x, y))

@@ -7,8 +7,8 @@ give theirs only through tables of absorption. The ground is even and matt and l
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import Sky
 from brdf_suite.lighting.procedural.hosek_wilkie import HosekWilkieSky
 from brdf_suite.lighting.procedural.overcast import overcast_sky
@@ -27,8 +27,6 @@ from brdf_suite.lighting.procedural.preetham import sky_radiance
 from brdf_suite.lighting.procedural.sun import Sun
 from brdf_suite.lighting.procedural.sun_disc import LimbDisc
 from brdf_suite.progress import Progress, subrange
-
-Float64 = NDArray[np.float64]
 
 CITATIONS = {
     "hosek_wilkie": "Hošek and Wilkie 2012 and 2013",
@@ -74,7 +72,7 @@ def sky(
         )  # the ground is lit whether or not the disc is drawn
     ground = light * description.ground_albedo / np.pi
 
-    def radiance(toward: Float64) -> Float64:
+    def radiance(toward: Floats) -> Floats:
         up = toward[..., 1]
         if up.max() < -_HORIZON:
             return np.broadcast_to(ground, toward.shape)

@@ -10,12 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.panorama import edge, mix
-
-Float64 = NDArray[np.float64]
 
 _SOFT = np.radians(0.35)
 _TALLEST = np.radians(14.0)
@@ -29,9 +27,9 @@ _TREE_LIGHT = REC709_TO_WORKING @ [0.085, 0.108, 0.052]
 class Skyline:
     """Fixed silhouettes; azimuths and heights in radians."""
 
-    waves: Float64  # (w, 3): amplitude, whole periods around, phase
-    crowns: Float64  # (t, 4): azimuth, half width, height, tone 0…1
-    buildings: Float64  # (b, 5): azimuth, half width, height, albedo, warmth
+    waves: Floats  # (w, 3): amplitude, whole periods around, phase
+    crowns: Floats  # (t, 4): azimuth, half width, height, tone 0…1
+    buildings: Floats  # (b, 5): azimuth, half width, height, albedo, warmth
 
     @classmethod
     def grown(cls, seed: int) -> Skyline:
@@ -55,7 +53,7 @@ class Skyline:
         ]
         return cls(waves, crowns, np.array(blocks))
 
-    def over(self, sky: Float64, toward: Float64, wall_light: Float64) -> Float64:
+    def over(self, sky: Floats, toward: Floats, wall_light: Floats) -> Floats:
         """Return ``sky`` (..., 3) with the skyline in front of it.
 
         Parameters
@@ -93,12 +91,12 @@ class Skyline:
 
     @staticmethod
     def _building(
-        picture: Float64,
-        beside: Float64,
-        elevation: Float64,
+        picture: Floats,
+        beside: Floats,
+        elevation: Floats,
         shape: tuple[float, float, float, float],
-        wall_light: Float64,
-    ) -> Float64:
+        wall_light: Floats,
+    ) -> Floats:
         width, height, albedo, warmth = shape
         beside = _wrapped(beside)
         inside = edge(width - np.abs(beside), _SOFT) * edge(height - elevation, _SOFT)
@@ -111,6 +109,6 @@ class Skyline:
         return mix(picture, facade, inside)
 
 
-def _wrapped(angle: Float64) -> Float64:
+def _wrapped(angle: Floats) -> Floats:
     """Return angles brought into -π…π."""
     return np.asarray((angle + np.pi) % (2.0 * np.pi) - np.pi)

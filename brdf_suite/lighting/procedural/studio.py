@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import Studio
 from brdf_suite.lighting.procedural.lamps import LampSurface
 from brdf_suite.lighting.procedural.panorama import ProceduralEnvironment, draw, finish
 from brdf_suite.lighting.procedural.room import LitRoom
 from brdf_suite.progress import Progress
-
-Float64 = NDArray[np.float64]
 
 
 def studio(
@@ -39,7 +37,7 @@ def studio(
 
     cones = [(lamp, lamp.centre / np.linalg.norm(lamp.centre), lamp.cone_cosine()) for lamp in lamps]
 
-    def radiance(toward: Float64) -> Float64:
+    def radiance(toward: Floats) -> Floats:
         light = room.radiance(toward) if room is not None else np.broadcast_to(plain, toward.shape).copy()
         for lamp, middle, cosine in cones:
             near = toward @ middle >= cosine

@@ -10,11 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.panorama import colour_from_chromaticity, directions, solid_angles
-
-Float64 = NDArray[np.float64]
 
 DIAMETER_DEG = 0.53
 SOLID_ANGLE = 2.0 * np.pi * (1.0 - np.cos(np.radians(0.5 * DIAMETER_DEG)))
@@ -30,7 +28,7 @@ class Sun:
     azimuth_deg: float
 
     @property
-    def direction(self) -> Float64:
+    def direction(self) -> Floats:
         """Unit vector (3,) towards the sun."""
         height, azimuth = np.radians([self.height_deg, self.azimuth_deg])
         ground = np.cos(height)
@@ -42,19 +40,19 @@ class Sun:
         return float(_OUTSIDE_KLX * np.exp(-_EXTINCTION / np.sin(np.radians(self.height_deg))))
 
     @property
-    def colour(self) -> Float64:
+    def colour(self) -> Floats:
         """Working-space colour (3,) of unit luminance."""
         k = _KELVIN
         x = -4.6070e9 / k**3 + 2.9678e6 / k**2 + 0.09911e3 / k + 0.244063
         return colour_from_chromaticity(x, -3.0 * x * x + 2.870 * x - 0.275)
 
     @property
-    def radiance(self) -> Float64:
+    def radiance(self) -> Floats:
         """Working-space radiance (3,) of the disc, kcd/m²."""
         return np.asarray(self.colour * (self.normal_illuminance / SOLID_ANGLE))
 
 
-def add_disc(picture: Float64, sun: Sun, samples: int = 64) -> Float64:
+def add_disc(picture: Floats, sun: Sun, samples: int = 64) -> Floats:
     """Return the map with the disc on it, each pixel by the share of it that the disc covers.
 
     The shares are scaled so that the disc has its true solid angle: what the sun gives is exact at any size of map.

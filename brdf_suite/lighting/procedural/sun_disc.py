@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.hosek_wilkie import spectrum_to_working, sun_spectral
 from brdf_suite.lighting.procedural.panorama import directions, solid_angles
 from brdf_suite.lighting.procedural.sun import DIAMETER_DEG, Sun
-
-Float64 = NDArray[np.float64]
 
 _RADIUS = np.radians(0.5 * DIAMETER_DEG)
 _SAMPLES, _LEAST_SAMPLES = 64, 4
@@ -23,13 +21,13 @@ class LimbDisc:
         self._elevation = float(np.radians(sun.height_deg))
         self._turbidity = turbidity
 
-    def radiance(self, share: Float64) -> Float64:
+    def radiance(self, share: Floats) -> Floats:
         """Return radiance (..., 3), kcd/m², at ``share`` (...) of the way from the middle (0) to the limb (1)."""
         cos_psi = np.sqrt(np.maximum(1.0 - share**2, 0.0))
         spectrum = sun_spectral(self._elevation, self._turbidity, DIAMETER_DEG, cos_psi)
         return np.maximum(spectrum @ spectrum_to_working(), 0.0)
 
-    def illuminance(self) -> Float64:
+    def illuminance(self) -> Floats:
         """Return the illuminance (3,), klx, of a surface that faces the sun."""
         nodes, weights = np.polynomial.legendre.leggauss(48)
         share = 0.5 * (nodes + 1.0)
@@ -37,7 +35,7 @@ class LimbDisc:
         rings = np.pi * share * weights * np.sin(_RADIUS) ** 2
         return np.asarray(rings @ self.radiance(share))
 
-    def add_to(self, picture: Float64) -> Float64:
+    def add_to(self, picture: Floats) -> Floats:
         """Return the map (h, 2h, 3) with the disc before it; what the disc gives is exact at any size of map."""
         height, width = picture.shape[:2]
         x, y, z = self.sun.direction

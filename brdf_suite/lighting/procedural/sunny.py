@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.procedural.ground import ground_radiance
 from brdf_suite.lighting.procedural.panorama import (
     ProceduralEnvironment,
@@ -20,13 +20,11 @@ from brdf_suite.lighting.procedural.preetham import sky_radiance
 from brdf_suite.lighting.procedural.skyline import Skyline
 from brdf_suite.lighting.procedural.sun import Sun, add_disc
 
-Float64 = NDArray[np.float64]
-
 SUN = Sun(height_deg=42.0, azimuth_deg=62.0)
 TURBIDITY = 2.6
 
 
-def _sky_on(normal: Float64) -> Float64:
+def _sky_on(normal: Floats) -> Floats:
     """Return the sky's illuminance (3,) in klx, working space, on a surface that faces ``normal``."""
     toward = directions(centres(64), centres(128))
     cosine = np.maximum(toward @ normal, 0.0) * (toward[..., 1] > 0.0) * solid_angles(64)
@@ -44,7 +42,7 @@ def sunny(height: int = 512, samples: int = 4) -> ProceduralEnvironment:
     )
     bounced = 0.5 * 0.16 * on_ground
 
-    def radiance(toward: Float64) -> Float64:
+    def radiance(toward: Floats) -> Floats:
         sky = sky_radiance(toward, SUN.direction, TURBIDITY)
         flat = toward * [1.0, 0.0, 1.0]
         flat = flat / np.maximum(np.linalg.norm(flat, axis=-1, keepdims=True), 1e-9)

@@ -9,9 +9,10 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
 from brdf_suite.appearance.light.matrix import light_matrix
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.palettes.swatches.look import SwatchLook
 from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.protocol import Reflectance

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import GraphicsError, SuiteError
@@ -30,8 +30,7 @@ if TYPE_CHECKING:
     from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
     from brdf_suite.realtime.pictures.captured import CapturedForm, CapturedPaint
 
-Pixels: TypeAlias = NDArray[np.uint8]
-_Found: TypeAlias = Pixels | SuiteError
+_Found: TypeAlias = Bytes | SuiteError
 
 _SAMPLES = 4
 _FACE_SIZES = (384, 768, 1536, 4096)
@@ -44,7 +43,7 @@ class SwatchPicture:
     """A picture (size, size, 3) of sRGB codes, top row first, or why there is none."""
 
     key: str
-    pixels: Pixels | None
+    pixels: Bytes | None
     problem: str = ""
 
 
@@ -109,7 +108,7 @@ class SwatchPainter:
         fits: dict[int, LobeFit] = {}
         waiting = self._fitted(paints, found, fits)
         try:
-            pictures: Iterable[Pixels] = form.draw(waiting)
+            pictures: Iterable[Bytes] = form.draw(waiting)
         except GraphicsError:
             # One paint may be what the driver or the renderer does not take: the others are drawn.
             deque(waiting, maxlen=0)
@@ -141,9 +140,9 @@ class SwatchPainter:
 
     def _one_by_one(
         self, form: CapturedForm, fits: dict[int, LobeFit], found: dict[int, _Found]
-    ) -> list[Pixels]:
+    ) -> list[Bytes]:
         """Draw paints alone after a batch has failed; raise where none can be drawn."""
-        pictures: list[Pixels] = []
+        pictures: list[Bytes] = []
         failed: dict[int, _Found] = {}
         for place, fit in fits.items():
             if _waves(fit):
@@ -158,7 +157,7 @@ class SwatchPainter:
         found.update(failed)
         return pictures
 
-    def _alone(self, fit: LobeFit, look: SwatchLook) -> Pixels:
+    def _alone(self, fit: LobeFit, look: SwatchLook) -> Bytes:
         """A paint whose coat stands otherwise than its base, which a captured form has not."""
         loaded, size = self._scene_of(look), (look.size, look.size)
         loaded.scene.set_material(fit)

@@ -20,12 +20,10 @@ from pathlib import Path
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_suite.lighting.cache.maps import ENVIRONMENT_VARIABLE, default_root
+from brdf_suite.arrays import Bytes
+from brdf_suite.files.cache.disk_cache import ENVIRONMENT_VARIABLE, default_limit, default_root
 
-DEFAULT_LIMIT_BYTES = 512 * 1024**2
-"""Some 25,000 pictures of 96 by 96."""
 _VERSION = 1
 _PATIENCE_S = 5.0
 _AGES_S = 3600.0
@@ -35,7 +33,6 @@ _TRIM_TO = 0.9
 _T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
-Pixels = NDArray[np.uint8]
 
 _TABLE = """
 CREATE TABLE IF NOT EXISTS pictures (
@@ -65,7 +62,7 @@ class SwatchStore:
     root
         The cache's folder; None: ``$BRDF_SUITE_CACHE`` or the system's place for a user's caches.
     limit_bytes
-        How much is kept; 0 keeps nothing.
+        How much is kept; 0 keeps nothing; None: a quarter of the cache's limit, some 25,000 pictures of 96 by 96.
 
     Attributes
     ----------
@@ -76,19 +73,19 @@ class SwatchStore:
     def __init__(self, root: str | os.PathLike[str] | None = None, *, limit_bytes: int | None = None) -> None:
         self.folder = (Path(root) if root is not None else default_root()) / "swatches"
         self.path = self.folder / f"pictures.v{_VERSION}.sqlite"
-        self.limit_bytes = DEFAULT_LIMIT_BYTES if limit_bytes is None else limit_bytes
+        self.limit_bytes = default_limit() // 4 if limit_bytes is None else limit_bytes
         self.notices: list[str] = []
         self._lock = threading.Lock()
         self._connection: sqlite3.Connection | None = None
         self._given_up = False
 
-    def get(self, keys: Iterable[str]) -> dict[str, Pixels]:
+    def get(self, keys: Iterable[str]) -> dict[str, Bytes]:
         """Return the pictures (h, w, 3) that are kept, by key; one that is damaged is left out and goes."""
         wanted = list(dict.fromkeys(keys))
         with self._lock:
             return self._try(lambda connection: self._read(connection, wanted), {})
 
-    def put(self, pictures: Mapping[str, Pixels]) -> None:
+    def put(self, pictures: Mapping[str, Bytes]) -> None:
         """Keep pictures (h, w, 3); what is there under a key already is replaced."""
         if self.limit_bytes == 0 or not pictures:
             return
@@ -182,8 +179,8 @@ class SwatchStore:
             with contextlib.suppress(OSError):
                 self.path.with_name(self.path.name + ending).unlink(missing_ok=True)
 
-    def _read(self, connection: sqlite3.Connection, keys: list[str]) -> dict[str, Pixels]:
-        found: dict[str, Pixels] = {}
+    def _read(self, connection: sqlite3.Connection, keys: list[str]) -> dict[str, Bytes]:
+        found: dict[str, Bytes] = {}
         damaged: list[str] = []
         aged: list[str] = []
         now = time.time()
@@ -242,7 +239,7 @@ class SwatchStore:
             _log.warning("%s", text)
 
 
-def _row(key: str, pixels: Pixels) -> tuple[object, ...]:
+def _row(key: str, pixels: Bytes) -> tuple[object, ...]:
     height, width = pixels.shape[:2]
     # What a pixel adds to the one above it: a smooth flank is then mostly small numbers.
     rows = np.ascontiguousarray(pixels).reshape(height, -1)
@@ -252,7 +249,7 @@ def _row(key: str, pixels: Pixels) -> tuple[object, ...]:
     return key, height, width, zlib.crc32(blob), time.time(), len(blob), blob
 
 
-def _pixels(height: object, width: object, checksum: object, blob: object) -> Pixels | None:
+def _pixels(height: object, width: object, checksum: object, blob: object) -> Bytes | None:
     """The picture of a row, None where it is damaged."""
     if not isinstance(blob, bytes) or zlib.crc32(blob) != checksum:
         return None

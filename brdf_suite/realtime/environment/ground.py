@@ -11,6 +11,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.realtime.gl.objects import GpuObjects
 from brdf_suite.realtime.gl.shader_source import compose
@@ -20,8 +21,6 @@ GROUND_UNIT = 12
 _DEPTH_CLAMP = 0x864F  # GL_DEPTH_CLAMP, core since OpenGL 3.2
 _COARSE = 32
 """Texels along an edge of the faces that the harmonics are taken from: far finer than harmonics of degree 6."""
-
-Floats = NDArray[np.float64]
 
 
 def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:

@@ -10,16 +10,16 @@ import json
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.resources import resource
 
-Floats: TypeAlias = NDArray[np.float64]
 Target = Literal["plain", "coated", "gloss"]
 """A lobe times N·L, the same through a coat, a lobe alone."""
 

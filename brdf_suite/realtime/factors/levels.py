@@ -13,9 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.parabolic import parabolic_place
-
-Floats = NDArray[np.float64]
 
 
 def levels(values: NDArray[Any], *, logarithmic: bool, hemisphere: bool) -> Iterator[Floats]:

@@ -14,6 +14,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.realtime.factors.levels import cube_faces, levels, radial_levels
 from brdf_suite.realtime.factors.source import Layout, Slots, shader_words, texels_per_radian
 from brdf_suite.realtime.factors.values import FactoredMaps
@@ -26,8 +27,6 @@ _DTYPES = {"8-bit": "f1", "half": "f2", "float": "f4"}
 _LOWEST_LOG = -80.0
 _ROOM = 8.0
 """How far beyond the ceiling's logarithm f is exponentiated: bent softly, it is the ceiling by then."""
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import ValueRangeError
@@ -20,8 +21,6 @@ MOST_LIGHTS = 24
 BLOCK_SIZE = (1 + 2 * MOST_LIGHTS) * 16
 
 _OF_ENVIRONMENT, _DIRECTIONAL, _POINT = 0.0, 1.0, 2.0
-
-Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

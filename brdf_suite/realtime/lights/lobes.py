@@ -12,6 +12,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.realtime.material.flake_share import visible_flake_lobe
 from brdf_suite.realtime.values import MaterialWeights
@@ -19,8 +20,6 @@ from brdf_suite.realtime.values import MaterialWeights
 COLUMNS = 160
 """A lobe of exponent 50,000 is then right to 0.5 % of its peak between columns."""
 ROWS = 3
-
-Floats = NDArray[np.float64]
 
 
 def column_angles() -> Floats:

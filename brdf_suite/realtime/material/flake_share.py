@@ -20,8 +20,8 @@ import math
 import numpy as np
 
 from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
 

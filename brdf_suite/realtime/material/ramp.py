@@ -11,11 +11,11 @@ blue are the weight; alpha is the third coordinate in the stack of broad lobes. 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import FresnelMode
 from brdf_suite.documents.view import LookUp as LookUpMode
 from brdf_suite.errors import GraphicsError, ValueRangeError
@@ -23,8 +23,6 @@ from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES, RAMP_NODES, Target, look_up_table
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
-
-Floats: TypeAlias = NDArray[np.float64]
 
 MAX_BROAD = 24
 MAX_SHARP = 8

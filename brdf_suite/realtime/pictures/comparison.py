@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, RELATIVE_TO_WORKING
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE
-from brdf_suite.appearance.difference.scale import STEPS, scale_table
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.gl.context import graphics_errors

@@ -8,6 +8,7 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Singles
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.programs import assign
@@ -15,8 +16,6 @@ from brdf_suite.realtime.gl.shader_source import compose
 from brdf_suite.realtime.gl.view_uniforms import columns
 from brdf_suite.realtime.pictures.offscreen import Size, check_size
 from brdf_suite.realtime.pictures.renderer import Renderer
-
-Floats = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,8 +26,8 @@ class GeometryPicture:
     have them; ``parts`` (h, w): number of the mesh's part, -1 past the surface. ``eye`` (3,): the camera.
     """
 
-    positions: Floats
-    normals: Floats
+    positions: Singles
+    normals: Singles
     parts: NDArray[np.int64]
     eye: NDArray[np.float64]
 

@@ -22,9 +22,8 @@ from brdf_suite.appearance.colour.colorimetry import (
     primaries_to_xyz,
     srgb_encode,
 )
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-
-Floats = NDArray[np.float64]
 
 TONE_CURVE_NUMBERS = {
     "neutral": 0,

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import TINY, Real, Square, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy.optimize import nnls
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.geometry import warps
@@ -24,9 +25,6 @@ def fitted_samplers(reflectance: Reflectance, seed: int = 1) -> tuple[Sampler, .
     The shares are non-negative least squares of the luminance over directions drawn from all parts, each weighed by one
     over the density, so that bright and dim parts of the light count alike. Some matt is always in it.
     """
-    # Deferred: slow to import, and wanted only where a table is path-traced.
-    from scipy.optimize import nnls
-
     rng = np.random.default_rng(seed)
     rows, wanted = [], []
     for theta_deg in _VIEWS_DEG:

@@ -12,16 +12,14 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.bsdfs.terms import AboutMirror, Diffuse, Sampler
 from brdf_suite.reference.mitsuba_modules import dr, mi
-
-Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -46,7 +46,11 @@ class FlakeLayer:
     as_texture: bool = False
 
     def visible_part(self, base: Colour, light: Vector, view: Vector) -> Colour:
-        """Return the part of the base's f_r, 1/sr, that visible flakes reflect; see ``flakes.countable``."""
+        """Return the part of the base's f_r, 1/sr, that visible flakes reflect.
+
+        It is c R T(light) T(view) bell / (8π m² n² cosθ'l cosθ'v): flakes of coverage c and reflectance R whose tilts
+        have the density bell / (2π m²) per solid angle, below a coat of index n, θ' below it; never most of the base.
+        """
         slope = slope_between(light, view, self.ior)
         m2 = self.flakes.roughness**2
         most = self.strength * flake_coverage(self.flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * m2)
@@ -63,7 +67,7 @@ class FlakeLayer:
             reach = footprint_of_sample(PIXEL_REACH)
             found = texture_ratio(place, slope, self.waviness, self.flakes, reach)
         else:
-            found = _Field.of(place, self).ratio(slope)
+            found = FlakeField.of(place, self).ratio(slope)
         return dr.select(place.seen, found, mi.Color3f(1.0))
 
 
@@ -81,7 +85,7 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
 
 
 @dataclass(frozen=True, eq=False)
-class _Field:
+class FlakeField:
     """The flakes in the footprint of a place; see ``flakes.glints.GlintField``."""
 
     spot: Spot
@@ -89,7 +93,8 @@ class _Field:
     layer: FlakeLayer
 
     @classmethod
-    def of(cls, place: Place, layer: FlakeLayer) -> _Field:
+    def of(cls, place: Place, layer: FlakeLayer) -> FlakeField:
+        """Return the flakes of a layer at a place."""
         own = d.number((0.25e-3 * layer.flakes.size_um) ** 2)
         # The level is that of the whole pixel, so that the flakes are those of the real-time picture.
         _, widest = spot(place.uv, place.across, place.down, own, PIXEL_REACH)

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.numbers import copy_to_device
 from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene, trace
 
-Pixels = npt.NDArray[np.float64]
 _TILE = 4
 _PIECE_RAYS = 6_000_000
 """Rays of a piece, about: some tenths of a second, after which a caller may stop."""
@@ -53,7 +53,7 @@ class Film:
             }
         return self._pieces[number]
 
-    def unordered(self, values: npt.NDArray[Any]) -> Pixels:
+    def unordered(self, values: npt.NDArray[Any]) -> Floats:
         """Return values (n, k), in the order of the pieces, as a picture (h, w, k)."""
         width, height = self.size
         found = np.empty(values.shape, np.float64)
@@ -71,7 +71,7 @@ def trace_samples(
     *,
     rays_a_sample: float,
     between: Callable[[float], None] | None = None,
-) -> Pixels:
+) -> Floats:
     """Return sums (h, w, 7) over ``count`` samples from number ``first`` on: radiance, coverage, darkness.
 
     Parameters

@@ -18,6 +18,7 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import direction
@@ -26,7 +27,6 @@ from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, METHODS, lights_f
 
 _GOLDEN = 0.6180339887498949
 
-Floats = npt.NDArray[np.float64]
 
 ENVIRONMENT, SUN, FAR_LAMP, NEAR_LAMP = 0, 1, 2, 3
 """Kinds of light: of the environment; of it, small and strong; a lamp in one direction, or at one place."""

@@ -12,7 +12,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from brdf_suite.reference.raytraced.picture import Pixels, Sums
+from brdf_suite.arrays import Floats
+from brdf_suite.reference.raytraced.picture import Sums
 from brdf_suite.reference.state_file import reading_state, write_state
 
 ATTRIBUTE = "brdfSuiteRaytraced"
@@ -21,7 +22,7 @@ ATTRIBUTE = "brdfSuiteRaytraced"
 def write_sums(
     path: str | os.PathLike[str],
     sums: Sums,
-    picture: Pixels,
+    picture: Floats,
     key: str,
     metadata: Mapping[str, str] | None = None,
 ) -> None:

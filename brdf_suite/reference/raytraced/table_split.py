@@ -18,9 +18,9 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
@@ -50,8 +50,6 @@ _OUTER_LOBES = ((0.5, 0.08), (0.5, 0.2))
 _LEAST_SHARE = 0.2
 _HEIGHTS = 65
 _WIDTHS = 400
-
-Floats = npt.NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,19 +13,19 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.prefilter import prefilter
 from brdf_suite.lighting.latlong import sample
 from brdf_suite.reference.scene.scene import PinholeCamera
 
-Pixels = npt.NDArray[np.float64]
-Look = Callable[[Pixels], npt.NDArray[Any]]
+Look = Callable[[Floats], npt.NDArray[Any]]
 """Radiance (..., 3) along directions (..., 3) of the environment, before any turn."""
 PLACES = 3
 """Looks along each edge of a pixel."""
 
 
-def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[Pixels]:
+def looks(eye: PinholeCamera, size: tuple[int, int]) -> Iterator[Floats]:
     """Yield directions (h, w, 3) in the world, of any length, through even places of each pixel."""
     width, height = size
     for j in range(PLACES):
@@ -46,14 +46,14 @@ def backdrop(
     look: Look | None,
     plain: npt.NDArray[np.float64],
     share: Look | None = None,
-) -> Pixels:
+) -> Floats:
     """Return (h, w, 3): the mean light behind each pixel.
 
     ``look`` gives the environment's, turned about y; None: it is ``plain`` (3,) everywhere. ``share`` gives what a
     ground leaves of it, along directions in the world.
     """
     width, height = size
-    total: Pixels = np.zeros((height, width, 3))
+    total: Floats = np.zeros((height, width, 3))
     turn = math.radians(rotation_deg)
     cos, sin = math.cos(turn), math.sin(turn)
     for world in looks(eye, size):
@@ -76,7 +76,7 @@ def blur_map(radiance: npt.NDArray[np.float32], exponent: float) -> Look:
     return lambda directions: sample_cube(faces, directions)
 
 
-def sample_cube(faces: npt.NDArray[np.float32], directions: Pixels) -> npt.NDArray[np.float32]:
+def sample_cube(faces: npt.NDArray[np.float32], directions: Floats) -> npt.NDArray[np.float32]:
     """Return radiance (..., 3) of a cube map (6, F, F, 3), OpenGL's layout, bilinear within each face."""
     flat = directions.reshape(-1, 3)
     size = faces.shape[1]
@@ -99,7 +99,7 @@ def sample_cube(faces: npt.NDArray[np.float32], directions: Pixels) -> npt.NDArr
     return found.reshape(directions.shape)
 
 
-def compose_picture(radiance: Pixels, coverage: Pixels, behind: Any) -> Pixels:
+def compose_picture(radiance: Floats, coverage: Floats, behind: Any) -> Floats:
     """Return the whole picture's radiance: the object's, and the backdrop's where the object leaves room."""
     room = np.clip(1.0 - coverage, 0.0, 1.0)[..., None]
     return np.asarray(radiance + room * behind)

@@ -17,10 +17,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.relief import texture
-
-Pixels = npt.NDArray[np.float64]
 
 LONG_SIDE = 256
 """Places along the longer edge of the grid."""
@@ -42,8 +41,8 @@ class GroundGrid:
     height: float
     low: tuple[float, float]
     high: tuple[float, float]
-    arriving: Pixels
-    open_light: Pixels = field(default_factory=lambda: np.zeros(3))
+    arriving: Floats
+    open_light: Floats = field(default_factory=lambda: np.zeros(3))
     samples: int = 0
     passes: int = 0
 
@@ -63,7 +62,7 @@ class GroundGrid:
         )
 
     @property
-    def share(self) -> Pixels:
+    def share(self) -> Floats:
         """(rows, columns, 3): the share of the light that arrives, 0…1; 1 at the edges."""
         ratio = self.arriving / np.where(self.open_light > 0.0, self.open_light, np.inf)
         ratio = np.where(self.open_light > 0.0, np.clip(ratio, 0.0, 1.0), 1.0)
@@ -73,7 +72,7 @@ class GroundGrid:
         edge = _window(rows)[:, None, None] * _window(columns)[None, :, None]
         return np.asarray(1.0 - (1.0 - ratio) * edge)
 
-    def seen_from(self, eye: npt.NDArray[np.float64], directions: Pixels) -> Pixels:
+    def seen_from(self, eye: npt.NDArray[np.float64], directions: Floats) -> Floats:
         """Return the share (..., 3) at the places that directions (..., 3) from ``eye`` (3,) meet; else 1."""
         up = float(eye[1]) - self.height
         fall = -directions[..., 1]
@@ -185,7 +184,7 @@ def _plug_in() -> Any:
     return GroundLight
 
 
-def _smooth(field: Pixels, axis: int) -> Pixels:
+def _smooth(field: Floats, axis: int) -> Floats:
     """Blur by (1 2 1)/4 along an axis, to reduce noise between neighbours."""
     padded = np.concatenate([field.take([0], axis), field, field.take([-1], axis)], axis)
     count = field.shape[axis]

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.designed.flake_rule import FlakeRule, squared_tilt, squared_tilt_between
 

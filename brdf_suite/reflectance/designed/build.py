@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.errors import UnreachableError
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, Rule
@@ -31,7 +32,10 @@ from brdf_suite.reflectance.designed.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.designed.polynomial_rule import PolynomialRule
 from brdf_suite.reflectance.designed.several_lights import BorrowedRule, SeveralLights
+from brdf_suite.reflectance.factored.build import factored_paint_reflectance
 from brdf_suite.reflectance.instruments.gloss_reading import base_gloss, total_gloss
+from brdf_suite.reflectance.models.coated import Coated
+from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
@@ -134,11 +138,6 @@ def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Fact
     """Return the reflectance of a paint of any kind; errors as :func:`build_paint`, and those of reading textures."""
     if isinstance(paint, Paint):
         return build_paint(paint)
-    # Not on the edit path of a designed paint, so not imported with it.
-    from brdf_suite.reflectance.factored.build import factored_paint_reflectance
-    from brdf_suite.reflectance.models.coated import Coated
-    from brdf_suite.reflectance.models.cook_torrance import CookTorrance
-
     base = CookTorrance(paint) if isinstance(paint, CookTorrancePaint) else factored_paint_reflectance(paint)
     return base if paint.clearcoat is None else Coated(base, paint.clearcoat.ior, paint.clearcoat.roughness)
 

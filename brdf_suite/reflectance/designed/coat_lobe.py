@@ -17,8 +17,8 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.models import mixture
 

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 # u = 1/m²: from m = 5 (no bell at all) to m = 0.01 (a mirror).
 _LOW_U, _HIGH_U = 0.04, 1e4

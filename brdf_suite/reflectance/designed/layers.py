@@ -22,8 +22,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorranceLobe
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.channels import luminance

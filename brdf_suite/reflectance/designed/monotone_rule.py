@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 @dataclass(frozen=True)

@@ -8,12 +8,15 @@ from typing import TYPE_CHECKING, ClassVar
 
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import PARAMETERS
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.designed.several_lights import SeveralLights
+from brdf_suite.reflectance.models import mixture
+from brdf_suite.reflectance.models.channels import luminance
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.models.mixture import MixturePart
@@ -52,11 +55,6 @@ class PaintReflectance:
         return value
 
     def _parts(self) -> list[MixturePart]:
-        # Only a path tracer asks for these; the edit path does not.
-        from brdf_suite.reflectance.albedo import normal_albedo
-        from brdf_suite.reflectance.models import mixture
-        from brdf_suite.reflectance.models.channels import luminance
-
         base = luminance(normal_albedo(self.base))
         coat = 0.02 + 2.0 * float(self.coat.normal_fresnel)
         return [
@@ -67,12 +65,8 @@ class PaintReflectance:
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
         """Return directions (..., 3) for ``u`` (..., 3): matt, about the flop, or of the coat's lobe."""
-        from brdf_suite.reflectance.models import mixture
-
         return mixture.sample(self._parts(), wo, u)
 
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle."""
-        from brdf_suite.reflectance.models import mixture
-
         return mixture.pdf(self._parts(), wi, wo)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 @dataclass(frozen=True)

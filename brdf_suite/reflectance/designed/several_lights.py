@@ -17,7 +17,8 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats, angle_between, aspecular_angle
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import angle_between, aspecular_angle
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, Rule
 
 # Radians of θd: lights nearer than this are mixed. Instruments' readings lie farther apart.

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.geometry.factor_words import Factor
-from brdf_suite.reflectance.factored.map import Map, MapFactor
+from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
 
 _LIGHTS_AND_VIEWS = (("wi", "wo"), ("|wi|", "|wo|"))
@@ -18,7 +19,7 @@ _LIGHTS_AND_VIEWS = (("wi", "wo"), ("|wi|", "|wo|"))
 
 def build_factored(
     factors: tuple[Factor, ...],
-    maps: Mapping[str, Map],
+    maps: Mapping[str, Singles],
     alpha: npt.ArrayLike,
     *,
     peak: tuple[Factor, ...] = (),
@@ -35,7 +36,7 @@ def build_factored(
     ValueRangeError
         A map is missing or is not of the form that its factors read.
     """
-    kept: dict[str, Map] = {}
+    kept: dict[str, Singles] = {}
     for name, values in maps.items():
         kept[name] = np.array(values, np.float32, order="C")
         kept[name].flags.writeable = False

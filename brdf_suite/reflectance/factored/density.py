@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.map_look_up import look_up_map
 from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place
 from brdf_suite.reflectance.factored.map import MapFactor

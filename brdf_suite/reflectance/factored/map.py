@@ -8,13 +8,12 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.geometry.map_look_up import look_up_map
 
 SMALLEST_MAP, LARGEST_MAP = 2, 2048
-Map = npt.NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +40,7 @@ class MapFactor:
     """
 
     projection: str
-    values: Map
+    values: Singles
     logarithmic: bool = False
     name: str = ""
 
@@ -69,7 +68,7 @@ class MapFactor:
         return np.exp(found) if self.logarithmic else found
 
 
-def check_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2)) -> Map:
+def check_map(values: npt.ArrayLike, place: str, axes: tuple[int, ...] = (1, 2)) -> Singles:
     """Return a map (n, 3) or (n, n, 3), of as many ``axes`` as are allowed, that cannot be written.
 
     Raises

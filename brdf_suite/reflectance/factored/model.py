@@ -25,10 +25,11 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.parabolic import texel_directions
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.factored.density import (
@@ -39,7 +40,7 @@ from brdf_suite.reflectance.factored.density import (
     sample_directions,
     unevenness,
 )
-from brdf_suite.reflectance.factored.map import Map, MapFactor, check_map
+from brdf_suite.reflectance.factored.map import MapFactor, check_map
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
 
@@ -94,8 +95,8 @@ class Factored:
         A map has no such form, or holds a number that cannot be; the message names it.
     """
 
-    p: Map
-    q: Map
+    p: Singles
+    q: Singles
     alpha: npt.ArrayLike = (1.0, 1.0, 1.0)
     source: str = ""
     facts: Mapping[str, Any] = field(default_factory=lambda: MappingProxyType({}))

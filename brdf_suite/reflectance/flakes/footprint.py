@@ -20,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 PIXEL_REACH = 0.5
 """Standard deviations of a pixel along an axis, in pixels."""

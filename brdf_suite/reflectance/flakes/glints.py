@@ -17,9 +17,9 @@ from itertools import product
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats, Words
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
-from brdf_suite.reflectance.flakes.hashing import GOLDEN, Words, cell_key, halves, scramble, wrap_words
+from brdf_suite.reflectance.flakes.hashing import GOLDEN, cell_key, halves, scramble, wrap_words
 
 APPEARING = 0.2
 """Flakes of a level appear over this range of its weight."""

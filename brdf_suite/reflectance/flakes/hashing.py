@@ -9,9 +9,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
-
-Words = npt.NDArray[np.uint32]
+from brdf_suite.arrays import Floats, Words
 
 GOLDEN = np.uint32(0x9E3779B9)
 

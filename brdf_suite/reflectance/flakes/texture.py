@@ -12,7 +12,7 @@ from itertools import product
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, flake_footprint
 from brdf_suite.reflectance.flakes.glints import flake_tint
 from brdf_suite.reflectance.flakes.hashing import GOLDEN, cell_key, halves, scramble

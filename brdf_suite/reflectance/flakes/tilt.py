@@ -11,7 +11,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 
 def flake_slope(wi: npt.ArrayLike, wo: npt.ArrayLike, ior: float) -> Floats:

@@ -11,9 +11,9 @@ from functools import cache
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import black_glass, gloss_units, receptor_deg
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.gloss import black_glass, gloss_units, receptor_deg
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.protocol import Reflectance
 

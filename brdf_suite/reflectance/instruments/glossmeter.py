@@ -1,7 +1,7 @@
 """Virtual glossmeter: the flux of any reflectance in the standard's receptor at 20, 60 or 85°.
 
 A reading compares flux in the receptor with that of polished black glass (see
-:mod:`brdf_suite.appearance.gloss`):
+:mod:`brdf_suite.appearance.clearcoat_gloss`):
 
     GU = 100 / F(θ; 1.567) · ∫ f_r cosθo W dω,
 
@@ -21,9 +21,9 @@ from functools import cache
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import RECEPTORS_DEG, SOURCE_DEG, black_glass, receptor_deg
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.gloss import RECEPTORS_DEG, SOURCE_DEG, black_glass, receptor_deg
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.protocol import Reflectance
 
 GLOSS_ANGLES_DEG: tuple[int, ...] = tuple(RECEPTORS_DEG)

@@ -7,7 +7,8 @@ import math
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.protocol import Reflectance
 
 

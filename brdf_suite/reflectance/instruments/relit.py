@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reflectance.protocol import Reflectance, SpectralReflectance
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

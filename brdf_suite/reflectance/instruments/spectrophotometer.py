@@ -10,14 +10,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.index import FlopIndex, flop_index
 from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, Travel, travel
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
-from brdf_suite.appearance.gloss import haze_units
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture, reflectance_factor
 from brdf_suite.reflectance.instruments.glossmeter import GLOSS_ANGLES_DEG, gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance

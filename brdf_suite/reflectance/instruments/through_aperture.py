@@ -18,9 +18,10 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.misses import TOLERANCE_DELTA_E, format_interpolation_notice
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance

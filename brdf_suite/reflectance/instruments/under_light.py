@@ -15,7 +15,8 @@ from brdf_suite.appearance.light.colour import (
     colour_from_spectra,
     metamerism_index,
 )
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.arrays import Floats
+from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.instruments.aperture import Aperture, reflectance_factor
 from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
 from brdf_suite.reflectance.protocol import Reflectance, SpectralReflectance, has_spectra

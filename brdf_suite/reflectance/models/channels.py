@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import check_rgb
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
 
 
 def rgb(value: object, place: str, parameter: Parameter) -> Floats:

@@ -28,8 +28,9 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import directional_albedo, hemispherical_albedo
 from brdf_suite.reflectance.designed import coat_lobe

@@ -17,9 +17,9 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter, describe
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.lobe_sum import lobe_sums
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb

@@ -19,8 +19,8 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 # Keeps tan⁴ of a half vector at the horizon finite; no lobe reaches there.
 _TINY = 1e-60

@@ -11,8 +11,8 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
 

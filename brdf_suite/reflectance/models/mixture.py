@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.directions import Floats, mirror
+from brdf_suite.geometry.directions import mirror
 
 
 @dataclass(frozen=True)

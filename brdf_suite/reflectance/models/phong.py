@@ -19,8 +19,9 @@ from typing import ClassVar, Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter, check_choice
-from brdf_suite.geometry.directions import Floats, mirror_cosine
+from brdf_suite.geometry.directions import mirror_cosine
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb
 

@@ -12,18 +12,17 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats, Indices, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
-Singles = npt.NDArray[np.float32]
-Places = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,9 +124,6 @@ class AnisotropicTable:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=False)
 
     def made_reciprocal(self) -> AnisotropicTable:
@@ -160,7 +156,7 @@ class AnisotropicTable:
         return total
 
 
-def _between(nodes: Floats, w: Floats) -> tuple[Places, tuple[Singles, Singles]]:
+def _between(nodes: Floats, w: Floats) -> tuple[Indices, tuple[Singles, Singles]]:
     """Return the lower of the two nodes about the polar angle of w (3, n), and the shares of both."""
     theta = np.clip(np.arctan2(np.hypot(w[0], w[1]), w[2]), nodes[0], nodes[-1])
     low = np.clip(np.searchsorted(nodes, theta, side="right") - 1, 0, nodes.size - 2)
@@ -168,7 +164,7 @@ def _between(nodes: Floats, w: Floats) -> tuple[Places, tuple[Singles, Singles]]
     return low, (1.0 - share, share)
 
 
-def _around(phi: Floats, azimuths: int) -> tuple[Places, tuple[Singles, Singles]]:
+def _around(phi: Floats, azimuths: int) -> tuple[Indices, tuple[Singles, Singles]]:
     """Return the lower node (n,), 0 to ``azimuths`` - 1, about azimuths in radians, and the shares of both."""
     place = phi * (azimuths / (2.0 * np.pi))
     floor = np.floor(place)

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
+from brdf_suite.arrays import Singles
 from brdf_suite.errors import ValueRangeError
-
-Singles = npt.NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,8 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
+from brdf_suite.geometry.directions import from_half_angle_coordinates
 
 _HALF_PI = 0.5 * np.pi
 _MAX_BINS = 1 << 26

@@ -14,10 +14,8 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Indices
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-
-Bools = npt.NDArray[np.bool_]
-Places = npt.NDArray[np.intp]
 
 Step = tuple[int, int, int]
 
@@ -100,7 +98,7 @@ def _weight(step: Step, bin_steps: tuple[float, float, float]) -> float:
     return 1.0 / sum((bins * far) ** 2 for bins, far in zip(step, bin_steps, strict=True))
 
 
-def _neighbours(places: Places, step: Step, grid: HalfAngleGrid) -> tuple[Bools, Places]:
+def _neighbours(places: Indices, step: Step, grid: HalfAngleGrid) -> tuple[Bools, Indices]:
     """Return whether a step from each flat place stays in the table, and where it leads (φd goes round)."""
     line, p = np.divmod(places, grid.phi_d)
     h, d = np.divmod(line, grid.theta_d)

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Literal
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
@@ -24,9 +25,6 @@ from brdf_suite.reflectance.tabulated.trilinear import trilinear
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
-Singles = npt.NDArray[np.float32]
-Bools = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -166,9 +164,6 @@ class IsotropicTable:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=True)
 
     def holes_above_horizon(self) -> int:

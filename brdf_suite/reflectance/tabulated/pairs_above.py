@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 LookUp = Callable[[Floats, Floats], npt.NDArray[np.floating]]
 """Contiguous columns of ``wi`` and ``wo``, (3, n) each, all above the horizon -> (n, c)."""

@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.blocks import BLOCK, in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 
 if TYPE_CHECKING:
@@ -128,9 +129,6 @@ class ScatteredSamples:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         polar = np.unique(np.arccos(np.minimum(self.wi[:, 2], 1.0)).round(3))
         return HalfVectorDensity(
             self, isotropic=self.isotropic, views=polar if polar.size <= _MOST_ANGLES else ()

@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-
-Singles = npt.NDArray[np.float32]
 
 
 def trilinear(values: Singles, grid: HalfAngleGrid, i: Floats, o: Floats) -> Singles:

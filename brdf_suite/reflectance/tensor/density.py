@@ -18,9 +18,8 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats, Indices
 
-Indices = npt.NDArray[np.intp]
 Blend = Sequence[tuple[Indices, Floats]]
 """For each of n queries: which grids take part (flat index over φi and θi), and with what weight."""
 

@@ -24,11 +24,12 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, REC709_TO_WORKING
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates, spherical
+from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.density import GridDensity, blend_weights
-from brdf_suite.reflectance.tensor.tensor_reflectance import Float32s, TensorReflectance
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 # Nodes of D and σ along √θ: a coat of roughness 0.002 falls by half within 20 of them.
 _FINE = 8192
@@ -176,7 +177,7 @@ class _Sheet:
         return self._evaluate(wi, view) * (view[:, 2] * 4.0 * area / normals)[:, None]
 
 
-def _centre(values: Float32s, axis: int) -> None:
+def _centre(values: Singles, axis: int) -> None:
     """Shift the inner nodes along ``axis`` so that the error of linear interpolation is 0 in the mean.
 
     Between nodes a step h apart a line misses f by f'' x (h - x)/2, in the mean f'' h²/12, always to the same

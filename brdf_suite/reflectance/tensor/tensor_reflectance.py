@@ -27,16 +27,17 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
 from brdf_suite.appearance.colour.spectra import spectrum_to_working
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats, spherical
+from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_weights, cells
 
 if TYPE_CHECKING:
     from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
 
-Float32s = npt.NDArray[np.float32]
 
 # Directions are worked through in pieces: the interpolation holds a few dozen numbers for each.
 _PIECE = 1 << 14
@@ -68,14 +69,14 @@ class TensorReflectance:
         Further fields of the file (its version, the mask of valid values), kept for writing.
     """
 
-    phi_i: Float32s
-    theta_i: Float32s
-    ndf: Float32s
-    sigma: Float32s
-    vndf: Float32s
-    luminance: Float32s
-    values: Float32s
-    wavelengths_nm: Float32s | None = None
+    phi_i: Singles
+    theta_i: Singles
+    ndf: Singles
+    sigma: Singles
+    vndf: Singles
+    luminance: Singles
+    values: Singles
+    wavelengths_nm: Singles | None = None
     jacobian: bool = True
     description: str = ""
     observer_deg: int = 10
@@ -232,9 +233,6 @@ class TensorReflectance:
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
-        # Only a path tracer asks for it.
-        from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-
         return HalfVectorDensity(self, isotropic=self.isotropic)
 
     def sample_stored(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:

@@ -11,15 +11,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.palettes.swatches.look import Form
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reports.contact_sheet.items import palette_items, sheet_items
-from brdf_suite.reports.contact_sheet.layout import Layout, Size
-from brdf_suite.reports.contact_sheet.painter import Painter
+from brdf_suite.reports.contact_sheet.layout import SheetLayout, Size
+from brdf_suite.reports.contact_sheet.painter import SheetPainter
 from brdf_suite.reports.contact_sheet.pictures import SheetItem, caption, item_pictures
 
 MOST_COLUMNS = 40
@@ -94,13 +96,12 @@ def write_sheet_of(
     subtitle = _subtitle(view, form)
     if path.suffix.lower() == PDF_ENDING:
         return _write_pdf(title, subtitle, items, view, cell, path, columns, settings, form, progress)
-    from brdf_suite.files.images.environments import write_png_strips
 
     columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
-    layout = Layout.of(title, subtitle, items, cell, columns)
+    layout = SheetLayout.of(title, subtitle, items, cell, columns)
     problems: list[str] = []
     with item_pictures(view, cell, settings, Display(space), form, subrange(progress, 0.0, 0.2)) as pictures:
-        painter = Painter(pictures, layout, problems)
+        painter = SheetPainter(pictures, layout, problems)
         rows = painter.strips(subrange(progress, 0.2, 1.0))
         metadata = {
             "Software": "BRDF Suite",
@@ -125,9 +126,7 @@ def _write_pdf(
     form: Form | None,
     progress: Progress | None,
 ) -> Sheet:
-    # With the writer of pages, which pictures do not need.
-    from brdf_suite.documents.atomic import write_atomically
-    from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet
+    from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet  # reportlab is much to import
 
     problems: list[str] = []
     with item_pictures(view, cell, settings, Display(), form, subrange(progress, 0.0, 0.2)) as pictures:

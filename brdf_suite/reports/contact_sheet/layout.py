@@ -17,7 +17,7 @@ _FIGURES = "flop L*a*b* 0123456789.,-+°: ()"
 
 
 @dataclass(frozen=True, eq=False)
-class Layout:
+class SheetLayout:
     """Where everything stands, in pixels; rows are headings and lines of cells."""
 
     title: str
@@ -29,7 +29,7 @@ class Layout:
     missing: str
 
     @staticmethod
-    def of(title: str, subtitle: str, items: Sequence[SheetItem], cell: Size, columns: int) -> Layout:
+    def of(title: str, subtitle: str, items: Sequence[SheetItem], cell: Size, columns: int) -> SheetLayout:
         """Return where items stand, so many in a row, group by group under their headings."""
         text_px = int(min(22, max(10, cell[0] / 18)))
         texts = [
@@ -50,7 +50,7 @@ class Layout:
             if group:
                 rows.append(group)
             rows += [tuple(members[i : i + columns]) for i in range(0, len(members), columns)]
-        return Layout(title, subtitle, cell, columns, tuple(rows), fonts, missing)
+        return SheetLayout(title, subtitle, cell, columns, tuple(rows), fonts, missing)
 
     def line(self, kind: str) -> int:
         """Return the height of a line of text."""

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from PIL import Image, ImageDraw
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
-from brdf_suite.reports.contact_sheet.layout import MARGIN, Layout, wrapped
+from brdf_suite.reports.contact_sheet.layout import MARGIN, SheetLayout, wrapped
 from brdf_suite.reports.contact_sheet.pictures import ItemPictures, SheetItem
 from brdf_suite.reports.sheet_text import shortened
 
@@ -19,10 +20,10 @@ _GREY = 119
 _BLACK, _SOFT = 0, 40
 
 
-class Painter:
+class SheetPainter:
     """Draws the sheet's strips; one paint after the other is shown in the one scene."""
 
-    def __init__(self, pictures: ItemPictures, layout: Layout, problems: list[str]) -> None:
+    def __init__(self, pictures: ItemPictures, layout: SheetLayout, problems: list[str]) -> None:
         self._pictures, self._layout, self._problems = pictures, layout, problems
         self._done = 0
 
@@ -38,8 +39,6 @@ class Painter:
                 yield self._cells(row, paints, progress)
 
     def _text_strip(self, height: int, lines: list[tuple[str, str, int]]) -> NDArray[np.uint8]:
-        from PIL import Image, ImageDraw
-
         width = self._layout.size[0]
         image = Image.new("RGB", (width, height), (_GREY,) * 3)
         draw = ImageDraw.Draw(image)
@@ -49,8 +48,6 @@ class Painter:
         return np.asarray(image)
 
     def _cells(self, row: tuple[SheetItem, ...], paints: int, progress: Progress | None) -> NDArray[np.uint8]:
-        from PIL import Image, ImageDraw
-
         layout = self._layout
         image = Image.new("RGB", (layout.size[0], layout.height(row)), (_GREY,) * 3)
         draw = ImageDraw.Draw(image)
@@ -69,8 +66,6 @@ class Painter:
 
     def _draw_item(self, item: SheetItem, image: Any, left: int) -> list[str]:
         """Put the paint's picture into the sheet and return the lines below its name."""
-        from PIL import Image
-
         try:
             pixels, lines = self._pictures.draw(item)
         except SuiteError as error:

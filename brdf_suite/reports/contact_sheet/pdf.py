@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
+from reportlab.pdfgen.canvas import Canvas
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
@@ -47,7 +48,6 @@ def pdf_sheet(
     cannot be drawn, whose reason stands in the picture's place.
     """
     # Much to import, and only this form draws with it.
-    from reportlab.pdfgen.canvas import Canvas
 
     packed = io.BytesIO()
     canvas = Canvas(packed, pagesize=(WIDTH, HEIGHT), pageCompression=1)

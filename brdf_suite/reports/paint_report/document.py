@@ -10,19 +10,21 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display, working_to_lab
 from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry
-from brdf_suite.appearance.gloss import haze_units
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
 from brdf_suite.documents.view import View
-from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.exports.format import ExportItem, PathLike
+from brdf_suite.errors import PathLike, ValueRangeError
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
-from brdf_suite.geometry.directions import Floats, aspecular_view, illumination
+from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.inspection.sparkle import sparkle
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import material_of
@@ -30,6 +32,7 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance
+from brdf_suite.reports.paint_report.pictures import draw_pictures
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.lobe_fit import LobeFit
@@ -55,7 +58,7 @@ class ReportOptions:
 
 
 @dataclass(frozen=True)
-class Row:
+class ReportRow:
     """One reading: what was asked, what the lobes of the fit give, and the standard there."""
 
     geometry: Geometry
@@ -76,7 +79,7 @@ class Row:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class AngleCurve:
     """L*, C*, h (n, 3) over aspecular angles (n,), degrees."""
 
     title: str
@@ -90,10 +93,10 @@ class Report:
 
     item: ExportItem
     when: datetime
-    rows: tuple[Row, ...]
+    rows: tuple[ReportRow, ...]
     light_deg: float
     strip: tuple[tuple[float, str], ...]
-    curves: tuple[Curve, ...]
+    curves: tuple[AngleCurve, ...]
     figures: tuple[tuple[str, tuple[tuple[str, str], ...]], ...]
     pictures: tuple[ReportPicture, ...]
     batch: BatchReport | None
@@ -134,17 +137,17 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
         batch = judge_batch(options.standard, item.paint, options.tolerances, ("2000",))
     pictures: tuple[ReportPicture, ...] = ()
     if options.pictures:
-        from brdf_suite.reports.paint_report.pictures import draw_pictures
-
         pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
     angles = _angles(item, light)
     model = _lab_over(fit.reflectance, light, angles)
     curves = [
-        Curve("paint", angles, lab_to_lch(model)),
-        Curve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
+        AngleCurve("paint", angles, lab_to_lch(model)),
+        AngleCurve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
     ]
     if options.standard is not None and options.standard.seen is not None:
-        curves.append(Curve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles))))
+        curves.append(
+            AngleCurve("standard", angles, lab_to_lch(_lab_over(options.standard.seen, light, angles)))
+        )
     rows = _rows(item, fit, batch)
     return Report(
         item=item,
@@ -193,7 +196,7 @@ def hex_code(lab: Sequence[float] | Floats) -> str:
     return "#" + "".join(f"{code:02x}" for code in codes.tolist())
 
 
-def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Row, ...]:
+def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[ReportRow, ...]:
     fitted: dict[tuple[float, float], tuple[Lab, float]] = {}
     for row in fit.readings or fit.angles:
         fitted[row.illumination_deg, row.aspecular_deg] = (row.lab_fitted, row.delta_e_2000)
@@ -202,7 +205,7 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Ro
         lightness, chroma, hue = lab_to_lch(m.lab).tolist()
         found = fitted.get((m.illumination_deg, m.aspecular_deg))
         rows.append(
-            Row(
+            ReportRow(
                 Geometry(m.illumination_deg, m.aspecular_deg),
                 m.lab,
                 (lightness, chroma, hue),
@@ -217,7 +220,7 @@ def _rows(item: ExportItem, fit: LobeFit, batch: BatchReport | None) -> tuple[Ro
 
 
 def _figures(
-    item: ExportItem, fit: LobeFit, rows: tuple[Row, ...], batch: BatchReport | None
+    item: ExportItem, fit: LobeFit, rows: tuple[ReportRow, ...], batch: BatchReport | None
 ) -> tuple[tuple[str, tuple[tuple[str, str], ...]], ...]:
     paint = item.paint
     flop = compute_flop(paint)
@@ -262,7 +265,6 @@ def _flake_figures(fit: LobeFit) -> tuple[tuple[str, str], ...]:
     flakes = fit.flakes
     if flakes is None:
         return (("Flakes", "none that can be seen"),)
-    from brdf_suite.inspection.sparkle import sparkle
 
     rows = [
         ("Density", f"{flakes.density_per_mm2:.0f} /mm²"),

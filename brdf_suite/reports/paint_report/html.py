@@ -11,12 +11,18 @@ from functools import partial
 from html import escape
 from importlib.metadata import version
 
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import read_bytes
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
-from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.reports.paint_report.document import Report, ReportOptions, Row, report_losses, write_report
-from brdf_suite.reports.paint_report.plots import STYLES, Line, Mark, Plot, Stroke, plots_of
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+from brdf_suite.reports.paint_report.document import (
+    Report,
+    ReportOptions,
+    ReportRow,
+    report_losses,
+    write_report,
+)
+from brdf_suite.reports.paint_report.plots import STYLES, Mark, Plot, PlotLine, Stroke, plots_of
 
 _OPEN = f'<script type="application/json" id="{json_document.NAME}">'
 _CLOSE = "</script>"
@@ -148,7 +154,7 @@ def standard_headings(made: Report) -> tuple[str, ...]:
     return (*_STANDARD_HEADINGS, "Tolerance") if judged else _STANDARD_HEADINGS
 
 
-def cells(row: Row) -> list[tuple[str, bool]]:
+def cells(row: ReportRow) -> list[tuple[str, bool]]:
     """Return the numbers of a row of the table, and whether each is computed."""
     numbers: list[tuple[str, bool]] = [(row.label, False)]
     numbers += [(f"{value:.2f}", False) for value in (*row.lab, row.lch[1])]
@@ -157,7 +163,7 @@ def cells(row: Row) -> list[tuple[str, bool]]:
     return numbers
 
 
-def standard_cells(row: Row) -> list[tuple[str, bool]]:
+def standard_cells(row: ReportRow) -> list[tuple[str, bool]]:
     """Return the numbers of a row against the standard, and whether the standard there is computed."""
     found = row.standard
     if found is None or found.verdict is None:
@@ -197,7 +203,7 @@ def _plots(made: Report) -> str:
 
 def _key(title: str) -> str:
     """A short stretch of a curve."""
-    line = _stroke(Line(((0.0, 3.0), (26.0, 3.0)), *STYLES[title]))
+    line = _stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[title]))
     return f'<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">{line}</svg>'
 
 
@@ -208,7 +214,7 @@ def _svg(plot: Plot) -> str:
 
 
 def _stroke(stroke: Stroke) -> str:
-    if isinstance(stroke, Line):
+    if isinstance(stroke, PlotLine):
         points = " ".join(f"{x:.2f},{y:.2f}" for x, y in stroke.points)
         dashes = (
             f' stroke-dasharray="{" ".join(f"{dash:g}" for dash in stroke.dashes)}"' if stroke.dashes else ""

@@ -10,14 +10,14 @@ from __future__ import annotations
 import io
 import json
 import textwrap
-from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from brdf_suite.errors import FileError
+from reportlab.lib.utils import ImageReader
+from reportlab.pdfbase import pdfdoc
+from reportlab.pdfgen.canvas import Canvas
+
 from brdf_suite.files.exports import json_document
-from brdf_suite.files.exports.format import ExportFormat, ImportedPaints, PathLike
-from brdf_suite.files.measured.bounded_reading import read_bytes
-from brdf_suite.reports.paint_report.document import Report, ReportOptions, report_losses, write_report
+from brdf_suite.reports.paint_report.document import Report
 from brdf_suite.reports.paint_report.html import (
     HEADINGS,
     cells,
@@ -25,38 +25,16 @@ from brdf_suite.reports.paint_report.html import (
     standard_cells,
     standard_headings,
 )
-from brdf_suite.reports.paint_report.plots import GRID, INK, SOFT, STYLES, Line, Mark, Plot, plots_of
+from brdf_suite.reports.paint_report.plots import GRID, INK, SOFT, STYLES, Mark, Plot, PlotLine, plots_of
 from brdf_suite.reports.pdf_pen import Pen
-
-if TYPE_CHECKING:
-    from reportlab.pdfgen.canvas import Canvas
 
 ATTACHMENT = "paint.json"
 _WIDTH, _HEIGHT, _MARGIN = 595.276, 841.89, 36.0
 _MOST_ROWS = 8
-_LARGEST = 64 << 20
-_MARK = f'{{"format": "{json_document.NAME}"'.encode()
 
 
-def format_with(options: ReportOptions) -> ExportFormat:
-    """Return the format, its reports made with these options."""
-    return ExportFormat(
-        name="pdf",
-        title="Report, PDF",
-        ending=".pdf",
-        holds="One page with pictures, plots and numbers; the paint itself is attached as a file.",
-        losses=report_losses,
-        write=partial(write_report, options, sheet),
-        read=read,
-        sniff=lambda head: head.startswith(b"%PDF-"),
-    )
-
-
-def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
+def page(made: Report) -> tuple[bytes, tuple[str, ...]]:
     """Return the page as a file, and notes about letters that no font has."""
-    # Much to import, and only this form draws with it.
-    from reportlab.pdfgen.canvas import Canvas
-
     packed = io.BytesIO()
     canvas = Canvas(packed, pagesize=(_WIDTH, _HEIGHT), pageCompression=1)
     canvas.setTitle(made.title)
@@ -73,8 +51,6 @@ def sheet(made: Report) -> tuple[bytes, tuple[str, ...]]:
 
 def _attach(canvas: Canvas, content: bytes) -> None:
     """Attach a file by the name tree of the catalogue (ISO 32000-1, 7.11.4); the library has no call for it."""
-    from reportlab.pdfbase import pdfdoc
-
     document: Any = canvas._doc
     stream = pdfdoc.PDFStream(
         dictionary=pdfdoc.PDFDictionary({"Type": pdfdoc.PDFName("EmbeddedFile")}),
@@ -125,12 +101,10 @@ class _Page:
         pen.text(self.left, self.y, pen.shortened(made.title, 24.0, room, bold=True), 24.0, bold=True)
         pen.text(self.right, self.y, date, 9.0, anchor="end", colour=SOFT)
         self.y += 8.0
-        pen.line(Line(((self.left, self.y), (self.right, self.y)), INK, 1.2))
+        pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), INK, 1.2))
         self.y += 10.0
 
     def _pictures(self) -> None:
-        from reportlab.lib.utils import ImageReader
-
         pictures = self.made.pictures
         if not pictures:
             return
@@ -193,7 +167,7 @@ class _Page:
             pen.text(ends[index], self.y, heading, 7.0, anchor="end" if index else "start", colour=SOFT)
         self.y += 3.0
         for row in made.rows[:_MOST_ROWS]:
-            pen.line(Line(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
+            pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
             self.y += 9.5
             found = [*cells(row), *(standard_cells(row) if against else ())][: len(headings)]
             for index, (text, computed) in enumerate(found):
@@ -207,7 +181,7 @@ class _Page:
                     bold=text == "fail",
                 )
             self.y += 3.5
-        pen.line(Line(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
+        pen.line(PlotLine(((self.left, self.y), (self.right, self.y)), GRID, 0.5))
         more = len(made.rows) - _MOST_ROWS
         if more > 0:
             self.y += 9.0
@@ -221,7 +195,7 @@ class _Page:
         self.y += 120.0
         x = self.left + 2.0
         for curve in self.made.curves:
-            self.pen.line(Line(((x, self.y - 2.2), (x + 20.0, self.y - 2.2)), *STYLES[curve.title]))
+            self.pen.line(PlotLine(((x, self.y - 2.2), (x + 20.0, self.y - 2.2)), *STYLES[curve.title]))
             self.pen.text(x + 24.0, self.y, curve.title, 6.5, colour=SOFT)
             x += 34.0 + self.pen.width(curve.title, 6.5)
         self.pen.mark(Mark(x + 3.0, self.y - 2.2, INK, True), 0.0, 0.0)
@@ -233,7 +207,7 @@ class _Page:
 
     def _plot(self, plot: Plot, x: float, y: float) -> None:
         for stroke in plot.strokes:
-            if isinstance(stroke, Line):
+            if isinstance(stroke, PlotLine):
                 self.pen.line(stroke, x, y)
             elif isinstance(stroke, Mark):
                 self.pen.mark(stroke, x, y)
@@ -268,18 +242,6 @@ class _Page:
 
     def _foot(self) -> None:
         bottom = _HEIGHT - _MARGIN
-        self.pen.line(Line(((self.left, bottom - 20.0), (self.right, bottom - 20.0)), GRID, 0.5))
+        self.pen.line(PlotLine(((self.left, bottom - 20.0), (self.right, bottom - 20.0)), GRID, 0.5))
         self.y = bottom - 11.0
         self._sentence(conventions(self.made), 6.5, colour=SOFT)
-
-
-def read(path: PathLike) -> ImportedPaints:
-    """Return the paint attached to a page of ours; raise :class:`FileError` where there is none, or it is damaged."""
-    content = read_bytes(path, _LARGEST)
-    start = content.find(_MARK)
-    end = content.find(b"endstream", start)
-    if start < 0 or end < 0:
-        raise FileError(
-            path, "holds no paint of this suite that can be found; another program may have packed it"
-        )
-    return json_document.import_text(content[start:end], path)

@@ -6,6 +6,8 @@ import io
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from PIL import Image
+
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.output.still import loaded_scene
@@ -50,8 +52,6 @@ def draw_pictures(
 
 
 def _draw(fit: LobeFit, view: View, size: tuple[int, int], progress: Progress | None) -> ReportPicture:
-    from PIL import Image
-
     view = replace(view, clipping_marks=False, gamut_marks=False)
     with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
         loaded.scene.set_material(refit_under(fit, view.light_colour))

@@ -13,7 +13,7 @@ from typing import Literal
 import numpy as np
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 from brdf_suite.reports.paint_report.document import Report
 
 Anchor = Literal["start", "middle", "end"]
@@ -32,7 +32,7 @@ _TEXT = 6.5
 
 
 @dataclass(frozen=True)
-class Line:
+class PlotLine:
     """A line through points."""
 
     points: tuple[tuple[float, float], ...]
@@ -64,7 +64,7 @@ class Text:
     bold: bool = False
 
 
-Stroke = Line | Mark | Text
+Stroke = PlotLine | Mark | Text
 
 
 @dataclass(frozen=True)
@@ -140,7 +140,7 @@ def _frame(
     step = _step(high - low)
     for index in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1):
         y = y_of(index * step)
-        strokes.append(Line(((_LEFT, y), (width - _RIGHT, y)), GRID, 0.5))
+        strokes.append(PlotLine(((_LEFT, y), (width - _RIGHT, y)), GRID, 0.5))
         strokes.append(Text(_LEFT - 3.0, y + 2.2, f"{index * step:g}", _TEXT, "end"))
     bottom, last_x = y_of(low), -math.inf
     for angle in sorted(set(angles)):
@@ -148,9 +148,9 @@ def _frame(
         if not _LEFT - 0.1 <= x <= width - _RIGHT + 0.1 or x - last_x < 13.0:
             continue
         last_x = x
-        strokes.append(Line(((x, bottom), (x, bottom + 2.5)), SOFT, 0.6))
+        strokes.append(PlotLine(((x, bottom), (x, bottom + 2.5)), SOFT, 0.6))
         strokes.append(Text(x, bottom + 9.0, f"{angle:g}", _TEXT, "middle"))
-    strokes.append(Line(((_LEFT, bottom), (width - _RIGHT, bottom)), SOFT, 0.6))
+    strokes.append(PlotLine(((_LEFT, bottom), (width - _RIGHT, bottom)), SOFT, 0.6))
     return strokes
 
 
@@ -163,7 +163,7 @@ def _curve(name: str, points: list[tuple[float, float]]) -> list[Stroke]:
             runs[-1].append(point)
         elif runs[-1]:
             runs.append([])
-    return [Line(tuple(run), colour, width, dashes) for run in runs if len(run) > 1]
+    return [PlotLine(tuple(run), colour, width, dashes) for run in runs if len(run) > 1]
 
 
 def _component(lch: Floats, component: int, around: float | None) -> Floats:

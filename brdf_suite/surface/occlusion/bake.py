@@ -17,19 +17,17 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Integers, Singles
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
-from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
 from brdf_suite.surface.occlusion.floor import bake_floor
 from brdf_suite.surface.occlusion.places import Places, spread
 from brdf_suite.surface.occlusion.rays import OcclusionFloor, RayScene
 from brdf_suite.surface.occlusion.refine import cut
 
-Float32 = NDArray[np.float32]
-Int64 = NDArray[np.int64]
-Look: TypeAlias = Callable[[Places, Progress | None], Float32]
+Look: TypeAlias = Callable[[Places, Progress | None], Singles]
 
 ALGORITHM_VERSION = 2
 """Part of the key of what is kept: to be raised with every change of what baking gives."""
@@ -54,11 +52,11 @@ _ADDED_SHARE, _ADDED_FEWEST = 0.5, 40_000
 class _Surface:
     """All parts in one: vertices, triangles, and the part of each triangle."""
 
-    positions: Float32
-    normals: Float32
-    uvs: Float32
-    triangles: Int64
-    part: Int64
+    positions: Singles
+    normals: Singles
+    uvs: Singles
+    triangles: Integers
+    part: Integers
 
 
 def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
@@ -83,7 +81,7 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     ground = bake_floor(scene, low, high, subrange(progress, 0.02, 0.3))
     floor = OcclusionFloor(ground.height, ground.low, ground.high, ground.share)
 
-    def look(places: Places, progress: Progress | None) -> Float32:
+    def look(places: Places, progress: Progress | None) -> Singles:
         return scene.gather(
             places.points, places.normals, places.planes, RAYS, floor, progress, "occlusion of the surface"
         )
@@ -114,10 +112,13 @@ def _joined(mesh: Mesh) -> _Surface:
     )
 
 
-def _values(surface: _Surface, places: Places, seen: Float32) -> Float32:
+def _values(surface: _Surface, places: Places, seen: Singles) -> Singles:
     """Return (n, 8) at the vertices: direction and share of the light, without and with the floor."""
     # Columns of what was seen: share, x, y, z, alone and then with the floor.
     useful = replace(places, area=places.area * (seen[:, 8] > 0.5))
+    # scipy.sparse takes a quarter of a second to import, and a start needs what is baked already.
+    from brdf_suite.surface.occlusion.fit import shared_places, vertex_values
+
     shared = shared_places(surface.positions, surface.normals)
     found = vertex_values(surface.positions, surface.triangles, shared, useful, seen[:, :8])
     values = found[:, [1, 2, 3, 0, 5, 6, 7, 4]]
@@ -125,7 +126,7 @@ def _values(surface: _Surface, places: Places, seen: Float32) -> Float32:
     return values.astype(np.float32)
 
 
-def _misfits(surface: _Surface, places: Places, seen: Float32, values: Float32) -> NDArray[np.bool_]:
+def _misfits(surface: _Surface, places: Places, seen: Singles, values: Singles) -> NDArray[np.bool_]:
     corners = values[surface.triangles[places.triangle]][:, :, [3, 7]]
     error = np.einsum("nk,nkc->nc", places.weights, corners) - seen[:, [0, 4]]
     counted = (seen[:, 0] > 0.0) & (seen[:, 8] > 0.5)
@@ -143,8 +144,8 @@ def _misfits(surface: _Surface, places: Places, seen: Float32, values: Float32) 
 
 
 def _refined(
-    surface: _Surface, places: Places, seen: Float32, chosen: NDArray[np.bool_], look: Look
-) -> tuple[_Surface, Places, Float32]:
+    surface: _Surface, places: Places, seen: Singles, chosen: NDArray[np.bool_], look: Look
+) -> tuple[_Surface, Places, Singles]:
     """Cut the chosen triangles and sample the pieces; samples on uncut triangles are kept."""
     made = cut(surface.positions, surface.triangles, chosen)
     new = _Surface(
@@ -170,7 +171,7 @@ def _refined(
     return new, Places(*both), np.concatenate([seen[kept], found])
 
 
-def _separated(mesh: Mesh, surface: _Surface, values: Float32) -> tuple[BakedPart, ...]:
+def _separated(mesh: Mesh, surface: _Surface, values: Singles) -> tuple[BakedPart, ...]:
     """Take the parts apart again: each keeps its vertices in their order, with those made on its edges after."""
     starts = np.cumsum([0, *(len(p.positions) for p in mesh.parts)])
     parts = []

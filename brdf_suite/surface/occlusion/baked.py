@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
+from brdf_suite.arrays import Singles
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,9 +24,9 @@ class BakedPart:
         normal; the share of a uniform light's irradiance that arrives, 0…1; and the same four with the floor.
     """
 
-    positions: Float32
-    normals: Float32
-    uvs: Float32
+    positions: Singles
+    normals: Singles
+    uvs: Singles
     triangles: NDArray[np.uint32]
     light: NDArray[np.float16]
 
@@ -50,10 +50,10 @@ class GroundLight:
     height: float
     low: tuple[float, float]
     high: tuple[float, float]
-    transfer: Float32
+    transfer: Singles
 
     @property
-    def share(self) -> Float32:
+    def share(self) -> Singles:
         """Return the share of a uniform light's irradiance, (rows, columns), 0…1."""
         # A uniform light has only the first harmonic, and an open floor's coefficient of it is √π / 2.
         return np.asarray(np.clip(self.transfer[..., 0] / (0.5 * np.sqrt(np.pi)), 0.0, 1.0), np.float32)

@@ -15,13 +15,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from scipy import sparse
 
+from brdf_suite.arrays import Floats, Integers, Singles
 from brdf_suite.surface.occlusion.places import Places
-
-Float32 = NDArray[np.float32]
-Float64 = NDArray[np.float64]
-Int64 = NDArray[np.int64]
 
 SMOOTHING = 0.5
 _SMOOTHED = 0.01
@@ -31,7 +28,7 @@ _STEPS = 60
 _TOLERANCE = 1e-3
 
 
-def shared_places(positions: Float32, normals: Float32) -> Int64:
+def shared_places(positions: Singles, normals: Singles) -> Integers:
     """Number the vertices, equal where position and normal agree: seams of texture coordinates share a value."""
     size = float(np.ptp(positions, axis=0).max()) or 1.0
     cells = np.round((positions - positions.min(axis=0)) / (size * 1e-6)).astype(np.int64)
@@ -46,20 +43,17 @@ def shared_places(positions: Float32, normals: Float32) -> Int64:
 
 
 def vertex_values(
-    positions: Float32,
-    triangles: Int64,
-    shared: Int64,
+    positions: Singles,
+    triangles: Integers,
+    shared: Integers,
     places: Places,
-    seen: Float32,
+    seen: Singles,
     smoothing: float = SMOOTHING,
-) -> Float64:
+) -> Floats:
     """Return (n, c) values at the vertices from those at places, ``seen`` (m, c), the first being a share of light.
 
     ``shared`` (n,) are the numbers of :func:`shared_places`.
     """
-    # scipy takes a quarter of a second to import, and only baking needs it.
-    from scipy import sparse
-
     count = int(shared.max()) + 1
     corner = shared[triangles[places.triangle]]
     weight = places.area * np.where(seen[:, 0] > 0.0, 1.0, _UNSEEN)
@@ -74,13 +68,11 @@ def vertex_values(
     return _solve(matrix, weighted @ seen.astype(np.float64))[shared]
 
 
-def _stiffness(positions: Float32, triangles: Int64, shared: Int64, count: int) -> Any:
+def _stiffness(positions: Singles, triangles: Integers, shared: Integers, count: int) -> Any:
     """Return Σ min(A_t, A) ∫|∇x|² as a matrix.
 
     With e_i the edge opposite to corner i, ∫∇b_i·∇b_j = e_i·e_j / 4A_t.
     """
-    from scipy import sparse
-
     corners = positions[triangles].astype(np.float64)
     opposite = np.roll(corners, 1, axis=1) - np.roll(corners, -1, axis=1)
     values = np.einsum("tid,tjd->tij", opposite, opposite) / 4.0
@@ -95,7 +87,7 @@ def _stiffness(positions: Float32, triangles: Int64, shared: Int64, count: int) 
     )
 
 
-def _solve(matrix: Any, right: Float64) -> Float64:
+def _solve(matrix: Any, right: Floats) -> Floats:
     """Solve for all columns at once by conjugate gradients, preconditioned by the diagonal."""
     inverse = (1.0 / matrix.diagonal())[:, None]
     x = inverse * right

@@ -8,14 +8,12 @@ from, whatever the environment and however it is turned.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.progress import Progress
 from brdf_suite.surface.occlusion.baked import GroundLight
 from brdf_suite.surface.occlusion.rays import RayScene
-
-Float64 = NDArray[np.float64]
 
 DEGREE = 6
 """Harmonics up to here: a shadow's edge is about 30° wide in the direction of the light, soft as the task is."""
@@ -27,7 +25,7 @@ _RIM = 0.2
 _LIFT = 2e-5
 
 
-def bake_floor(scene: RayScene, low: Float64, high: Float64, progress: Progress | None = None) -> GroundLight:
+def bake_floor(scene: RayScene, low: Floats, high: Floats, progress: Progress | None = None) -> GroundLight:
     """Return the light on the floor that touches the lowest point of a mesh with the corners ``low``, ``high`` (3,).
 
     The baked field reaches beyond the mesh by its height, and by a tenth of its length, on each side; over the
@@ -61,7 +59,7 @@ def bake_floor(scene: RayScene, low: Float64, high: Float64, progress: Progress 
     )
 
 
-def open_floor(degree: int) -> Float64:
+def open_floor(degree: int) -> Floats:
     """Return ∫ max(0, y) Y_lm dω, ((degree + 1)²,), of a floor with nothing on it."""
     heights, weights = np.polynomial.legendre.leggauss(64)
     heights, weights = 0.5 * (heights + 1.0), 0.5 * weights
@@ -74,14 +72,14 @@ def open_floor(degree: int) -> Float64:
     return np.asarray(zonal)
 
 
-def _cosine_directions(count: int) -> Float64:
+def _cosine_directions(count: int) -> Floats:
     """Return (count, 3) directions about +y, as dense as the cosine."""
     k = np.arange(count)
     radius, angle = np.sqrt((k + 0.5) / count), 2.0 * np.pi * 0.6180339887498949 * k
     return np.stack([radius * np.sin(angle), np.sqrt(1.0 - radius**2), radius * np.cos(angle)], axis=1)
 
 
-def _smooth(field: Float64) -> Float64:
+def _smooth(field: Floats) -> Floats:
     """Blur by the binomial (1 4 6 4 1)/16 along both axes: neighbours looked in different directions."""
     for axis in (0, 1):
         padded = np.concatenate([np.take(field, [0, 0], axis), field, np.take(field, [-1, -1], axis)], axis)
@@ -91,10 +89,10 @@ def _smooth(field: Float64) -> Float64:
     return field
 
 
-def _window(rows: int, columns: int) -> Float64:
+def _window(rows: int, columns: int) -> Floats:
     """Return (rows, columns): 1 in the middle, falling smoothly to 0 at the edge."""
 
-    def ramp(count: int) -> Float64:
+    def ramp(count: int) -> Floats:
         inside = np.minimum(np.arange(count) + 0.5, count - np.arange(count) - 0.5) / count
         t = np.clip(inside / _RIM, 0.0, 1.0)
         return np.asarray(t * t * (3.0 - 2.0 * t))

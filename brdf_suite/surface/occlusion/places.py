@@ -12,9 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
-Float64 = NDArray[np.float64]
-Int64 = NDArray[np.int64]
+from brdf_suite.arrays import Floats, Integers, Singles
 
 _OFFSET = 2e-5
 """Rays start so far above the surface, as a share of the object's size: 0.1 mm on a car."""
@@ -29,15 +27,15 @@ class Places:
     interpolated and the triangle's own unit normals.
     """
 
-    triangle: Int64
-    weights: Float64
-    area: Float64
-    points: Float32
-    normals: Float32
-    planes: Float32
+    triangle: Integers
+    weights: Floats
+    area: Floats
+    points: Singles
+    normals: Singles
+    planes: Singles
 
 
-def spread(positions: Float32, normals: Float32, triangles: Int64, count: int) -> Places:
+def spread(positions: Singles, normals: Singles, triangles: Integers, count: int) -> Places:
     """Spread about ``count`` places: half of them evenly over the area, half evenly over the triangles.
 
     The first half gives large triangles enough, the second leaves no fine detail without. Normals need not have
@@ -73,12 +71,12 @@ def spread(positions: Float32, normals: Float32, triangles: Int64, count: int) -
     )
 
 
-def _areas(length: Float64, share: Float64, count: int) -> Float64:
+def _areas(length: Floats, share: Floats, count: int) -> Floats:
     """Return the surface that a place on each triangle represents: its area over the number expected there."""
     return np.asarray(0.5 * length / np.maximum(share * count, 1e-30))
 
 
-def _inside(triangle: Int64, rank: Int64) -> Float64:
+def _inside(triangle: Integers, rank: Integers) -> Floats:
     """Return places inside triangles: an R2 sequence for each, shifted by its number."""
     turn = triangle * 0.6180339887498949
     u = (0.5 + rank * 0.7548776662466927 + turn) % 1.0
@@ -88,5 +86,5 @@ def _inside(triangle: Int64, rank: Int64) -> Float64:
     return np.stack([1.0 - u - v, u, v], axis=1)
 
 
-def _single(values: NDArray[Any]) -> Float32:
+def _single(values: NDArray[Any]) -> Singles:
     return np.ascontiguousarray(values, np.float32)

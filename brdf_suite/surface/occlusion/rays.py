@@ -16,9 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Singles
 from brdf_suite.progress import Progress, report
-
-Float32 = NDArray[np.float32]
 
 _PLACES_AT_ONCE = 1024
 """Places in one step of a thread: about 20 ms, so that a cancel takes effect soon."""
@@ -37,9 +36,9 @@ class OcclusionFloor:
     height: float
     low: tuple[float, float]
     high: tuple[float, float]
-    share: Float32
+    share: Singles
 
-    def share_at(self, x: Float32, z: Float32) -> Float32:
+    def share_at(self, x: Singles, z: Singles) -> Singles:
         """Return how much light the floor sees at (x, z), metres, between its texels; 1 outside."""
         rows, columns = self.share.shape
         column = (x - self.low[0]) * (columns / (self.high[0] - self.low[0])) - 0.5
@@ -79,20 +78,20 @@ class RayScene:
         # The first rays sort the triangles, which threads must not do at once.
         self.free(np.zeros((1, 3), np.float32), np.array([[0.0, 1.0, 0.0]], np.float32))
 
-    def free(self, origins: Float32, directions: Float32) -> NDArray[np.bool_]:
+    def free(self, origins: Singles, directions: Singles) -> NDArray[np.bool_]:
         """Return (n,): whether each ray (n, 3), (n, 3) hits nothing in front of its origin."""
         return np.asarray(self._scene.run(origins, directions, query="OCCLUDED") < 0)
 
     def gather(
         self,
-        points: Float32,
-        normals: Float32,
-        planes: Float32,
+        points: Singles,
+        normals: Singles,
+        planes: Singles,
         rays: int,
         ground: OcclusionFloor | None = None,
         progress: Progress | None = None,
         what: str = "occlusion",
-    ) -> Float32:
+    ) -> Singles:
         """Cast ``rays`` from each place and add up those that leave.
 
         Parameters
@@ -142,7 +141,7 @@ class RayScene:
 
     def leaves(
         self,
-        points: Float32,
+        points: Singles,
         directions: NDArray[np.float64],
         turns: NDArray[np.float64],
         progress: Progress | None = None,
@@ -169,7 +168,7 @@ class RayScene:
         return result
 
 
-def _cosine_directions(normals: Float32, first: int, rays: int) -> Float32:
+def _cosine_directions(normals: Singles, first: int, rays: int) -> Singles:
     """Return directions (n, rays, 3), dense as the cosine about normals (n, 3); ``first``: the first one's number."""
     shift_x, shift_y = _shifts(np.arange(first, first + len(normals), dtype=np.uint64))
     k = np.arange(rays)
@@ -199,7 +198,7 @@ def _shifts(numbers: NDArray[np.uint64]) -> tuple[NDArray[np.float64], NDArray[n
     return high / 2.0**32, low / 2.0**32
 
 
-def _sums(share: Float32, directions: Float32) -> Float32:
+def _sums(share: Singles, directions: Singles) -> Singles:
     """Return (n, 4): the sum of shares (n, k), and of directions (n, k, 3) times them."""
     return np.concatenate([share.sum(axis=1)[:, None], (share[:, None] @ directions)[:, 0]], axis=1)
 

@@ -13,9 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Float32 = NDArray[np.float32]
-Int64 = NDArray[np.int64]
-Mask = NDArray[np.bool_]
+from brdf_suite.arrays import Bools, Integers, Singles
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,10 +24,10 @@ class Cut:
     old vertices. ``origin`` (k',) is the triangle that each was; ``whole`` (k',) whether it still is.
     """
 
-    triangles: Int64
-    parents: Int64
-    origin: Int64
-    whole: Mask
+    triangles: Integers
+    parents: Integers
+    origin: Integers
+    whole: Bools
 
     def extended(self, values: NDArray[Any]) -> NDArray[Any]:
         """Return the values (n, c) of the old vertices followed by those of the new ones, of the same type."""
@@ -39,7 +37,7 @@ class Cut:
         return np.concatenate([values, (0.5 * (ends[:, 0] + ends[:, 1])).astype(values.dtype)])
 
 
-def same_positions(positions: Float32) -> Int64:
+def same_positions(positions: Singles) -> Integers:
     """Number the vertices, (n,): equal where positions are the same to the bit."""
     rows = np.ascontiguousarray(positions + np.float32(0.0))  # -0 becomes 0
     bits = rows.view(np.uint32).astype(np.uint64)
@@ -49,7 +47,7 @@ def same_positions(positions: Float32) -> Int64:
     return np.unique(key ^ (key >> np.uint64(29)), return_inverse=True)[1].reshape(-1)
 
 
-def cut(positions: Float32, triangles: Int64, chosen: Mask) -> Cut:
+def cut(positions: Singles, triangles: Integers, chosen: Bools) -> Cut:
     """Cut the longer edges of the ``chosen`` (k,) triangles in the middle.
 
     Longer are those of more than half of a triangle's longest edge.
@@ -93,16 +91,16 @@ def cut(positions: Float32, triangles: Int64, chosen: Mask) -> Cut:
     return Cut(np.concatenate(pieces), parents, np.concatenate(origins), whole)
 
 
-def _pair(ends: Int64) -> Int64:
+def _pair(ends: Integers) -> Integers:
     low, high = ends.min(axis=-1), ends.max(axis=-1)
     return np.asarray((low << np.int64(32)) | high)
 
 
-def _one(t: Int64, m: Int64) -> list[Int64]:
+def _one(t: Integers, m: Integers) -> list[Integers]:
     return [_stack(t[:, 0], m[:, 0], t[:, 2]), _stack(m[:, 0], t[:, 1], t[:, 2])]
 
 
-def _two(t: Int64, m: Int64) -> list[Int64]:
+def _two(t: Integers, m: Integers) -> list[Integers]:
     # Edges 0 (t0 t1) and 1 (t1 t2) are cut, edge 2 is whole.
     return [
         _stack(m[:, 0], t[:, 1], m[:, 1]),
@@ -111,7 +109,7 @@ def _two(t: Int64, m: Int64) -> list[Int64]:
     ]
 
 
-def _three(t: Int64, m: Int64) -> list[Int64]:
+def _three(t: Integers, m: Integers) -> list[Integers]:
     return [
         _stack(t[:, 0], m[:, 0], m[:, 2]),
         _stack(m[:, 0], t[:, 1], m[:, 1]),
@@ -120,5 +118,5 @@ def _three(t: Int64, m: Int64) -> list[Int64]:
     ]
 
 
-def _stack(a: Int64, b: Int64, c: Int64) -> Int64:
+def _stack(a: Integers, b: Integers, c: Integers) -> Integers:
     return np.stack([a, b, c], axis=1)

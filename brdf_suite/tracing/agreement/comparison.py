@@ -16,12 +16,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import srgb_encode
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
 from brdf_suite.pipeline.exposure import ev_of
@@ -32,22 +32,20 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import bake_or_explain, load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
+from brdf_suite.reference.estimate_file import read_estimate, write_estimate
+from brdf_suite.reference.passes import Estimate, trace
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.agreement.errors import Errors, Pixels, delta_e_of, errors_of, flip_of
+from brdf_suite.tracing.agreement.errors import PictureErrors, delta_e_of, errors_of, flip_of
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
 
 __all__ = [
     "DEFAULT_FORM",
     "FORMS",
     "LOBES",
     "Case",
-    "Errors",
     "Order",
-    "Pixels",
+    "PictureErrors",
     "compare",
     "errors_of",
     "flip_of",
@@ -71,17 +69,17 @@ class Case:
     environment: str
     surface: str
     designed: bool
-    errors: Mapping[str, Errors]
-    look_up: Mapping[str, Errors]
-    noise: Errors
+    errors: Mapping[str, PictureErrors]
+    look_up: Mapping[str, PictureErrors]
+    noise: PictureErrors
     exposure_ev: float
-    pictures: Mapping[str, Pixels] = field(repr=False)
-    differences: Pixels = field(repr=False)
+    pictures: Mapping[str, Floats] = field(repr=False)
+    differences: Floats = field(repr=False)
 
     def to_json(self) -> dict[str, object]:
         """Return the figures as plain values."""
 
-        def plain(errors: Errors) -> dict[str, float]:
+        def plain(errors: PictureErrors) -> dict[str, float]:
             return {"de00_mean": errors.mean, "de00_p99": errors.p99, "flip": errors.flip}
 
         return {
@@ -115,8 +113,8 @@ class _Truth:
 
     fit: LobeFit
     scene: ReferenceScene
-    whole: Pixels
-    spread: Pixels
+    whole: Floats
+    spread: Floats
     inside: NDArray[np.bool_]
     view: View
     name: str
@@ -214,9 +212,9 @@ def _drawn(
     prepared: PreparedEnvironment,
     fits: Mapping[str, Mapping[str, LobeFit | None]],
     truths: Mapping[str, _Truth],
-) -> dict[str, dict[str, Pixels]]:
+) -> dict[str, dict[str, Floats]]:
     """Return the real-time pictures (h, w, 3), encoded sRGB, by paint and form."""
-    drawn: dict[str, dict[str, Pixels]] = {paint: {} for paint in truths}
+    drawn: dict[str, dict[str, Floats]] = {paint: {} for paint in truths}
     for light in dict.fromkeys(FORMS[form].light for form in order.forms):
         forms = [form for form in order.forms if FORMS[form].light == light]
         basis = basis_of(FORMS[forms[0]])
@@ -239,13 +237,13 @@ def _case(
     truth: _Truth,
     prepared: PreparedEnvironment,
     mesh: Mesh,
-    drawn: Mapping[str, Pixels],
+    drawn: Mapping[str, Floats],
     progress: Progress | None,
 ) -> Case:
     view, inside = truth.view, truth.inside
     pictures = {"reference": _shown(truth.whole, view), **drawn}
     errors = {form: errors_of(picture, pictures["reference"], inside) for form, picture in drawn.items()}
-    look_up: dict[str, Errors] = {}
+    look_up: dict[str, PictureErrors] = {}
     if order.lobes:
         material = Material(truth.fit.name, truth.fit.weights)
         lobes = build_reference(material, truth.scene.view, order.size, prepared.environment, mesh)
@@ -292,9 +290,6 @@ def _plain(order: Order) -> View:
 
 
 def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:
-    from brdf_suite.reference.estimate_file import read_estimate, write_estimate
-    from brdf_suite.reference.passes import trace
-
     kept = None
     path = None if order.keep is None else order.keep / f"{_file_name(name)}.exr"
     if path is not None and path.exists():
@@ -315,5 +310,5 @@ def _file_name(name: str) -> str:
     return "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
 
 
-def _shown(radiance: Pixels, view: View) -> Pixels:
+def _shown(radiance: Floats, view: View) -> Floats:
     return srgb_encode(display_light(radiance, view.exposure_ev, view.tone_curve))

@@ -24,7 +24,7 @@ _NOTHING: Mapping[str, Any] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
-class Form:
+class DrawingForm:
     """One way to draw.
 
     Attributes
@@ -54,33 +54,33 @@ class Form:
         return self.lobes, self.halvings
 
 
-FORMS: Mapping[str, Form] = MappingProxyType(
+FORMS: Mapping[str, DrawingForm] = MappingProxyType(
     {
-        DEFAULT_FORM: Form("–"),
-        "paper look-up": Form("look-up", {"look_up": "paper"}),
-        "Fresnel off": Form("Fresnel", {"fresnel": "off"}),
-        "weights over the angle": Form("Fresnel", {"fresnel": "multi_angle"}),
-        "5 lobes": Form("number of lobes", lobes=5),
-        "7 lobes": Form("number of lobes", lobes=7),
-        "11 lobes": Form("number of lobes", lobes=11),
-        "maps of half the edge": Form("resolution", halvings=1),
-        "maps of a quarter": Form("resolution", halvings=2),
-        "monotone rule": Form("below 15°", paint={"interpolation": "monotone"}),
-        "polynomial rule": Form("below 15°", paint={"interpolation": "polynomial"}),
-        "near-specular × 0.7": Form("below 15°", paint={"near_specular": 0.7}),
+        DEFAULT_FORM: DrawingForm("–"),
+        "paper look-up": DrawingForm("look-up", {"look_up": "paper"}),
+        "Fresnel off": DrawingForm("Fresnel", {"fresnel": "off"}),
+        "weights over the angle": DrawingForm("Fresnel", {"fresnel": "multi_angle"}),
+        "5 lobes": DrawingForm("number of lobes", lobes=5),
+        "7 lobes": DrawingForm("number of lobes", lobes=7),
+        "11 lobes": DrawingForm("number of lobes", lobes=11),
+        "maps of half the edge": DrawingForm("resolution", halvings=1),
+        "maps of a quarter": DrawingForm("resolution", halvings=2),
+        "monotone rule": DrawingForm("below 15°", paint={"interpolation": "monotone"}),
+        "polynomial rule": DrawingForm("below 15°", paint={"interpolation": "polynomial"}),
+        "near-specular × 0.7": DrawingForm("below 15°", paint={"near_specular": 0.7}),
     }
 )
 """Ways in which the real-time picture is drawn, by name."""
 
 
-def basis_of(form: Form) -> LobeBasis | None:
+def basis_of(form: DrawingForm) -> LobeBasis | None:
     """Return the exponents of a form; None: the default ones."""
     if form.lobes is None:
         return None
     return stored_bases(resource("basis", "search.json"))[0][form.lobes]
 
 
-def fit_for(form: Form, paint: str) -> LobeFit | None:
+def fit_for(form: DrawingForm, paint: str) -> LobeFit | None:
     """Return the lobes of a paint in a form; None where the form is of designed paints and it is none, or cannot be so.
 
     Errors as :func:`load_material` and :func:`fit_material`.

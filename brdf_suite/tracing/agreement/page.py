@@ -6,19 +6,19 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Bytes, Floats
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png
 from brdf_suite.pipeline.scene import environment_names
-from brdf_suite.tracing.agreement.comparison import Case, Order, Pixels, summary
+from brdf_suite.tracing.agreement.comparison import Case, Order, summary
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS
 
 MOST_ROWS = 6
 """Of a sheet: the worst case of an environment, and the middle one, until there are so many."""
 SCALE_DELTA_E = 10.0
 _GAP = 4
-
-Bytes = NDArray[np.uint8]
 
 
 def check_page(path: Path) -> None:
@@ -31,9 +31,6 @@ def check_page(path: Path) -> None:
 
 def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
     """Write the page and, in ``images/`` beside it, a sheet of pictures for each of its parts."""
-    from brdf_suite.documents.atomic import write_atomically
-    from brdf_suite.files.images.environments import write_png
-
     images = path.absolute().parent / "images"
     images.mkdir(exist_ok=True)
     for title, group in groups(cases):
@@ -209,12 +206,12 @@ def _first(case: Case) -> float:
     return case.errors[form].mean
 
 
-def _beside(pictures: Sequence[Pixels], axis: int) -> Pixels:
+def _beside(pictures: Sequence[Floats], axis: int) -> Floats:
     """Put pictures of one height (or width) side by side with white gaps."""
     shape = list(pictures[0].shape)
     shape[axis] = _GAP
     gap = np.ones(shape)
-    parts: list[Pixels] = []
+    parts: list[Floats] = []
     for picture in pictures:
         parts += [picture, gap]
     return np.concatenate(parts[:-1], axis=axis)

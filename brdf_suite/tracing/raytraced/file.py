@@ -7,26 +7,25 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
-from brdf_suite.tracing.raytraced.parts import Size
+from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
+from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
-from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.tracing.raytraced.scene_parts import Size
+from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
 
 KEEP_EVERY_S = 20.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class RaytracedPicture(TracedPicture):
+class RaytracedPicture(TracedFile):
     """A ray-traced picture that was written; ``rounds`` of the quality's samples, the last of them whole or not."""
 
     lights: int
@@ -60,8 +59,6 @@ def render_raytraced(
     seconds
         To trace at most; at least one pass is traced.
     """
-    from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
-
     if path.suffix.lower() not in (".png", ".exr"):
         raise FileError(path, "pictures are written as PNG or EXR; give a name that ends in .png or .exr")
     check_target(path)
@@ -138,13 +135,13 @@ class _Clock:
             share = max(share, min(spent / self._seconds, 1.0))
         left = spent * (1.0 - share) / max(share, 1e-6)
         words = f"{self._samples} of {self._end} samples"
-        return share, f"{words}, {_clock_words(left)} left" if spent > 1.0 else words
+        return share, f"{words}, {duration_text(left)} left" if spent > 1.0 else words
 
 
-def _clock_words(seconds: float) -> str:
+def duration_text(seconds: float) -> str:
     """Return a duration in words.
 
-    >>> _clock_words(48.2), _clock_words(600.0), _clock_words(9000.0)
+    >>> duration_text(48.2), duration_text(600.0), duration_text(9000.0)
     ('48 s', '10 min', '2 h 30 min')
     """
     if seconds < 100.0:
@@ -154,9 +151,6 @@ def _clock_words(seconds: float) -> str:
 
 
 def _write(path: Path, image: RaytracedImage) -> None:
-    from brdf_suite.files.images.environments import write_png
-    from brdf_suite.reference.raytraced.sums_file import write_sums
-
     scene, quality = image.scene, image.scene.quality
     metadata = {
         "Software": "BRDF Suite",

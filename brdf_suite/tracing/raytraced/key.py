@@ -11,20 +11,20 @@ import numpy as np
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.raytraced.parts import PAINT, Wanted
+from brdf_suite.tracing.raytraced.scene_parts import PAINT, PictureInputs
 
 _LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "sparkle", "surface_look")
 _VERSION = 1
 
 
-def scene_key(wanted: Wanted, mesh: Mesh) -> str:
+def scene_key(inputs: PictureInputs, mesh: Mesh) -> str:
     """Return a word that is the same for the same light, whatever its exposure, tone curve or backdrop."""
-    document = view_to_json(wanted.view)
+    document = view_to_json(inputs.view)
     shown = {name: document[name] for name in _LIT_BY if name in document}
-    quality = {**asdict(wanted.quality), "tables": wanted.tables, "version": _VERSION}
+    quality = {**asdict(inputs.quality), "tables": inputs.tables, "version": _VERSION}
     digest = hashlib.sha256(json.dumps([shown, quality], sort_keys=True).encode())
-    paint = wanted.paint
-    digest.update(repr((paint.name, paint.flakes, wanted.size, wanted.environment.content_hash)).encode())
+    paint = inputs.paint
+    digest.update(repr((paint.name, paint.flakes, inputs.size, inputs.environment.content_hash)).encode())
     if isinstance(paint.reflectance, LobeWeights):
         for array in (paint.reflectance.kd, paint.reflectance.kdd, paint.reflectance.kg):
             digest.update(np.asarray(array).tobytes())

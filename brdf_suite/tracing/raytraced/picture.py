@@ -17,11 +17,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError, SuiteError
 from brdf_suite.files.file_stamp import file_stamp
@@ -34,23 +34,30 @@ from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
 from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.reference.bsdfs import directions as d
+from brdf_suite.reference.raytraced.behind import sky_behind
+from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.frames import Film, trace_samples
+from brdf_suite.reference.raytraced.picture import Sums
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, find_quality
+from brdf_suite.reference.raytraced.sky import TracedSky
+from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene
+from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import load_lit
 from brdf_suite.tracing.raytraced.key import scene_key
-from brdf_suite.tracing.raytraced.parts import Parts, Size, Wanted, materials_of, placed, sparkle_of
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.raytraced.camera import Pinhole
-    from brdf_suite.reference.raytraced.frames import Film
-    from brdf_suite.reference.raytraced.picture import Sums
-    from brdf_suite.reference.raytraced.sky import TracedSky
-    from brdf_suite.reference.raytraced.table_split import TableSplit
-    from brdf_suite.reference.raytraced.tracer import TracerScene
+from brdf_suite.tracing.raytraced.scene_parts import (
+    Parts,
+    PictureInputs,
+    Size,
+    materials_of,
+    placed,
+    sparkle_of,
+)
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
-Pixels = NDArray[np.float64]
 PASS_SECONDS = 0.2
 """How long a pass takes, about: a picture is shown as often, and given up as soon."""
 
@@ -74,8 +81,6 @@ class RaytracedScene:
     @cached_property
     def behind(self) -> NDArray[np.float32]:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
-        from brdf_suite.reference.raytraced.behind import sky_behind
-
         if self.view.background in ("environment", "blurred"):
             return sky_behind(self.sky, self.camera, self.size)
         plain = plain_backdrop(self.view).astype(np.float32)
@@ -110,7 +115,7 @@ class RaytracedImage:
         return self.sums.seconds
 
     @property
-    def coverage(self) -> Pixels:
+    def coverage(self) -> Floats:
         """(h, w): the object's share of each pixel."""
         return self.sums.coverage
 
@@ -123,7 +128,7 @@ class RaytracedImage:
         seen = np.concatenate((self.sums.radiance, self.coverage[..., None]), axis=-1)
         return exposed(view, ev_of(seen))
 
-    def whole(self) -> Pixels:
+    def whole(self) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
         behind = self.scene.behind
         if self.scene.view.background in ("grey", "colour"):
@@ -149,11 +154,9 @@ class RaytracedSession:
     """
 
     def __init__(self) -> None:
-        from brdf_suite.reference.variant import start
-
         self._renderer = start().title
         self._parts = Parts()
-        self._wanted: Wanted | None = None
+        self._wanted: PictureInputs | None = None
         self._scene: RaytracedScene | None = None
         self._rays_per_second = 4e6
 
@@ -197,30 +200,30 @@ class RaytracedSession:
         ValueRangeError
             There is no such quality.
         """
-        wanted = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
+        inputs = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
         report(progress, 0.9, "building the scene")
-        shaped, bounds = self._parts.mesh(wanted)
-        wanted = replace(wanted, view=placed(view, bounds, size))
-        _, paint_notices = self._parts.splits(wanted, shaped)
-        self._wanted = wanted
+        shaped, bounds = self._parts.mesh(inputs)
+        inputs = replace(inputs, view=placed(view, bounds, size))
+        _, paint_notices = self._parts.splits(inputs, shaped)
+        self._wanted = inputs
         self._scene = RaytracedScene(
-            wanted.paint.name,
-            wanted.environment.name,
+            inputs.paint.name,
+            inputs.environment.name,
             shaped.name,
             self._renderer,
             (
-                *wanted.paint.notices,
+                *inputs.paint.notices,
                 *paint_notices,
-                *wanted.environment.notes,
+                *inputs.environment.notes,
                 *shaped.notes,
-                *left_out(wanted),
+                *left_out(inputs),
             ),
-            wanted.view,
+            inputs.view,
             size,
-            wanted.quality,
-            scene_key(wanted, shaped),
-            self._parts.camera(wanted.view, bounds, size),
-            self._parts.backdrop(wanted),
+            inputs.quality,
+            scene_key(inputs, shaped),
+            self._parts.camera(inputs.view, bounds, size),
+            self._parts.backdrop(inputs),
         )
         report(progress, 1.0, "ready")
         return self._scene
@@ -252,12 +255,8 @@ class RaytracedSession:
         ReferenceUnavailableError
             The renderer failed, as it does where memory runs out.
         """
-        from brdf_suite.reference.raytraced.frames import Film, trace_samples
-        from brdf_suite.reference.raytraced.picture import Sums
-        from brdf_suite.reference.raytraced.tracer import SampleBudget
-
-        scene, wanted = self.scene, self._wanted
-        assert wanted is not None
+        scene, inputs = self.scene, self._wanted
+        assert inputs is not None
         per_round = scene.quality.samples
         end = samples if samples is not None else None if rounds is None else rounds * per_round
         try:
@@ -272,7 +271,7 @@ class RaytracedSession:
             fitting = round(PASS_SECONDS * self._rays_per_second / (rays * pixels))
             count = max(1, min(fitting, per_round - done))
             count = count if end is None else min(count, end - sums.samples)
-            stage = self._stage(turn)
+            stage = self.tracer_scene(turn)
             deal = SampleBudget.of(scene.quality, len(stage.lights.kinds))
             start = perf_counter()
             values = trace_samples(
@@ -290,23 +289,21 @@ class RaytracedSession:
         *_, image = self.passes()
         return image
 
-    def _stage(self, turn: int) -> TracerScene:
-        from brdf_suite.reference.bsdfs import directions as d
-        from brdf_suite.reference.raytraced.tracer import TracerScene
-
-        wanted = self._wanted
-        assert wanted is not None
-        mesh, bounds = self._parts.mesh(wanted)
+    def tracer_scene(self, turn: int) -> TracerScene:
+        """Return what is traced with the lights of a round, made of the parts that are kept."""
+        inputs = self._wanted
+        assert inputs is not None
+        mesh, bounds = self._parts.mesh(inputs)
         names = materials_of(mesh)
-        splits, _ = self._parts.splits(wanted, mesh)
-        sky, _ = self._parts.light(wanted)
+        splits, _ = self._parts.splits(inputs, mesh)
+        sky, _ = self._parts.light(inputs)
         return TracerScene(
             self._parts.surface(mesh),
             splits,
             sky,
-            self._parts.lights(wanted, turn),
-            d.number(bounds.minimum[1]) if wanted.view.surface_look.ground else None,
-            sparkle_of(wanted.paint, wanted.view) if "paint" in names else None,
+            self._parts.lights(inputs, turn),
+            d.number(bounds.minimum[1]) if inputs.view.surface_look.ground else None,
+            sparkle_of(inputs.paint, inputs.view) if "paint" in names else None,
             names.index("paint") if "paint" in names else 0,
         )
 
@@ -320,7 +317,7 @@ class RaytracedSession:
         environment: Environment | None,
         mesh: Mesh | None,
         progress: Progress | None,
-    ) -> Wanted:
+    ) -> PictureInputs:
         keep = self._parts.keep
         asked = paint if isinstance(paint, Material) else os.fspath(paint)
         illuminant = view.light_colour.illuminant
@@ -340,7 +337,7 @@ class RaytracedSession:
             (view.surface, file_stamp(view.surface), look),
             lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
         )
-        return Wanted(material, environment, mesh, view, size, quality, tables)
+        return PictureInputs(material, environment, mesh, view, size, quality, tables)
 
 
 def too_large(size: Size) -> ReferenceUnavailableError:
@@ -355,10 +352,10 @@ def rays_a_sample(quality: Quality) -> float:
     return 1.0 + quality.lights_a_sample + 2.0 * quality.reflections_a_sample
 
 
-def left_out(wanted: Wanted) -> tuple[str, ...]:
+def left_out(inputs: PictureInputs) -> tuple[str, ...]:
     """Return sentences about what the view asks for and the ray tracer does not draw."""
-    view, notices = wanted.view, []
-    peeled = view.relief.orange_peel > 0.0 or wanted.paint.orange_peel is not None
+    view, notices = inputs.view, []
+    peeled = view.relief.orange_peel > 0.0 or inputs.paint.orange_peel is not None
     if view.relief.normal_map is not None or peeled:
         notices.append("The ray tracer shows a smooth surface, without normal map and orange peel.")
     if view.two_tone.paint is not None and view.two_tone.mask is not None:

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.display_space import WORKING_SPACE, DisplaySpace
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
+from brdf_suite.files.images.environments import write_png_strips
 from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
+from brdf_suite.reference.denoise import denoise_picture
+from brdf_suite.reference.estimate_file import write_estimate
+from brdf_suite.reference.passes import Estimate
 from brdf_suite.tracing.reference.scene import ReferenceScene
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
-
-Pixels = NDArray[np.float64]
 
 
 def check_settings(path: Path, settings: PictureSettings) -> tuple[int, DisplaySpace]:
@@ -47,12 +47,8 @@ def write_reference(
     ReferenceUnavailableError
         ``denoise`` is asked for where there is no denoiser.
     """
-    from brdf_suite.files.images.environments import write_png_strips
-    from brdf_suite.reference.denoise import denoise_picture
-    from brdf_suite.reference.estimate_file import write_estimate
-
     bits, space = check_settings(path, settings)
-    picture: Pixels = estimate.radiance if settings.transparent else scene.whole(estimate)
+    picture: Floats = estimate.radiance if settings.transparent else scene.whole(estimate)
     if denoise:
         picture = denoise_picture(picture)
     metadata = _metadata(scene, estimate, denoise=denoise)
@@ -72,7 +68,7 @@ def write_reference(
 
 
 def _codes(
-    light: Pixels, scene: ReferenceScene, estimate: Estimate, space: DisplaySpace, bits: int
+    light: Floats, scene: ReferenceScene, estimate: Estimate, space: DisplaySpace, bits: int
 ) -> NDArray[Any]:
     view = scene.exposed_view(estimate)
     toned = tone_curve(light * 2.0**view.exposure_ev, view.tone_curve)

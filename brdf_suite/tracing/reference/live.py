@@ -16,7 +16,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,12 +31,11 @@ from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.pipeline.surface_images import ImageRequest
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reference.passes import Estimate, pass_size, step
+from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import Dress, load_dress, load_lit
 from brdf_suite.tracing.reference.scene import ReferenceScene, Size, build_reference
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
 
 Change = Literal["nothing", "shown", "light"]
 _T = TypeVar("_T")
@@ -69,8 +68,6 @@ class LiveReference:
     """
 
     def __init__(self) -> None:
-        from brdf_suite.reference.variant import start
-
         start()
         self._scene: ReferenceScene | None = None
         self._estimate: Estimate | None = None
@@ -142,8 +139,6 @@ class LiveReference:
         ReferenceUnavailableError
             The renderer failed, as it does where memory runs out.
         """
-        from brdf_suite.reference.passes import pass_size, step
-
         done = 0 if self._estimate is None else self._estimate.passes
         samples = PASSES[done] if done < len(PASSES) else pass_size(self.scene.size, LATER_SAMPLES)
         self._estimate = step(self.scene.traced, self._estimate, samples=samples)

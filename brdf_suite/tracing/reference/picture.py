@@ -7,25 +7,25 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reference.denoise import check_denoiser
+from brdf_suite.reference.estimate_file import read_estimate, write_estimate
+from brdf_suite.reference.passes import Estimate, refine, trace
+from brdf_suite.reference.variant import start
 from brdf_suite.tracing.reference.file import check_settings, write_reference
 from brdf_suite.tracing.reference.scene import ReferenceScene, Size, prepare_reference
-from brdf_suite.tracing.traced_picture import TracedPicture, scene_facts
-
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
+from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
 
 DEFAULT_SAMPLES = 256
 _KEEP_EVERY_S = 20.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class ReferencePicture(TracedPicture):
+class ReferencePicture(TracedFile):
     """A path-traced picture that was written."""
 
     noise: float
@@ -58,9 +58,6 @@ def render_reference(
     denoise
         Take the noise out, where there is an NVIDIA graphics card; an EXR keeps the noisy light beside.
     """
-    from brdf_suite.reference.estimate_file import read_estimate, write_estimate
-    from brdf_suite.reference.passes import trace
-
     settings = settings or PictureSettings()
     check_settings(path, settings)
     check_target(path)
@@ -117,8 +114,6 @@ def render_reference(
 
 def refined(scene: ReferenceScene, estimate: Estimate | None = None) -> Iterator[Estimate]:
     """Yield ever better estimates of a scene, without end: for a window that refines while it is idle."""
-    from brdf_suite.reference.passes import refine
-
     return refine(scene.traced, estimate)
 
 
@@ -130,8 +125,5 @@ def _too_large(size: Size) -> ReferenceUnavailableError:
 
 def _check_denoiser() -> None:
     """Before the work, not after it."""
-    from brdf_suite.reference.denoise import check_denoiser
-    from brdf_suite.reference.variant import start
-
     start(scalar=True)
     check_denoiser()

@@ -10,14 +10,16 @@ import json
 import os
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
@@ -30,6 +32,11 @@ from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdrop
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.pictures.tone_curves import to_display
+from brdf_suite.reference.passes import Estimate
+from brdf_suite.reference.scene.backdrop import backdrop, blur_map, compose_picture, sharp
+from brdf_suite.reference.scene.ground import GroundGrid
+from brdf_suite.reference.scene.scene import PinholeCamera, SurfacePart, TracedScene, build_scene
+from brdf_suite.reference.variant import Variant, start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import (
     Dress,
@@ -42,14 +49,7 @@ from brdf_suite.tracing.optics import (
 )
 from brdf_suite.tracing.reference.energy import energy_notices
 
-if TYPE_CHECKING:
-    from brdf_suite.reference.passes import Estimate
-    from brdf_suite.reference.scene.ground import GroundGrid
-    from brdf_suite.reference.scene.scene import PinholeCamera, TracedScene
-    from brdf_suite.reference.variant import Variant
-
 Size = tuple[int, int]
-Pixels = NDArray[np.float64]
 
 _PAINT = "paint"
 GROUND_SAMPLES, GROUND_PASS = 256, 32
@@ -88,10 +88,8 @@ class ReferenceScene:
     ground: GroundGrid | None = None
 
     @cached_property
-    def behind(self) -> Pixels:
+    def behind(self) -> Floats:
         """What the object leaves free, (h, w, 3): radiance, or the screen's light where it is of one colour."""
-        from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
-
         plain = self.view.background in ("grey", "colour")
         if self.ground is None and plain:
             return np.broadcast_to(plain_backdrop(self.view), (self.size[1], self.size[0], 3))
@@ -105,15 +103,13 @@ class ReferenceScene:
             while ground.samples < GROUND_SAMPLES:
                 ground.trace(self.traced.scene, GROUND_PASS)
 
-            def share(directions: Pixels) -> Pixels:
+            def share(directions: Floats) -> Floats:
                 return ground.seen_from(place, directions)
 
         return backdrop(self.eye, self.size, self.view.rotation_deg, look, plain_backdrop(self.view), share)
 
-    def whole(self, estimate: Estimate) -> Pixels:
+    def whole(self, estimate: Estimate) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
-        from brdf_suite.reference.scene.backdrop import compose_picture
-
         return compose_picture(
             estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate)
         )
@@ -157,8 +153,6 @@ def prepare_reference(
     UnreachableError
         No such paint can be.
     """
-    from brdf_suite.reference.variant import start
-
     report(progress, 0.0, "starting the path tracer")
     variant = start(scalar=True)
     material = load_lit(paint, view)
@@ -187,10 +181,6 @@ def build_reference(
     place, which takes no building and no compiling, and must not be used after. ``variant`` is the one that was
     started, where it may be the scalar one. Errors as :func:`prepare_reference`.
     """
-    from brdf_suite.reference.scene.ground import GroundGrid
-    from brdf_suite.reference.scene.scene import PinholeCamera, SurfacePart, build_scene
-    from brdf_suite.reference.variant import start
-
     variant = start() if variant is None else variant
     bounds = Bounds.of(p.positions for p in mesh.parts)
     view = replace(view, camera=compose(view.camera, bounds, size))
@@ -248,8 +238,6 @@ def _with_chosen_materials(mesh: Mesh, view: View) -> Mesh:
 
 
 def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
-    from brdf_suite.fitting.lobes.basis import default_basis
-
     stock = stock_materials(default_basis().exponents)
     used = {p.material for p in mesh.parts}
     make = scalar_lobes if variant.is_scalar else lobe_term

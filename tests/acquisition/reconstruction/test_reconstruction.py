@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map, within
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path, write_acquired
@@ -137,7 +136,7 @@ def test_a_sphere_that_moves_is_measured_where_it_stood_longest() -> None:
     assert any("has moved by" in notice for notice in road.notices)
     # In the sum over all positions the centre comes out a fifth of a pixel aside.
     x, y, z = simulator.truth["sphere_centres_m"][5]  # type: ignore[index]  # the truth is plain JSON
-    expected = Lens.of(simulator.optics.lens).pixels(np.array((x, -y, settings.camera_distance_m - z)))
+    expected = simulator.optics.lens.pixels(np.array((x, -y, settings.camera_distance_m - z)))
     off = road.geometry.lens.pixels(road.geometry.centre) - expected
     assert np.linalg.norm(off) < 0.11
 

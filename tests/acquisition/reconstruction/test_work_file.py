@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.reconstruction.work_file import CALIBRATION, MAGIC, POSITION, open_work
+from brdf_suite.acquisition.reconstruction.work_file import CALIBRATION, LAYOUT, POSITION, open_work
 from brdf_suite.errors import FileError
 
 PLACES = np.arange(5, dtype=np.int32)
@@ -44,15 +44,15 @@ def test_what_goes_in_comes_out(path: Path) -> None:
 def test_a_half_written_record_is_cut_off_at_any_byte(path: Path) -> None:
     whole = path.read_bytes()
     with open_work(path) as work:
-        last = work.records[2].start - 44
-    for end in (last, last + 1, last + 12, last + 44, len(whole) - 1):
+        last = work.records[2].start
+    for end in (last, last + 1, last + 16, last + 48, len(whole) - 1):
         path.write_bytes(whole[:end])
         assert positions(path) == [0]
         assert path.stat().st_size == last
         with open_work(path) as work:
             work.add(POSITION, {"position": 7}, {})
         assert positions(path) == [0, 7]
-    path.write_bytes(whole[: len(MAGIC) - 3])
+    path.write_bytes(whole[: len(LAYOUT.magic) - 3])
     assert positions(path) == []
 
 

@@ -20,20 +20,18 @@ from lobe_experiment import (
     paints,
     table,
 )
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, WORKING_TO_SRGB
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting import default_basis
 
-FloatArray = NDArray[np.float64]
 
-
-def in_rec709(matrix: FloatArray, weights: FloatArray, targets: FloatArray) -> FloatArray:
+def in_rec709(matrix: Floats, weights: Floats, targets: Floats) -> Floats:
     """Fit as :func:`l1_program`, in channels of Rec. 709; targets and columns in Rec. 2020."""
     return l1_program(matrix, weights, targets @ WORKING_TO_SRGB.T) @ REC709_TO_WORKING.T
 
 
-def lowest(values: FloatArray) -> FloatArray:
+def lowest(values: Floats) -> Floats:
     """Return per paint the lowest channel of ``values`` (paints, n, 3), over the largest one of its sample."""
     return np.asarray((values.min(axis=2) / values.max(axis=2)).min(axis=1))
 

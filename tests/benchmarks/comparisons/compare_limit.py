@@ -10,20 +10,19 @@ import time
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes import solver as solver_module
+from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
-from brdf_suite.fitting.lobes.limited import LimitedSolver
-from brdf_suite.fitting.lobes.refine import refine_vertex
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.reflectance.designed.build import build_paint
 
-FloatArray = NDArray[np.float64]
-Targets = list[list[FloatArray]]
+Targets = list[list[Floats]]
 
 FITS, SEED = 400, 20_06
 #: Random targets for every step of the drag, and steps for every target of the large program.
@@ -31,7 +30,7 @@ RANDOM_SHARE, ADVERSE_SHARE = 4, 10
 PATIENCE_S = 60.0
 
 
-def weighted(fitter: LobeFitter, base: FloatArray, coat: FloatArray) -> list[FloatArray]:
+def weighted(fitter: LobeFitter, base: Floats, coat: Floats) -> list[Floats]:
     """Return what the solver gets for samples of base and coat."""
     energy = fitter.coat_samples.solid_angle @ coat
     samples = (base, np.vstack([coat, energy]))
@@ -84,7 +83,7 @@ def ways(fitter: LobeFitter, near: Targets, far: Targets) -> None:
             seconds = []
             for target in targets:
                 if not keep:
-                    solver._vertex = None
+                    solver.vertex = None
                 start = time.perf_counter()
                 # The thread's way begins with the feasible answers; a limit of 4 ms leaves the rest to wait.
                 solver.solve(target, start + 0.004, finish=False)
@@ -100,8 +99,8 @@ def tolerances(fitter: LobeFitter, targets: Targets) -> None:
     print("|---|---|---|---|---|---|")
     kept = solver_module.COST_SCALE
     sizes = [[t / np.where(t.sum(axis=0) > 0.0, t.sum(axis=0), 1.0) for t in target] for target in targets]
-    plain: dict[float, FloatArray] = {}
-    better: dict[float, FloatArray] = {}
+    plain: dict[float, Floats] = {}
+    better: dict[float, Floats] = {}
     lost: dict[float, int] = {}
     for scale in (1.0, 1e3, 1e4, 1e5):
         solver_module.COST_SCALE = scale

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from lobe_experiment import ENDING, HELD_OUT, MEASURED, arguments, paints, table
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Gloss, Paint
 from brdf_suite.documents.store import load_paint
 from brdf_suite.errors import UnreachableError
@@ -18,7 +19,6 @@ from brdf_suite.fitting import LobeBasis, LobeFitter, LobeWeights, default_basis
 from brdf_suite.fitting.lobes.basis import STORED_NAME, stored_bases
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectance
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.protocol import Layered

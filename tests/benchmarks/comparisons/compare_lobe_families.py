@@ -11,10 +11,10 @@ from __future__ import annotations
 
 import numpy as np
 from lobe_experiment import COSINE, HELD_OUT, Database, Lobes, arguments, l1_program, paints, table
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.fitting import default_basis
 from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
@@ -25,8 +25,6 @@ from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights,
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
-
-FloatArray = NDArray[np.float64]
 
 RULES = ("flake", "monotone")
 #: Exponents below this form the flop; the others, for coats, are the same in every set.
@@ -62,7 +60,7 @@ def searched(databases: dict[str, Database], replaced: int, steps: int) -> Lobes
     start = np.log(np.concatenate([broad[replaced:], 2.0 + 2.0 * np.arange(replaced)]))
     cosines = broad.size - replaced
 
-    def lobes(x: FloatArray) -> Lobes:
+    def lobes(x: Floats) -> Lobes:
         moved = np.exp(np.clip(x, 0.0, 4.0))  # a basis holds no exponent below 1
         return Lobes((*np.sort(moved[:cosines]), *exponents[broad.size :]), tuple(moved[cosines:]))
 
@@ -139,7 +137,7 @@ def coats() -> None:
     table(header, rows, "satin and matte coats, n = 1.5")
 
 
-def light(name: str) -> tuple[FloatArray, FloatArray]:
+def light(name: str) -> tuple[Floats, Floats]:
     """Return directions (k, 3) and radiance times solid angle (k, 3) of a shipped environment."""
     pixels = np.asarray(read_environment_image(resource("environments", name + ".exr")).pixels, np.float64)
     height, width = pixels.shape[:2]
@@ -151,14 +149,14 @@ def light(name: str) -> tuple[FloatArray, FloatArray]:
     return towards, mean.reshape(-1, 3) * solid_angle[:, None]
 
 
-def sphere() -> FloatArray:
+def sphere() -> Floats:
     """Return normals (k, 3) evenly over the picture of a sphere."""
     rng = np.random.default_rng(1)
     radius, turn = np.sqrt(rng.uniform(0.0, 0.98, NORMALS)), rng.uniform(0.0, 2.0 * np.pi, NORMALS)
     return np.stack([radius * np.cos(turn), radius * np.sin(turn), np.sqrt(1.0 - radius**2)], axis=1)
 
 
-def local(normals: FloatArray, directions: FloatArray) -> FloatArray:
+def local(normals: Floats, directions: Floats) -> Floats:
     """Return world directions (k, 3) in the frame of each normal: (n, k, 3)."""
     tangent = VIEW - (normals @ VIEW)[:, None] * normals
     tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
@@ -166,7 +164,7 @@ def local(normals: FloatArray, directions: FloatArray) -> FloatArray:
     return np.einsum("nij,kj->nki", frames, directions)
 
 
-def transmitted(layers: Layered, cosine: FloatArray) -> FloatArray:
+def transmitted(layers: Layered, cosine: Floats) -> Floats:
     """Return T(θ)²/T(45°)² (n, 1), by which the renderer takes the base; 1 where nothing covers it."""
     if not layers.base_under_coat:
         return np.ones((cosine.size, 1))

@@ -26,7 +26,7 @@ from brdf_suite.reflectance.protocol import SampledReflectance
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.reflectance.tensor import TensorReflectance
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 COUNT = 3000
 MANY = 100_000

@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import load_any_paint
 from brdf_suite.errors import UnreachableError
@@ -25,9 +25,8 @@ from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.protocol import Layered
 from brdf_suite.resources import resource, resource_names
 
-FloatArray = NDArray[np.float64]
 #: ``(matrix (n, m), row weights (n,), targets (paints, n, channels)) -> columns (paints, m, channels)``
-Solver = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
+Solver = Callable[[Floats, Floats, Floats], Floats]
 
 #: Designed paints, and the measured ones of facets (the VMV 2005 paper's Table 1).
 FOLDERS = ("paints", "paints/cook_torrance")
@@ -65,7 +64,7 @@ def paints(rule: str | None = None, count: int | None = None) -> dict[str, Layer
     return found
 
 
-def base_values(layers: Sequence[Layered], gammas_deg: Sequence[float]) -> FloatArray:
+def base_values(layers: Sequence[Layered], gammas_deg: Sequence[float]) -> Floats:
     """Return ``f_r·(N·L)`` of the bases at aspecular angles, light at 45°: ``(paints, n, 3)``."""
     views = aspecular_view(LIGHT_DEG, np.asarray(gammas_deg, np.float64))
     return np.stack([COSINE * item.base.eval(illumination(LIGHT_DEG), views) for item in layers])
@@ -83,21 +82,21 @@ class Lobes:
         """Number of lobes, KD not counted."""
         return len(self.cosine) + len(self.half)
 
-    def of_cosine(self, cosine: FloatArray) -> FloatArray:
+    def of_cosine(self, cosine: Floats) -> Floats:
         """Return the lobes ``(..., m)`` at ``R·V`` (...)."""
         lit = np.clip(cosine, 0.0, None)[..., None]
-        values: FloatArray = np.concatenate(
+        values: Floats = np.concatenate(
             [lit ** np.array(self.cosine), (0.5 + 0.5 * cosine[..., None]) ** np.array(self.half)], axis=-1
         )
         return values
 
-    def matrix(self, gammas_deg: Sequence[float]) -> FloatArray:
+    def matrix(self, gammas_deg: Sequence[float]) -> Floats:
         """Return the columns KD, KDD_1 … at aspecular angles, light at 45°: ``(n, 1 + m)``."""
         cosine = np.cos(np.radians(np.asarray(gammas_deg, np.float64)))
         return COSINE * np.concatenate([np.ones((cosine.size, 1)), self.of_cosine(cosine)], axis=1)
 
 
-def l1_program(matrix: FloatArray, weights: FloatArray, targets: FloatArray) -> FloatArray:
+def l1_program(matrix: Floats, weights: Floats, targets: Floats) -> Floats:
     """Minimize ``Σ w |M x - b|``, x ≥ 0: all paints and channels as one block-diagonal program."""
     from scipy import sparse
     from scipy.optimize import linprog
@@ -121,7 +120,7 @@ def l1_program(matrix: FloatArray, weights: FloatArray, targets: FloatArray) -> 
     return _by_paint(np.maximum(solution, 0.0), targets)
 
 
-def non_negative_least_squares(matrix: FloatArray, weights: FloatArray, targets: FloatArray) -> FloatArray:
+def non_negative_least_squares(matrix: Floats, weights: Floats, targets: Floats) -> Floats:
     """Minimize ``Σ w (M x - b)²``, x ≥ 0 (Lawson and Hanson), channel by channel."""
     from scipy.optimize import nnls
 
@@ -133,7 +132,7 @@ def non_negative_least_squares(matrix: FloatArray, weights: FloatArray, targets:
     return _by_paint(np.array(solution) / scale * sizes[:, None], targets)
 
 
-def clamped_least_squares(matrix: FloatArray, weights: FloatArray, targets: FloatArray) -> FloatArray:
+def clamped_least_squares(matrix: Floats, weights: Floats, targets: Floats) -> Floats:
     """Minimize ``Σ w (M x - b)²`` with x of any sign, then set what is negative to 0."""
     root = np.sqrt(weights)
     scale = np.linalg.norm(root[:, None] * matrix, axis=0)
@@ -143,7 +142,7 @@ def clamped_least_squares(matrix: FloatArray, weights: FloatArray, targets: Floa
     return _by_paint(np.maximum(solution / scale * sizes[:, None], 0.0), targets)
 
 
-def _columns(factors: FloatArray, targets: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _columns(factors: Floats, targets: Floats) -> tuple[Floats, Floats]:
     """Weighted targets, one row per paint and channel, scaled to a sum of 1; and what they were scaled by."""
     blocks = np.moveaxis(factors[:, None] * targets, 1, 2).reshape(-1, targets.shape[1])
     sizes = np.abs(blocks).sum(axis=1)
@@ -151,7 +150,7 @@ def _columns(factors: FloatArray, targets: FloatArray) -> tuple[FloatArray, Floa
     return blocks / sizes[:, None], sizes
 
 
-def _by_paint(solution: FloatArray, targets: FloatArray) -> FloatArray:
+def _by_paint(solution: Floats, targets: Floats) -> Floats:
     return np.moveaxis(solution.reshape(targets.shape[0], targets.shape[2], -1), 1, 2)
 
 
@@ -159,11 +158,11 @@ def _by_paint(solution: FloatArray, targets: FloatArray) -> FloatArray:
 class Fitted:
     """ΔE00 between bases and their fits: ``measured`` (paints, 3) and ``held_out`` (paints, n)."""
 
-    measured: FloatArray
-    held_out: FloatArray
+    measured: Floats
+    held_out: Floats
 
     @property
-    def rms(self) -> FloatArray:
+    def rms(self) -> Floats:
         """RMS over the held-out angles (paints,): Error(E, B_i) of the paper's equation 4."""
         return np.asarray(np.sqrt((self.held_out**2).mean(axis=1)))
 
@@ -179,10 +178,10 @@ class Database:
 
     layers: tuple[Layered, ...]
     gammas_deg: tuple[float, ...]
-    weights: FloatArray
-    targets: FloatArray
-    measured: FloatArray
-    held_out: FloatArray
+    weights: Floats
+    targets: Floats
+    measured: Floats
+    held_out: Floats
 
     @classmethod
     def of(
@@ -201,7 +200,7 @@ class Database:
             _colours(base_values(layers, HELD_OUT)),
         )
 
-    def fit(self, lobes: Lobes, solver: Solver = l1_program) -> FloatArray:
+    def fit(self, lobes: Lobes, solver: Solver = l1_program) -> Floats:
         """Return KD, KDD_1 … ``(paints, 1 + m, 3)``."""
         return solver(lobes.matrix(self.gammas_deg), self.weights, self.targets)
 
@@ -209,16 +208,16 @@ class Database:
         """Fit and compare."""
         return self.errors_of(lobes, self.fit(lobes, solver))
 
-    def errors_of(self, lobes: Lobes, columns: FloatArray) -> Fitted:
+    def errors_of(self, lobes: Lobes, columns: Floats) -> Fitted:
         """Compare with columns ``(paints, 1 + m, 3)``."""
 
-        def differences(gammas_deg: Sequence[float], wanted: FloatArray) -> FloatArray:
+        def differences(gammas_deg: Sequence[float], wanted: Floats) -> Floats:
             return delta_e_2000(wanted, _colours(lobes.matrix(gammas_deg) @ columns))
 
         return Fitted(differences(MEASURED, self.measured), differences(HELD_OUT, self.held_out))
 
 
-def _colours(reflected: FloatArray) -> FloatArray:
+def _colours(reflected: Floats) -> Floats:
     return working_to_lab(np.pi / COSINE * reflected)
 
 

@@ -17,10 +17,10 @@ from unittest import mock
 import numpy as np
 
 from brdf_suite.files.measured import read_measured
-from brdf_suite.fitting.lobes import undivided, undivided_samples
+from brdf_suite.fitting.lobes import measured, measured_samples
+from brdf_suite.fitting.lobes.measured import fit_rows
+from brdf_suite.fitting.lobes.measured_samples import INCIDENCES_DEG, reflectance_rows
 from brdf_suite.fitting.lobes.samples import CoatSamples
-from brdf_suite.fitting.lobes.undivided import fit_rows
-from brdf_suite.fitting.lobes.undivided_samples import INCIDENCES_DEG, reflectance_rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.fitting.metrics import aspecular_delta_e, error_figures
 from brdf_suite.pipeline.fit_errors import hemisphere_pairs
@@ -115,7 +115,7 @@ def compare(judges: list[Judge], changed: dict[str, object]) -> tuple[float, flo
     for judge in judges:
         with ExitStack() as changes:
             for name, value in settings.items():
-                module = undivided if hasattr(undivided, name) else undivided_samples
+                module = measured if hasattr(measured, name) else measured_samples
                 changes.enter_context(mock.patch.object(module, name, value))
             rows = reflectance_rows(judge.reflectance, incidences)  # type: ignore[arg-type]  # of the table above
             fit = fit_rows(rows, judge.reflectance.eval(rows.wi, rows.wo))

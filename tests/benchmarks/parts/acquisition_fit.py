@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured
@@ -27,8 +28,7 @@ from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_chec
 from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
 from brdf_suite.fitting.cook_torrance.reflectance_samples import ASKED, even_pairs, samples_of
 from brdf_suite.fitting.cook_torrance.samples import Floor
-from brdf_suite.fitting.lobes.undivided import fit_undivided
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

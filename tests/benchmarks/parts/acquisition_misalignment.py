@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.acquisition.geometry.lens import Lens
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
@@ -87,7 +86,7 @@ def centre_and_light(geometry: RigGeometry, simulator: Simulator) -> tuple[float
     angles = simulator.settings.angles()
     centre = in_camera(simulator.truth["sphere_centres_m"])[0]
     lamps = in_camera([simulator.lamp(k).place for k in range(len(angles))])
-    true = Lens.of(simulator.optics.lens)
+    true = simulator.optics.lens
     across = np.linalg.norm(geometry.lens.pixels(geometry.centre) - true.pixels(centre))
     off = _as_seen(geometry.light(angles), geometry.centre) - _as_seen(lamps, centre)
     return float(across), float(np.degrees(np.linalg.norm(off, axis=-1).max()))

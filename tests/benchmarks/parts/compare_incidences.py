@@ -12,7 +12,6 @@ from dataclasses import replace
 
 import fit_angles
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
@@ -20,7 +19,7 @@ from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes.angles import AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.lobes.angles import samples as angle_samples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf
-from brdf_suite.fitting.lobes.raised import RaisedWeights
+from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
 from brdf_suite.fitting.metrics import Evaluable, aspecular_delta_e
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
@@ -30,7 +29,6 @@ from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
-FloatArray = NDArray[np.float64]
 INCIDENCES = (10.0, 20.0, 30.0, 45.0, 55.0, 65.0, 70.0, 75.0, 80.0)
 GAMMAS = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
 PAINTS = fit_angles.designed()

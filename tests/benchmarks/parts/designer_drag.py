@@ -87,7 +87,7 @@ def drag() -> dict[str, list[float]]:
         update.append(1e3 * (ended - began))
         cpu.append(1e3 * (ended_cpu - began_cpu))
         # Strip, curves and what the status bar says of the fit come in the next turn of the event loop.
-        while not designer.controller.is_complete:
+        while not designer.controller.is_idle:
             app.processEvents()
         QApplication.sendPostedEvents(designer.window, QEvent.Type.UpdateRequest)
         followed.append(1e3 * (perf_counter() - began))

@@ -19,12 +19,12 @@ from brdf_suite.fitting.cook_torrance import Settings, fit_lobes
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_with_peak
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
-from brdf_suite.fitting.homomorphic.separable import separate
-from brdf_suite.fitting.lobes.undivided import fit_undivided
+from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.factor_words import MEASURED_FACTORS, RADIAL_FACTORS
 from brdf_suite.progress import report
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
+from tools.evaluation.separable_expansion import separate
 
 FILES = {"cayman": "cayman", "krylon": "krylon_blue"}
 FOLDS = 5

@@ -12,17 +12,15 @@ import time
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LayersFit, LobeFitter
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.designed.build import build_paint
-
-FloatArray = NDArray[np.float64]
 
 #: The progress message.
 TITLE = "the limit and the optimum"
@@ -60,7 +58,7 @@ DRAG_STEPS, COMPARED_STEPS, PAINTS, TARGETS = 1_000, 40, 30, 30
 SEED = 20_05
 
 
-def adversary() -> tuple[FloatArray, PartProgram]:
+def adversary() -> tuple[Floats, PartProgram]:
     """Return aspecular angles ``(2000,)`` in radians and the badly scaled program over them."""
     gamma = np.concatenate([[0.0], np.geomspace(1e-4, np.pi / 2.0, SAMPLES - 1)])
     exponents = np.geomspace(1.0, 50_000.0, LOBES)
@@ -69,7 +67,7 @@ def adversary() -> tuple[FloatArray, PartProgram]:
     return gamma, build_program(exponents * lobes, solid_angles)
 
 
-def adverse_target(gamma: FloatArray, rng: np.random.Generator) -> FloatArray:
+def adverse_target(gamma: Floats, rng: np.random.Generator) -> Floats:
     """Return ``(2000, 3)``: three Beckmann-like lobes a channel over a floor, with 5 % noise."""
     target = np.zeros((gamma.size, 3))
     tan2 = np.tan(np.minimum(gamma, 1.5) / 2.0) ** 2
@@ -128,7 +126,7 @@ def idle_p99_ms() -> float:
     return 1e3 * float(np.percentile(seconds, 99))
 
 
-def linprog_optimum(matrix: FloatArray, target: FloatArray, *, tight: bool = True) -> float:
+def linprog_optimum(matrix: Floats, target: Floats, *, tight: bool = True) -> float:
     """Return ``min Σ|M x - b|, x ≥ 0`` as scipy finds it, residuals split in two; ``tight``: tolerances 1e-10."""
     from scipy.optimize import linprog
 
@@ -147,9 +145,7 @@ def linprog_optimum(matrix: FloatArray, target: FloatArray, *, tight: bool = Tru
     return float(np.abs(matrix @ np.maximum(answer.x[:columns], 0.0) - target).sum())
 
 
-def programs_of(
-    fitter: LobeFitter, base: FloatArray, coat: FloatArray
-) -> list[tuple[FloatArray, FloatArray]]:
+def programs_of(fitter: LobeFitter, base: Floats, coat: Floats) -> list[tuple[Floats, Floats]]:
     """Return the six programs of a fit: scaled matrix and target, each target of a size of 1."""
     energy = fitter.coat_samples.solid_angle @ coat
     programs = []
@@ -161,7 +157,7 @@ def programs_of(
     return programs
 
 
-def excess(fitter: LobeFitter, fit: LayersFit, base: FloatArray, coat: FloatArray) -> float:
+def excess(fitter: LobeFitter, fit: LayersFit, base: Floats, coat: Floats) -> float:
     """Return the largest relative excess of a fit's six objectives over scipy's optima."""
     ours = np.concatenate([fit.base_error.relative, fit.coat_error.relative])
     theirs = np.array([linprog_optimum(*program) for program in programs_of(fitter, base, coat)])

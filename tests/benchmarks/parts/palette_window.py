@@ -35,6 +35,7 @@ def main() -> None:
 
 def measure(file: Path) -> dict[str, object]:
     from brdf_color_swatch.assembly import ColorSwatch
+    from brdf_color_swatch.pictures.part import PicturePart
     from brdf_qt.program.application import create_application
     from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
     from PySide6.QtGui import QWheelEvent
@@ -45,7 +46,7 @@ def measure(file: Path) -> dict[str, object]:
     program.window.resize(*SIZE)
     program.session.set_look(form="sphere", size=96, as_list=False)
     program.window.show()
-    wait(app, lambda: program.is_complete)
+    wait(app, lambda: program.is_idle)
     pane = program.window.panes[0]
     viewport = pane.grid.viewport()
 
@@ -65,7 +66,7 @@ def measure(file: Path) -> dict[str, object]:
 
     painted = Painted()
     viewport.installEventFilter(painted)
-    pictures = next(part for part in program.parts if hasattr(part, "pictures")).pictures
+    pictures = program.feature(PicturePart).pictures
     arrived: list[int] = []
     pictures.arrived.connect(lambda ids: arrived.append(len(ids)))
 

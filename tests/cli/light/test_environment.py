@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.cli.light import studio_and_sky as environment_light
 from brdf_suite.cli.light.info import bars
 from brdf_suite.cli.main import main
 from brdf_suite.documents.light_store import load_light
-from brdf_suite.documents.studio import SKY_MODELS, Sky
+from brdf_suite.documents.studio import Sky
 from brdf_suite.files.images.environments import read_environment_image, write_exr
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.procedural import BOOTH
@@ -141,7 +140,3 @@ def test_render_reads_the_layout_it_is_reported(tmp_path: Path, capsys: pytest.C
     assert main(["render", "blue", "--mesh", "sphere", *options, "--layout", "vertical_cross"]) == 1
     assert "is vertical_cross, which must be 3 × 4 square faces" in capsys.readouterr().err
     assert main(["render", "blue", "--mesh", "sphere", *options, "--layout", "mirror_ball"]) == 0
-
-
-def test_the_help_names_the_models() -> None:
-    assert environment_light._MODELS == SKY_MODELS

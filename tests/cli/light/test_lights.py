@@ -7,13 +7,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.cli.light import lights as environment_lights
 from brdf_suite.cli.main import main
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.layouts import LAYOUTS
-from brdf_suite.lighting.lights import METHODS, directional_lights
-from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, MAX_LIGHTS
+from brdf_suite.lighting.lights import directional_lights
 from brdf_suite.lighting.procedural.sunny import SUN
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.scene import find_environment
@@ -72,9 +70,6 @@ def test_an_impossible_number_is_a_wrong_argument(capsys: pytest.CaptureFixture[
 
 
 def test_the_help_names_what_there_is() -> None:
-    assert set(environment_lights._METHODS) == set(METHODS)
-    assert environment_lights._METHODS[0] == DEFAULT_METHOD
-    assert environment_lights._MOST == MAX_LIGHTS
     assert ("auto", *LAYOUTS) == ENVIRONMENT_LAYOUTS
 
 

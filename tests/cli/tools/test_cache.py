@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from brdf_suite.cli.main import main
-from brdf_suite.lighting.cache.maps import MapCache
-from brdf_suite.lighting.cache.occlusion import baked_occlusion, kept_occlusion, occlusion_folder
+from brdf_suite.files.meshes.occlusion_cache import baked_occlusion, occlusion_cache
 from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.palettes.swatches.store import SwatchStore
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 
@@ -41,7 +41,12 @@ def test_an_empty_cache(capsys: pytest.CaptureFixture[str]) -> None:
             "outdated": 0,
             "unfinished": 0,
             "removed": False,
-            "occlusion": {"folder": str(occlusion_folder()), "sound": 0, "damaged": [], "removed": False},
+            "occlusion": {
+                "folder": str(occlusion_cache().folder),
+                "sound": 0,
+                "damaged": [],
+                "removed": False,
+            },
             "swatches": {"file": str(SwatchStore().path), "sound": 0, "damaged": 0, "removed": False},
         },
     )
@@ -99,11 +104,12 @@ def test_baked_occlusion_is_listed_checked_and_removed_too(capsys: pytest.Captur
         "f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
     )
     baked_occlusion(Mesh("facet", (part,)))
-    ((path, size),) = kept_occlusion()
+    (entry,) = occlusion_cache().entries()
+    path, size = entry.path, entry.size
     reported = answer(capsys, "info")[1]["occlusion"]
     assert (reported["bytes"], reported["entries"]) == (size, [{"entry": path.name, "bytes": size}])  # type: ignore[index] # JSON
     assert main(["cache", "info"]) == 0
-    assert f"{occlusion_folder()}: 1 surface" in capsys.readouterr().out
+    assert f"{occlusion_cache().folder}: 1 surface" in capsys.readouterr().out
     assert answer(capsys, "verify")[1]["occlusion"]["sound"] == 1  # type: ignore[index] # JSON
 
     path.write_bytes(path.read_bytes()[:-1])
@@ -116,7 +122,7 @@ def test_baked_occlusion_is_listed_checked_and_removed_too(capsys: pytest.Captur
 
     baked_occlusion(Mesh("facet", (part,)))
     assert answer(capsys, "clear")[1]["occlusion"]["removed"] == 1  # type: ignore[index] # JSON
-    assert kept_occlusion() == []
+    assert occlusion_cache().entries() == []
 
 
 def test_an_action_is_needed(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:

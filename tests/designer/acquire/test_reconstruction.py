@@ -28,7 +28,7 @@ def folder(simulated, tmp_path) -> Path:
 def assistant(fresh, folder, qtbot) -> Assistant:
     """The assistant of the module's Designer with a session of its own open."""
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     found = control.open()
     for key in found.window.messages.shown():
         found.window.messages.dismiss(key)
@@ -40,6 +40,11 @@ def open_folder(assistant, folder, qtbot):
     with qtbot.waitSignal(assistant.bench.opened):
         assistant.sessions.open(folder)
     qtbot.waitUntil(lambda: assistant.bench.is_quiet)
+
+
+def positions_done(assistant) -> int:
+    """As the page of the reconstruction shows it: n of m."""
+    return int(assistant.window.reconstruction.facts.texts["Positions"].split()[0])
 
 
 def finished(assistant, qtbot, key):
@@ -68,7 +73,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 
     # Stopped as soon as the first position is in the file, then resumed: what was done is taken up.
     window.reconstruction.start.click()
-    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 1 or "table" in bench.results)
+    qtbot.waitUntil(lambda: positions_done(assistant) >= 1 or "table" in bench.results)
     window.reconstruction.cancel.click()
     assert (folder / WORK_FILE).exists()
     assert window.reconstruction.start.isEnabled()
@@ -89,7 +94,7 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
     window.fit.lobes.setValue(1)
     window.fit.start.click()
     fit = finished(assistant, qtbot, "fit")
-    # The paint that was photographed has a slope of 0.2; so few pixels tell little of its colours.
+    # The paint that was photographed has a slope of 0.2; so few pixels determine its colours poorly.
     assert fit.paint.lobes[0].m == pytest.approx(0.2, rel=0.2)
     assert all(0.02 < value < 0.6 for value in fit.paint.kd)
     assert [curve.name for curve in window.fit.plot.curves][:2] == ["measured", "fitted"]
@@ -131,11 +136,11 @@ def test_from_photographs_to_a_paint(assistant, folder, asked, tmp_path, fresh, 
 def test_work_of_an_earlier_run_is_taken_up(assistant, folder, qtbot):
     """What was done is there when the folder is opened again, with its calibration."""
     assistant.reconstruction.find_table()
-    qtbot.waitUntil(lambda: assistant.reconstruction._done >= 2 or "table" in assistant.bench.results)
+    qtbot.waitUntil(lambda: positions_done(assistant) >= 2 or "table" in assistant.bench.results)
     assistant.bench.cancel("table")
     open_folder(assistant, folder, qtbot)
     assert set(assistant.bench.results) == {"response", "geometry"}
-    assert assistant.reconstruction._done >= 1
+    assert positions_done(assistant) >= 1
     assert assistant.window.reconstruction.start.text() in ("Resume", "Start")
 
 
@@ -162,7 +167,7 @@ def test_closing_stops_nothing_and_progress_is_shown_where_it_can_be_seen(assist
     assert window.progress.jobs == ()
 
 
-def test_an_error_of_a_step_is_told_and_the_others_stay(assistant, folder, qtbot):
+def test_an_error_of_a_step_is_reported_and_the_others_stay(assistant, folder, qtbot):
     session = read_session(folder)
     write_session(replace(session, sphere=replace(session.sphere, radius_m=0.5)), folder)
     assistant.window.response.start.click()

@@ -44,7 +44,7 @@ def folder(simulated, tmp_path) -> Path:
 def assistant(fresh, qtbot) -> Assistant:
     """The assistant of the module's Designer, with nothing open."""
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     found = control.open()
     found.bench.open(None, None)
     for key in found.window.messages.shown():
@@ -71,12 +71,19 @@ def shown_keys(assistant) -> set[str]:
     return set(assistant.window.messages.shown())
 
 
+def shows_position(assistant, index: int) -> bool:
+    """Whether the photographs of a position are what the page of the exposures shows."""
+    strip = assistant.window.exposures.strip
+    files = assistant.bench.session.positions[index].photographs
+    return strip.count() > 0 and strip.item(0).toolTip() in files
+
+
 # Opening.
 
 
 def test_the_command_opens_the_window_once(fresh, qtbot):
     designer, _ = fresh
-    control = next(part for part in designer.sections if isinstance(part, AcquireControl))
+    control = designer.feature(AcquireControl)
     control.action.trigger()
     first = control.assistant
     control.action.trigger()
@@ -107,15 +114,16 @@ def test_a_position_s_exposures_are_shown_with_what_is_clipped(opened, qtbot):
     page = opened.window.exposures
     assert page.strip.count() == 5
     assert page.table.rowCount() == 5
-    shares = [shot.clipped for shot in page._series.shots]
+    clipped = [page.table.item(row, 2).text() for row in range(5)]
+    shares = [float(text.removeprefix("< ").removesuffix(" %")) for text in clipped]
     assert shares == sorted(shares)
     assert shares[-1] > 0.0
     page.choose(4)
     assert [mark.name for mark in page.picture.marks] == ["clipped"]
     assert page.table.currentRow() == 4
-    opened.series.show(0)
-    qtbot.waitUntil(lambda: page._series.position == 0)
-    assert page._series.angle_deg == 20.0
+    page.position.setValue(0)
+    qtbot.waitUntil(lambda: shows_position(opened, 0))
+    assert page.where.text().startswith("Lamp at 20°")
 
 
 def test_what_is_missing_or_cut_off_is_named_with_its_reason(assistant, folder, qtbot):
@@ -126,14 +134,14 @@ def test_what_is_missing_or_cut_off_is_named_with_its_reason(assistant, folder, 
     (folder / cut).write_bytes(whole[: len(whole) // 2])
     open_folder(assistant, folder, qtbot)
     rows = assistant.window.session.problems
-    told = {
+    named = {
         rows.topLevelItem(i).text(1): rows.topLevelItem(i).text(2) for i in range(rows.topLevelItemCount())
     }
-    assert {lost, cut} <= set(told)
-    assert all(told.values())
+    assert {lost, cut} <= set(named)
+    assert all(named.values())
     # What is there is shown all the same.
     assistant.series.show(0)
-    qtbot.waitUntil(lambda: assistant.window.exposures._series.position == 0)
+    qtbot.waitUntil(lambda: shows_position(assistant, 0))
     assert assistant.window.exposures.strip.count() == 4
 
 
@@ -145,10 +153,10 @@ def test_photographs_that_were_exchanged_are_named(assistant, folder, qtbot):
     open_folder(assistant, folder, qtbot)
     assistant.series.show(0)
     page = assistant.window.exposures
-    qtbot.waitUntil(lambda: page._series.position == 0)
-    told = [page.problems.topLevelItem(i).text(1) for i in range(page.problems.topLevelItemCount())]
-    assert told
-    assert set(told) <= set(names)
+    qtbot.waitUntil(lambda: shows_position(assistant, 0))
+    named = [page.problems.topLevelItem(i).text(1) for i in range(page.problems.topLevelItemCount())]
+    assert named
+    assert set(named) <= set(names)
 
 
 def test_a_folder_without_a_session_leaves_the_open_one(opened, tmp_path, qtbot):
@@ -165,11 +173,11 @@ def test_a_new_folder_gets_the_template_and_one_that_has_a_session_is_refused(
     target = tmp_path / "new"
     threads = []
 
-    def told(path):
+    def write(path):
         threads.append(threading.current_thread())
         return write_template(path)
 
-    monkeypatch.setattr(session_template, "write_template", told)
+    monkeypatch.setattr(session_template, "write_template", write)
     with qtbot.waitSignal(assistant.bench.opened):
         assistant.sessions.make(target)
     assert (target / "session.json").exists()
@@ -210,7 +218,7 @@ def test_closing_asks_nothing_and_writes_what_was_typed(opened, folder, asked):
     assert opened.bench.session is not None
 
 
-def test_a_number_that_cannot_be_is_told_and_not_written(opened, folder):
+def test_a_number_that_cannot_be_is_reported_and_not_written(opened, folder):
     opened.window.session.number_edited.emit("camera.distance_m", 20.0)
     opened.sessions.write_pending()
     assert "edit" in shown_keys(opened)

@@ -79,7 +79,7 @@ def test_a_picture_is_framed_zoomed_about_the_cursor_and_framed_again(qtbot):
     assert view.scale == framed
 
 
-def test_the_pixel_under_the_cursor_is_told_and_none_outside(qtbot):
+def test_the_pixel_under_the_cursor_is_reported_and_none_outside(qtbot):
     view = shown(PictureView("picture"), qtbot)
     view.show_image(BLACK)
     at = view.to_screen.map(QPointF(12.5, 7.5))
@@ -209,14 +209,14 @@ def test_a_gap_and_what_has_no_logarithm_are_left_out(qtbot):
     plot = shown(LinesPlot("plot", Axis("x"), Axis("y", log=True)), qtbot)
     plot.show_curves([Curve(np.arange(4.0), np.array([1.0, 0.0, np.nan, 100.0]), "one")], ((2.0, "mark"),))
     assert plot.accessibleDescription() == "one"
-    assert np.isfinite(plot._items[0].getData()[1]).sum() == 2
+    assert np.isfinite(plot.plot.listDataItems()[0].getData()[1]).sum() == 2
     plot.grab()
 
 
 def test_small_angles_have_room_on_a_root_axis(qtbot):
     plot = shown(LinesPlot("plot", Axis("x", root=True, reach=(0.0, 90.0)), Axis("y")), qtbot)
     plot.show_curves([Curve(np.array([0.0, 22.5, 90.0]), np.zeros(3), "one")])
-    x = plot._items[0].getData()[0]
+    x = plot.plot.listDataItems()[0].getData()[0]
     assert x[1] / x[2] == pytest.approx(0.5)
 
 
@@ -249,7 +249,7 @@ def test_round_angles_lie_where_their_bins_are():
     assert ticks["90"] == 1.0
 
 
-def test_the_cell_under_the_cursor_is_told(qtbot):
+def test_the_cell_under_the_cursor_is_reported(qtbot):
     plot = shown(MapPlot("map"), qtbot, (400, 300))
     plot.show_map(coverage_map(coverage(), "share"))
     place = plot._place()

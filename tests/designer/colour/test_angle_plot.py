@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pyqtgraph as pg
 import pytest
 from brdf_designer.colour.angle_plot import AnglePlot
 from brdf_designer.session.state import colours_of, curves_of
@@ -58,8 +59,7 @@ def test_each_plot_has_its_points_two_lines_and_units(plot: AnglePlot) -> None:
         shown = plot.plots[component]
         assert ys(plot, component) == pytest.approx(lch[:, component], abs=1e-6)
         assert unit in shown.plot.getAxis("left").labelText
-        gamma, model = shown._model.getData()
-        _, fitted = shown._fitted.getData()
+        (gamma, model), (_, fitted) = (line.getData() for line in shown.plot.listDataItems())
         # Both lines pass through what is asked at every reading of a paint that can be.
         for angle, value in zip((15.0, 45.0, 110.0), lch[:, component], strict=True):
             at = int(np.argmin(np.abs(gamma - angle)))
@@ -69,7 +69,7 @@ def test_each_plot_has_its_points_two_lines_and_units(plot: AnglePlot) -> None:
 
 
 class Drag:
-    """A drag of a point as pyqtgraph tells it; the names are those of its event."""
+    """A drag of a point as pyqtgraph reports it; the names are those of its event."""
 
     def __init__(self, point, x: float, y: float, *, start: bool = False, finish: bool = False) -> None:
         self._point, self._at, self._start, self._finish = point, QPointF(x, y), start, finish
@@ -96,25 +96,25 @@ class Drag:
 
 @pytest.mark.parametrize("component", [0, 1, 2])
 def test_a_point_is_dragged_up_and_down(plot: AnglePlot, qtbot, component: int) -> None:
-    told: list[tuple] = []
-    plot.drag_started.connect(lambda *what: told.append(("start", *what)))
-    plot.edited.connect(lambda *what: told.append(what))
-    plot.drag_finished.connect(lambda: told.append(("end",)))
+    reported: list[tuple] = []
+    plot.drag_started.connect(lambda *what: reported.append(("start", *what)))
+    plot.edited.connect(lambda *what: reported.append(what))
+    plot.drag_finished.connect(lambda: reported.append(("end",)))
     point = plot.plots[component].points[1]
     y = point.pos().y()
     assert point.cursor().shape() == Qt.CursorShape.OpenHandCursor
     point.mouseDragEvent(Drag(point, 60.0, y + 1.0, start=True))
     assert point.cursor().shape() == Qt.CursorShape.ClosedHandCursor
     point.mouseDragEvent(Drag(point, 60.0, y + 8.0, finish=True))
-    assert told[0] == ("start", 1, component)
-    assert told[-1] == ("end",)
-    assert told[-2][:2] == (1, component)
-    assert told[-2][2] > y
+    assert reported[0] == ("start", 1, component)
+    assert reported[-1] == ("end",)
+    assert reported[-2][:2] == (1, component)
+    assert reported[-2][2] > y
 
 
 def test_points_are_moved_by_keys(plot: AnglePlot, qtbot) -> None:
-    told: list[tuple] = []
-    plot.edited.connect(lambda *what: told.append(what))
+    reported: list[tuple] = []
+    plot.edited.connect(lambda *what: reported.append(what))
     ends: list[str] = []
     plot.drag_started.connect(lambda index, c: ends.append(f"start {index} {c}"))
     plot.drag_finished.connect(lambda: ends.append("end"))
@@ -126,7 +126,7 @@ def test_points_are_moved_by_keys(plot: AnglePlot, qtbot) -> None:
     before = ys(plot, 1)[1]
     QTest.keyClick(chroma, Qt.Key.Key_Up)
     QTest.keyClick(chroma, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
-    assert told == [
+    assert reported == [
         (1, 1, pytest.approx(before + 0.5, abs=0.01)),
         (1, 1, pytest.approx(before - 0.1, abs=0.01)),
     ]
@@ -134,7 +134,7 @@ def test_points_are_moved_by_keys(plot: AnglePlot, qtbot) -> None:
     assert ends == ["start 1 1", "end"], "the keys on one point are one step"
     # Chroma does not fall below 0.
     QTest.keyClick(chroma, Qt.Key.Key_PageDown)
-    assert told[-1][2] >= 0.0
+    assert reported[-1][2] >= 0.0
 
 
 def test_hues_run_on_over_the_end_of_the_circle(plot: AnglePlot, fitter) -> None:
@@ -145,7 +145,7 @@ def test_hues_run_on_over_the_end_of_the_circle(plot: AnglePlot, fitter) -> None
     ]
     show(plot, paint(*labs), fitter)
     assert ys(plot, 2) == pytest.approx([350.0, 362.0, 374.0], abs=1e-6)
-    _, model = plot.plots[2]._model.getData()
+    _, model = plot.plots[2].plot.listDataItems()[0].getData()
     measured = model[15:]
     assert np.abs(np.diff(measured[np.isfinite(measured)])).max() < 20.0, "no jump"
     low, high = plot.plots[2].plot.viewRange()[1]
@@ -201,7 +201,7 @@ def test_points_of_a_grey_are_seen_whole_at_no_chroma(plot: AnglePlot, fitter) -
     show(plot, paint((50.0, 0.0, 0.0), (50.0, 0.0, 0.0), (50.0, 0.0, 0.0)), fitter)
     low, high = plot.plots[1].plot.viewRange()[1]
     assert low < -0.05 * high
-    note = plot.plots[2]._note
+    (note,) = (item for item in plot.plots[2].plot.getPlotItem().items if isinstance(item, pg.TextItem))
     assert note.isVisible()
     assert note.toPlainText() == "A grey has no hue."
     show(plot, paint(*LABS), fitter)

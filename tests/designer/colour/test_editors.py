@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from unittest.mock import create_autospec
+
 import numpy as np
 import pytest
+from brdf_designer.assembly import paint_format
 from brdf_designer.colour.editors import ColourEditors
 from brdf_designer.colour.flop_panel import HANDLES
-from brdf_designer.session.fields import apply_edit, step_name
+from brdf_designer.documents.tabs import Documents
+from brdf_designer.session.edits import RemoveAngle, SetFlop
+from brdf_designer.session.paint_session import Fitter, Messages, PaintSession
 from brdf_designer.session.state import colours_of
-from brdf_qt.documents.store import DocumentStore
+from brdf_qt.window.dialogs import Dialogs
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
@@ -18,7 +24,7 @@ from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import measure_flop
 from brdf_suite.appearance.flop.index import flop_index
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import UnreachableError
 
 LABS = ((62.0, -4.0, -45.0), (25.0, 4.0, -38.0), (9.0, 8.0, -28.0))
 BLUE = Paint(
@@ -26,33 +32,30 @@ BLUE = Paint(
     tuple(Measurement(45.0, a, lab) for a, lab in zip((15.0, 45.0, 110.0), LABS, strict=True)),
     Gloss(90.0),
 )
+GROOVE = 5
+"""Pixels before the groove of a slider."""
 GREY = Paint("Grey", tuple(Measurement(45.0, a, (50.0, 0.0, 0.0)) for a in (15.0, 45.0, 110.0)), Gloss(90.0))
 
 
 class Host:
-    """The editors on a document store, as the window has them."""
+    """The editors on a paint session, as the window has them."""
 
     def __init__(self, paint: Paint) -> None:
-        self.editors, self.store = ColourEditors(), DocumentStore(paint)
+        fitter, window = create_autospec(Fitter, instance=True), create_autospec(Messages, instance=True)
+        fitter.fit.side_effect = UnreachableError("What the paint is fitted to does not matter here.")
+        self.documents = Documents(
+            paint, paint_format(), create_autospec(Dialogs, instance=True), pytest.fail
+        )
+        self.session = PaintSession(self.documents, fitter, lambda *_: None, window)
+        self.store = self.documents.front.store
         self.refused: list[str] = []
-        self.key: tuple | None = None
-        self.editors.edited.connect(self.edit)
-        self.editors.gesture_started.connect(self.begin)
-        self.editors.gesture_finished.connect(self.store.end_gesture)
-        self.store.changed.connect(lambda _old, new: self.editors.show_colours(colours_of(new)))
+        window.show_message.side_effect = lambda message: self.refused.append(message.what)
+        self.editors = ColourEditors(self.session, lambda _index: None)
+        self.session.paint_changed.connect(lambda new: self.editors.show_colours(colours_of(new)))
         self.editors.show_colours(colours_of(paint))
 
-    def begin(self, key) -> None:
-        self.key = key
-        self.store.begin_gesture(step_name(self.store.value, key))
-
-    def edit(self, key, value) -> None:
-        try:
-            after = apply_edit(self.store.value, key, value)
-        except SuiteError as error:
-            self.refused.append(str(error))
-            return
-        self.store.set(after, step_name(self.store.value, key))
+    def close(self) -> None:
+        self.documents.front.recovery.close(keep=False)
 
     def steps(self) -> list[str]:
         return [self.store.stack.text(i) for i in range(self.store.stack.count())]
@@ -67,13 +70,23 @@ class Host:
         return self.editors.editors[index].sliders[component]
 
 
-@pytest.fixture
-def host(qtbot) -> Host:
-    made = Host(BLUE)
+def shown(paint: Paint, qtbot) -> Iterator[Host]:
+    made = Host(paint)
     qtbot.addWidget(made.editors)
     made.editors.resize(420, 700)
     made.editors.show()
-    return made
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def host(qtbot) -> Iterator[Host]:
+    yield from shown(BLUE, qtbot)
+
+
+@pytest.fixture
+def grey_host(qtbot) -> Iterator[Host]:
+    yield from shown(GREY, qtbot)
 
 
 def type_in(number, text: str) -> None:
@@ -81,6 +94,12 @@ def type_in(number, text: str) -> None:
     number.selectAll()
     QTest.keyClicks(number, text)
     QTest.keyClick(number, Qt.Key.Key_Return)
+
+
+def move_to(slider, amount: float) -> None:
+    """Move the slider as a drag does."""
+    slider.set_amount(amount)
+    slider.edited.emit(amount)
 
 
 def choose(host: Host, name: str) -> None:
@@ -113,9 +132,10 @@ def test_a_track_shows_the_colour_that_each_place_gives(host: Host, space: str) 
     choose(host, space)
     for component in range(3):
         slider = host.slider(0, component)
-        track = slider._track
-        place = round((slider.amount() - slider._low) / (slider._high - slider._low) * (track.width() - 1))
-        seen = track.pixelColor(place, 0)
+        amount, (low, high) = slider.amount(), slider.positions()[[0, -1]]
+        x, y = GROOVE + (amount - low) / (high - low) * (slider.width() - 2 * GROOVE), slider.height() // 2
+        slider.set_amount(low if amount > 0.5 * (low + high) else high)  # its handle is out of the way
+        seen = slider.grab().toImage().pixelColor(round(x), y)
         asked = colours_of(host.store.value).angles[0].rgb
         assert max(abs(a - b) for a, b in zip(seen.getRgb()[:3], asked, strict=True)) < 14
 
@@ -132,10 +152,8 @@ def test_the_hue_goes_round(host: Host) -> None:
     assert lab_to_lch(host.labs()[0])[2] > 358.0
 
 
-def test_a_grey_keeps_the_hue_that_it_is_given(qtbot) -> None:
-    host = Host(GREY)
-    qtbot.addWidget(host.editors)
-    host.editors.show()
+def test_a_grey_keeps_the_hue_that_it_is_given(grey_host: Host) -> None:
+    host = grey_host
     choose(host, "lch")
     type_in(host.field(1, 2), "90")
     assert host.store.value == GREY, "a grey has no hue"
@@ -152,12 +170,12 @@ def test_all_angles_move_in_step_and_a_drag_back_ends_where_it_began(host: Host)
     slider = host.slider(1, 0)
     slider.gesture_started.emit()
     for amount in (28.0, 10.0, 30.0):
-        slider._move_to(amount)
+        move_to(slider, amount)
     assert host.labs()[:, 0] == pytest.approx([67.0, 30.0, 14.0])
     # On the way the flop had run into black; that is forgotten.
-    slider._move_to(25.0)
+    move_to(slider, 25.0)
     assert host.store.value == BLUE
-    slider._move_to(27.0)
+    move_to(slider, 27.0)
     slider.gesture_finished.emit()
     assert host.steps() == ["Change L* at All Angles"]
     assert host.labs()[:, 1:].tolist() == [list(lab[1:]) for lab in LABS]
@@ -206,18 +224,16 @@ def test_the_tracks_of_the_flop_show_the_far_end(host: Host, qtbot) -> None:
     choose(host, "flop")
     panel = host.editors.flop
     track = panel.sliders["lightness"]
-    qtbot.waitUntil(lambda: track._track.width() > 1)
     assert all(handle.key in panel.sliders for handle in HANDLES)
-    assert (
-        track._track.pixelColor(0, 0).lightness()
-        < track._track.pixelColor(track._track.width() - 1, 0).lightness()
-    )
+
+    def lightness_at(x: int) -> int:
+        return track.grab().toImage().pixelColor(x, track.height() // 2).lightness()
+
+    qtbot.waitUntil(lambda: lightness_at(2 * GROOVE) < lightness_at(track.width() - 2 * GROOVE))
 
 
-def test_a_paint_without_a_hue_has_no_hue_to_travel(qtbot) -> None:
-    host = Host(GREY)
-    qtbot.addWidget(host.editors)
-    host.editors.show()
+def test_a_paint_without_a_hue_has_no_hue_to_travel(grey_host: Host) -> None:
+    host = grey_host
     choose(host, "flop")
     assert not host.editors.flop.fields["hue"].isEnabled()
     assert host.editors.flop.fields["index"].isEnabled()
@@ -258,8 +274,10 @@ def test_angles_are_added_and_removed(host: Host) -> None:
 
 
 @pytest.fixture(scope="module")
-def kept_host(qapp) -> Host:
-    return Host(BLUE)
+def kept_host(qapp) -> Iterator[Host]:
+    made = Host(BLUE)
+    yield made
+    made.close()
 
 
 moves = st.one_of(
@@ -288,13 +306,13 @@ def test_any_edits_and_as_many_undos_give_the_identical_paint(kept_host: Host, w
         elif what == "add":
             host.editors.head.angle_added.emit(rest[0])
         elif what == "remove":
-            host.editors.angles.remove_requested.emit(rest[0])
+            host.session.edit(RemoveAngle(rest[0]))
         elif what in ("space", "mode"):
             choose(host, rest[0])
         elif what == "edit":
             host.field(rest[0], rest[1]).setValue(rest[2])
         else:
-            host.editors.flop.edited.emit(*rest)
+            host.session.edit(SetFlop(*rest))
     while host.store.stack.canUndo():
         host.store.undo()
     assert host.store.value == BLUE

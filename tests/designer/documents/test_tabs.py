@@ -1,4 +1,4 @@
-"""Several paints in tabs: each with its own history, file and autosave; the one in front is told to the others."""
+"""Several paints in tabs: each with its own history, file and autosave; the other programs get the one in front."""
 
 from __future__ import annotations
 
@@ -160,20 +160,20 @@ def test_quitting_asks_for_every_unsaved_tab_and_one_cancel_keeps_all(three, dia
     assert list(own_session.rglob("*.recovery.json")) == []
 
 
-def test_the_other_programs_are_told_of_the_tab_in_front(three, qtbot, monkeypatch):
-    told = []
+def test_the_other_programs_follow_the_tab_in_front(three, qtbot, monkeypatch):
+    sent = []
     monkeypatch.setattr(
-        three.desk, "_publish", lambda _topic, value: told.append(paint_from_json(value).name)
+        three.desk, "_publish", lambda _topic, value: sent.append(paint_from_json(value).name)
     )
     qtbot.wait(20)
-    told.clear()
+    sent.clear()
     for place in (0, 1):
         three.window.tabs.setCurrentIndex(place)
-        qtbot.waitUntil(lambda place=place: len(told) == place + 1)
-    # A paint that is not in front is changed by nobody, and told to nobody.
+        qtbot.waitUntil(lambda place=place: len(sent) == place + 1)
+    # A paint that is not in front does not change, and is not sent.
     three.documents.row[2].store.set(load_shipped_paint("blue"), "Elsewhere")
     qtbot.wait(20)
-    assert told == ["Red", "Copper"]
+    assert sent == ["Red", "Copper"]
     assert three.window.editors.editors[0].fields[0].value() == load_shipped_paint("copper").lab_at(15.0)[0]
 
 
@@ -198,13 +198,13 @@ def test_saving_names_the_tab_after_its_file(three, dialogs, tmp_path):
 
 
 def test_a_gesture_ends_with_the_tab_that_it_was_made_in(three):
-    three.desk.begin_gesture("Drag")
-    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.desk.begin_gesture()
+    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(0)
     assert not three.desk.in_gesture
-    three.desk.edit(load_shipped_paint("blue"), "Drag")
+    three.desk.set_paint(load_shipped_paint("blue"), "Drag")
     three.window.tabs.setCurrentIndex(2)
-    three.desk.edit(load_shipped_paint("silver_metallic"), "Drag")
+    three.desk.set_paint(load_shipped_paint("silver_metallic"), "Drag")
     assert three.store.stack.count() == 2
 
 

@@ -28,7 +28,7 @@ def control(designer) -> HandoverControl:
 
 
 def settled(qtbot, control: HandoverControl) -> None:
-    qtbot.waitUntil(lambda: bool(control.section.holds.text()) and not control._tasks.busy)
+    qtbot.waitUntil(lambda: control.section.losses.text().startswith(("Losses:", "No losses.")))
 
 
 def test_the_list_is_that_of_the_core() -> None:
@@ -47,14 +47,14 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     control.section.export.click()
     qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
     assert designer.window.messages.shown()[KEY].where == str(dialogs.path)
-    assert read_paints(dialogs.path).paints == (control._desk.paint,)
+    assert read_paints(dialogs.path).paints == (designer.desk.paint,)
     # Where it cannot be written, the window says why, and that nothing else changed.
     designer.window.dismiss_message(KEY)
     control.export(tmp_path / "no folder" / "blue.csv")
     qtbot.waitUntil(lambda: KEY in designer.window.messages.shown())
     assert "cannot be written" in designer.window.messages.shown()[KEY].what
     # A report against the standard: what the section Standard judges by goes along.
-    paint = control._desk.paint
+    paint = designer.desk.paint
     designer.window.findChild(StandardControl).set_standards([standard_of(replace(paint, name="the aim"))])
     control.section.choose("html")
     control.section.format_chosen.emit("html")
@@ -66,7 +66,7 @@ def test_a_paint_is_handed_over_from_the_window(qtbot, designer, dialogs, contro
     text = (tmp_path / "blue.html").read_text(encoding="utf-8")
     assert re.search(r"Against the aim: [a-z ]+; passes\.", text)
     # A paint that cannot be: formats of how it reflects are refused before there is a file.
-    control._desk.edit(replace(paint, gloss=Gloss(150.0)), "Gloss")
+    designer.desk.set_paint(replace(paint, gloss=Gloss(150.0)), "Gloss")
     control.section.choose("gltf")
     control.section.format_chosen.emit("gltf")
     qtbot.waitUntil(lambda: "150 GU" in control.section.losses.text())
@@ -82,12 +82,12 @@ def test_a_cancelled_export_leaves_the_old_file(designer, tmp_path: Path) -> Non
 
     with pytest.raises(Cancelled):
         run_export(Request(designer.store.value, "csv", path), stop)
-    # Told to stop at its first step, the process has either not written or written whole.
+    # Stopped at its first step, the process has either not written or written whole.
     assert path.read_text(encoding="utf-8-sig").startswith(("old", "name,"))
     assert [item.name for item in tmp_path.iterdir() if item.suffix == ".csv"] == ["blue.csv"]
 
 
-def test_a_process_that_ends_without_a_word_is_told(designer, tmp_path: Path, monkeypatch) -> None:
+def test_a_process_that_ends_without_a_word_is_reported(designer, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr(sys, "executable", _program(tmp_path))
     with pytest.raises(SuiteError, match="status 3"):
         run_export(Request(designer.store.value, "csv", tmp_path / "a.csv"), lambda *_: None)

@@ -15,8 +15,10 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 
 @pytest.fixture
-def history(designer) -> HistoryControl:
-    return next(part for part in designer.sections if isinstance(part, HistoryControl))
+def history(designer, qtbot) -> HistoryControl:
+    history = designer.feature(HistoryControl)
+    qtbot.waitUntil(lambda: shown(history) != [])  # filled when the program is idle
+    return history
 
 
 def shown(history) -> list[str]:
@@ -27,15 +29,17 @@ def shown(history) -> list[str]:
 def lighten(designer, *values: float) -> None:
     for value in values:
         paint = designer.store.value
-        designer.desk.edit(paint.with_lab(15.0, (value, *paint.lab_at(15.0)[1:])), f"Lighten to {value:g}")
+        designer.desk.set_paint(
+            paint.with_lab(15.0, (value, *paint.lab_at(15.0)[1:])), f"Lighten to {value:g}"
+        )
 
 
 def test_every_step_is_a_state_once_the_edits_pause(designer, history, qtbot):
     qtbot.waitUntil(lambda: shown(history) == ["Opened"])
-    designer.desk.begin_gesture("Drag")
+    designer.desk.begin_gesture()
     for value in (63.0, 64.0, 65.0):
         paint = designer.store.value
-        designer.desk.edit(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
+        designer.desk.set_paint(paint.with_lab(15.0, (value, 0.0, 0.0)), "Drag")
     designer.desk.end_gesture()
     lighten(designer, 70)
     qtbot.waitUntil(lambda: shown(history) == ["Opened", "Drag", "Lighten to 70"])
@@ -130,14 +134,14 @@ def test_any_state_is_reached_from_any_other(values, places):
         store.set(value, str(value))
     states = store.states()
     assert [value for _, value in states][-1] == store.value
-    told = []
-    store.changed.connect(lambda old, new: told.append((old, new)))
+    changes = []
+    store.changed.connect(lambda old, new: changes.append((old, new)))
     for place in places:
         place = min(place, len(states) - 1)
         before = store.value
-        told.clear()
+        changes.clear()
         store.go_to(place)
         assert store.value == states[place][1]
-        assert told == ([] if before == store.value else [(before, store.value)])
+        assert changes == ([] if before == store.value else [(before, store.value)])
         assert store.states() == states
         assert store.stack.index() == place

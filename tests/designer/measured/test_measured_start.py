@@ -1,4 +1,4 @@
-"""New from a measurement: by the menu, by opening and by dropping; with the report, and told what cannot be read."""
+"""New from a measurement: by menu, by opening, by dropping; with the report, or why a file cannot be read."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 @pytest.fixture
 def control(desk) -> MeasuredControl:
-    return next(part for part in desk.sections if isinstance(part, MeasuredControl))
+    return desk.feature(MeasuredControl)
 
 
 @pytest.fixture
@@ -89,7 +89,7 @@ def test_a_dropped_file_and_the_original_as_standard(desk, control, qtbot, cook_
         )
     )
     wait_for(qtbot, control)
-    standards = next(part for part in desk.sections if isinstance(part, StandardControl))
+    standards = desk.feature(StandardControl)
     control.section.standard.click()
     qtbot.waitUntil(lambda: standards.standard is not None)
     assert standards.section.results.item(0, 1).text() == "0.00"
@@ -110,7 +110,7 @@ def test_a_handed_over_file_opens_its_paints(desk, control, qtbot, tmp_path) -> 
     assert len(desk.documents.row) == 2
 
 
-def test_what_is_neither_is_told_as_ever(desk, control, qtbot, tmp_path) -> None:
+def test_what_is_neither_is_reported(desk, control, qtbot, tmp_path) -> None:
     text = tmp_path / "notes.txt"
     text.write_text("nothing measured")
     desk.window.open_requested.emit(text)

@@ -1,4 +1,4 @@
-"""Small pictures: who asks last is served first, and what goes wrong is told."""
+"""Small pictures: the newest request goes first, and what goes wrong is reported."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 from brdf_designer.preview.thumbnail_scene import SIZE, ThumbnailScene, paint_key
-from brdf_designer.preview.thumbnails import Thumbnails, thumbnails_of
-from PySide6.QtCore import QObject
+from brdf_designer.preview.thumbnails import IDLE_MS, Thumbnails, thumbnails_of
+from PySide6.QtCore import QObject, QTimer
 
 from brdf_suite.documents.paint import Flakes, Gloss, Paint, solid_paint
 
@@ -86,22 +86,22 @@ def test_the_newest_owner_goes_first_and_an_older_list_is_forgotten(made, qtbot)
     assert set(came) == {paint_key(grey(20.0)), paint_key(grey(12.0))}
 
 
-def test_a_paint_that_cannot_be_is_told_and_the_others_come(made, qtbot) -> None:
+def test_a_paint_that_cannot_be_is_reported_and_the_others_come(made, qtbot) -> None:
     thumbnails = made()
     wrong = grey(30.0, "impossible")
     thumbnails.request("variations", [wrong, grey(50.0)])
-    with qtbot.waitSignal(thumbnails.failed) as told:
+    with qtbot.waitSignal(thumbnails.failed) as reported:
         pass
-    assert told.args == [paint_key(wrong), "No clearcoat gives this gloss."]
+    assert reported.args == [paint_key(wrong), "No clearcoat gives this gloss."]
     assert thumbnails.refusal(wrong) == "No clearcoat gives this gloss."
     qtbot.waitUntil(lambda: thumbnails.is_drawn(grey(50.0)))
 
 
 def test_without_graphics_it_is_said_once_and_placeholders_stay(made, qtbot) -> None:
     thumbnails = made("no graphics")
-    with qtbot.waitSignal(thumbnails.unavailable) as told:
+    with qtbot.waitSignal(thumbnails.unavailable) as reported:
         thumbnails.request("history", [grey(50.0)])
-    assert "OpenGL" in told.args[0] == thumbnails.problem
+    assert "OpenGL" in reported.args[0] == thumbnails.problem
     thumbnails.request("history", [grey(60.0)])
     assert not thumbnails.picture(grey(60.0)).isNull()
 
@@ -115,9 +115,9 @@ def test_a_process_that_dies_is_started_again_once(made, qtbot) -> None:
     with qtbot.waitSignal(hopeless.unavailable):
         hopeless.request("history", [grey(50.0)])
     missing = Thumbnails(program=["/no/such/program"])
-    with qtbot.waitSignal(missing.unavailable) as told:
+    with qtbot.waitSignal(missing.unavailable) as reported:
         missing.request("history", [grey(50.0)])
-    assert "cannot be drawn" in told.args[0]
+    assert "cannot be drawn" in reported.args[0]
 
 
 def test_a_window_has_one(qapp) -> None:
@@ -148,7 +148,8 @@ def test_a_process_at_rest_is_started_again_when_there_is_work(made, qtbot) -> N
     thumbnails = made()
     thumbnails.request("history", [grey(50.0)])
     qtbot.waitUntil(lambda: thumbnails.is_drawn(grey(50.0)))
-    thumbnails._idle.timeout.emit()
+    (idle,) = (timer for timer in thumbnails.findChildren(QTimer) if timer.interval() == IDLE_MS)
+    idle.timeout.emit()
     # Asked while the process is still ending, and once it has.
     thumbnails.request("history", [grey(60.0)])
     qtbot.waitUntil(lambda: thumbnails.is_drawn(grey(60.0)))

@@ -67,7 +67,7 @@ def test_flop_of_a_solid_is_zero_and_needs_its_angles():
     assert colours_of(dataclasses.replace(paint, measurements=items)).flop is None
 
 
-def test_gamut_is_told_per_reading():
+def test_gamut_is_shown_per_reading():
     paint = solid_paint("x", (60.0, 0.0, 0.0)).with_lab(110.0, (30.0, 0.0, -90.0))
     assert [angle.in_gamut for angle in colours_of(paint).angles] == [True, True, False]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import replace
 
 import pytest
@@ -20,7 +21,7 @@ from brdf_suite.reflectance.designed.build import build_paint
 
 @pytest.fixture
 def control(desk) -> StandardControl:
-    return next(part for part in desk.sections if isinstance(part, StandardControl))
+    return desk.feature(StandardControl)
 
 
 @pytest.fixture
@@ -34,7 +35,6 @@ def open_anew(desk, path) -> None:
     """Close every tab, and open the file as a start of the program does: nothing is known of it but what was kept."""
     for document in desk.documents.row:
         desk.documents.close(document)
-    desk.documents._closed.clear()
     desk.documents.open(path)
 
 
@@ -55,7 +55,7 @@ def test_a_file_has_its_standard_again_when_it_is_opened_the_next_time(desk, con
 def test_a_paint_that_gets_a_file_takes_its_standard_along(desk, control, fresh, tmp_path) -> None:
     control.take_present()
     darker = desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0))
-    desk.desk.edit(darker, "Darken")
+    desk.desk.set_paint(darker, "Darken")
     fresh[1].path = tmp_path / "darker.brdfpaint"
     assert desk.files.save_as()
     open_anew(desk, fresh[1].path)
@@ -65,10 +65,12 @@ def test_a_paint_that_gets_a_file_takes_its_standard_along(desk, control, fresh,
 
 def test_what_a_kill_leaves_has_its_standard(desk, control) -> None:
     control.take_present()
-    desk.desk.edit(desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0)), "Darken")
+    desk.desk.set_paint(desk.desk.paint.with_lab(110.0, (6.0, 8.0, -28.0)), "Darken")
     recovery = desk.documents.front.recovery
     assert recovery.write()
-    recovery._lock.unlock()  # as the end of the process does
+    # No process holds what a killed one has written.
+    left = recovery.file.with_name(f"left_{recovery.file.name}")
+    shutil.copy(recovery.file, left)
     others = desk.documents.add(load_shipped_paint("red"))
     (item,) = others.recovery.found()
     desk.documents.recover(item)
@@ -86,7 +88,7 @@ def test_a_standard_out_of_a_palette_has_the_others_of_it_again(desk, control, f
     control.choose(1)
     open_anew(desk, file)
     assert control.standard.name == "Red", "at once, before the palette is read"
-    qtbot.waitUntil(lambda: len(control._of_front.standards) == 3)
+    qtbot.waitUntil(lambda: control.section.choices.count() == 3)
     assert control.standard.name == "Red"
     # Another one is in its place now: the standard stays, and that is said.
     save_palette(Palette("Two", (Entry(paints[0]), Entry(paints[2]))), palette)
@@ -114,8 +116,8 @@ def test_a_measured_standard_keeps_what_was_read_of_it(tmp_path) -> None:
     measured = Standard("Panel", "", (), blue.gloss, None, build_paint(blue))
     colour, computed = measured.lab_at(45.0, 60.0)
     assert computed
-    told = json.loads(json.dumps(Record(measured, "panel.binary", 0).to_json()))
-    back = record_from_json(told)
+    plain = json.loads(json.dumps(Record(measured, "panel.binary", 0).to_json()))
+    back = record_from_json(plain)
     assert (back.source, back.standard.name, back.standard.gloss) == ("panel.binary", "Panel", blue.gloss)
     assert back.standard.lab_at(45.0, 60.0) == (colour, False)
     assert back.standard.lab_at(45.0, 70.0) is None
@@ -132,7 +134,7 @@ def test_a_damaged_record_is_as_good_as_none(desk, control, file, damage) -> Non
     assert control.standard is None
 
 
-def test_a_standard_told_is_the_standard(desk) -> None:
+def test_a_standard_in_plain_values_is_the_standard(desk) -> None:
     one = standard_of(load_shipped_paint("red"), "somewhere")
     back = record_from_json(json.loads(json.dumps(Record(one).to_json()))).standard
     assert (back.name, back.origin, back.readings, back.paint) == (

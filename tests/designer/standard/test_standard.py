@@ -25,8 +25,8 @@ from brdf_suite.pipeline.material import load_shipped_paint
 
 @pytest.fixture
 def control(desk) -> StandardControl:
-    control = next(part for part in desk.sections if isinstance(part, StandardControl))
-    control._judge_by(load())
+    control = desk.feature(StandardControl)
+    control.judge_by(load())
     return control
 
 
@@ -38,7 +38,7 @@ def click(button) -> None:
 def darker_at_flop(desk, by: float) -> None:
     paint = desk.desk.paint
     lightness, a, b = paint.lab_at(110.0)
-    desk.desk.edit(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
+    desk.desk.set_paint(paint.with_lab(110.0, (lightness - by, a, b)), "Darken")
 
 
 def entry(control, text: str) -> QAction:
@@ -75,14 +75,14 @@ def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(desk, cont
     ]
     assert section.sentence.text() == "darker at 110°; slightly more flop"
     assert section.verdict.text().startswith("FAIL: ΔE00 up to")
-    against, words = patches._standard_cells[2]
+    darker = patches.patches[2]
     # In a narrow cell the name of the difference is left out, as wide as the font is.
-    assert against.text().split()[-2:] == [f"{expected:.2f}", "FAIL"]
-    assert words.text() == "darker"
-    assert patches._cells[2][0].standard() is not None
+    assert darker.against.text().split()[-2:] == [f"{expected:.2f}", "FAIL"]
+    assert darker.words.text() == "darker"
+    assert patches.patches[2].field.standard() is not None
     click(section.remove)
-    assert patches._cells[2][0].standard() is None
-    assert against.isHidden()
+    assert patches.patches[2].field.standard() is None
+    assert darker.against.isHidden()
 
 
 def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> None:
@@ -112,7 +112,7 @@ def test_formula_and_tolerances_are_chosen_and_kept(desk, control, qtbot) -> Non
     assert "not a tolerance" in desk.window.messages.shown()["standard"].what
     assert table.item(2, 3).text() == ""
     table.item(3, 2).setText("2")
-    assert load() == control._settings
+    assert load().tolerances() == control.tolerances
     assert load().by_angle == {110.0: Limits(lightness=2.0)}
 
 
@@ -139,10 +139,10 @@ def test_each_tab_keeps_its_own_standard(desk, control) -> None:
     mine = control.standard
     desk.desk.open_paint(load_shipped_paint("red"), clean=True)
     assert control.standard is None
-    assert desk.window.patches._cells[0][0].standard() is None
+    assert desk.window.patches.patches[0].field.standard() is None
     desk.documents.show(desk.documents.row[0])
     assert control.standard is mine
-    assert desk.window.patches._cells[0][0].standard() is not None
+    assert desk.window.patches.patches[0].field.standard() is not None
 
 
 def test_an_open_tab_and_a_shipped_paint_are_standards(desk, control, qtbot) -> None:
@@ -179,7 +179,7 @@ def test_a_measured_file_is_a_standard_at_any_angle(desk, control, qtbot, shared
     assert desk.desk.paint.gloss.gu_20 == pytest.approx(18.2, abs=0.05)
 
 
-def test_what_cannot_be_read_is_told_and_nothing_changes(desk, control, qtbot, tmp_path) -> None:
+def test_what_cannot_be_read_is_reported_and_nothing_changes(desk, control, qtbot, tmp_path) -> None:
     click(control.section.take)
     mine = control.standard
     broken = tmp_path / "broken.brdfpaint"
@@ -227,8 +227,8 @@ def test_readings_that_the_standard_lacks_are_said(desk, control) -> None:
     paint = desk.desk.paint
     control.set_standards([Standard("instrument", "a.cxf", paint.measurements[:2])])
     patches = desk.window.patches
-    assert patches._cells[2][0].standard() is None
-    assert "no reading" in patches._standard_cells[2][0].toolTip()
+    assert patches.patches[2].field.standard() is None
+    assert "no reading" in patches.patches[2].against.toolTip()
     click(control.section.swap)
     assert "no reading at 45as110" in desk.window.messages.shown()["standard"].what
     assert desk.desk.paint is paint

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from brdf_designer.preview.thumbnails import Thumbnails, thumbnails_of
-from brdf_designer.variations.control import _NAMES, VariationsControl
+from brdf_designer.preview.thumbnails import Thumbnails, ThumbnailScene, thumbnails_of
+from brdf_designer.variations.control import STEP_NAMES, VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -22,21 +23,17 @@ from brdf_suite.pipeline.material import load_shipped_paint
 PROGRAM = Path(__file__).parents[1] / "preview" / "thumbnail_program.py"
 
 
-ASK_NEXT = Thumbnails._ask_next
-
-
 @pytest.fixture
-def pictures(desk, monkeypatch) -> Thumbnails:
+def pictures(desk) -> Iterator[Thumbnails]:
     """The pictures of the window from the stand-in: what is drawn is tested with the process itself."""
-    monkeypatch.setattr(Thumbnails, "_ask_next", ASK_NEXT)
     found = thumbnails_of(desk.window)
-    found._program = [sys.executable, str(PROGRAM), "answers"]
-    found._pump.timeout.connect(found._ask_next)
-    return found
+    found.program = [sys.executable, str(PROGRAM), "answers"]
+    yield found
+    found.program = []
 
 
 def part(desk, kind):
-    return next(one for one in desk.sections if isinstance(one, kind))
+    return desk.feature(kind)
 
 
 @pytest.fixture
@@ -45,7 +42,7 @@ def control(desk, qtbot) -> VariationsControl:
     control.host.set_open(True)
     control.set_scene("booth", "sphere")
     control.section.step.setValue(2.0)
-    qtbot.waitUntil(lambda: control._of is not None and control._of.paint is desk.desk.paint)
+    qtbot.waitUntil(lambda: desk.desk.is_quiet)
     yield control
     control.host.set_open(False)
 
@@ -89,11 +86,11 @@ def test_the_step_and_what_cannot_be_are_shown(desk, control, qtbot) -> None:
 
 def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(desk, control, qtbot) -> None:
     rising = tuple(Measurement(45.0, angle, (30.0 + angle, 0.0, 0.0)) for angle in (15.0, 45.0, 110.0))
-    desk.desk.edit(replace(desk.desk.paint, measurements=rising), "Rise")
+    desk.desk.set_paint(replace(desk.desk.paint, measurements=rising), "Rise")
     lighter = control.section.buttons["lighter"]
     qtbot.waitUntil(lambda: lighter.text() == "lighter ≈")
     assert "ΔE00" in lighter.toolTip()
-    desk.desk.edit(replace(desk.desk.paint, gloss=Gloss(199.0)), "Gloss")
+    desk.desk.set_paint(replace(desk.desk.paint, gloss=Gloss(199.0)), "Gloss")
     qtbot.waitUntil(lambda: lighter.text() == "lighter: none")
     assert "199" in lighter.toolTip()
 
@@ -107,15 +104,13 @@ def test_pictures_come_in_the_chosen_light(desk, pictures, control, qtbot) -> No
     light = control.section.environment
     light.setCurrentIndex(light.findData("sunny"))
     light.activated.emit(light.currentIndex())
-    scene = control._scene
-    assert scene.environment == "sunny"
-    qtbot.waitUntil(lambda: pictures.is_drawn(lighter, scene))
+    qtbot.waitUntil(lambda: pictures.is_drawn(lighter, ThumbnailScene("sunny", "sphere")))
 
 
 def test_nothing_is_worked_out_while_the_section_is_closed(desk, control, qtbot) -> None:
     control.host.set_open(False)
     known = control.neighbours
-    desk.desk.edit(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
+    desk.desk.set_paint(solid_paint("grey", (50.0, 0.0, 0.0)), "Grey")
     control.refresh()
     assert control.neighbours is known
     control.host.set_open(True)
@@ -123,7 +118,7 @@ def test_nothing_is_worked_out_while_the_section_is_closed(desk, control, qtbot)
 
 
 def test_every_word_names_a_step() -> None:
-    assert set(_NAMES) == set(WORDS)
+    assert set(STEP_NAMES) == set(WORDS)
 
 
 def test_the_slider_goes_between_two_paints_in_one_step(desk, between, qtbot) -> None:
@@ -160,7 +155,7 @@ def test_beyond_the_ends_and_an_edit_of_another_kind(desk, between, qtbot) -> No
     section.beyond.setChecked(True)
     section.number.setValue(150.0)
     assert desk.desk.paint.lab_at(45.0)[0] == pytest.approx(32.5)
-    desk.desk.edit(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
+    desk.desk.set_paint(solid_paint("other", (40.0, 0.0, 0.0)), "Other")
     assert between.share is None
     assert section.body.isHidden()
     # Without a way nothing happens.
@@ -194,7 +189,7 @@ def test_a_file_and_a_tab_are_ends(desk, between, asked, qtbot, tmp_path) -> Non
     assert desk.desk.paint.lab_at(110.0) == (80.0, 0.0, 0.0)
 
 
-def test_an_end_that_cannot_be_read_is_told(desk, between, qtbot, tmp_path) -> None:
+def test_an_end_that_cannot_be_read_is_reported(desk, between, qtbot, tmp_path) -> None:
     broken = tmp_path / "broken.brdfpaint"
     broken.write_text("{")
     between.load(broken)

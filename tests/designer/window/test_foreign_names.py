@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from brdf_designer.acquire.control import AcquireControl
 from brdf_designer.export.control import HandoverControl
+from brdf_designer.history.control import HistoryControl
 from brdf_designer.measured.control import MeasuredControl
 from brdf_designer.standard.control import StandardControl
 from brdf_designer.variations.control import VariationsControl
@@ -24,7 +25,7 @@ from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 
 def part(designer, kind):
-    return next(one for one in designer.sections if isinstance(one, kind))
+    return designer.feature(kind)
 
 
 @pytest.fixture
@@ -58,11 +59,13 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
     measured = part(designer, MeasuredControl)
     measured.open(lobes)
     qtbot.waitUntil(lambda: measured.start_of_front() is not None)
-    designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # told in a message, with its name
+    designer.open(str(tmp_path / f"{walks.HOSTILE_FILE} none.brdfpaint"))  # a message names it
     assert window.messages.shown()
     designer.documents.show(designer.documents.row[0])
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     window.show_recent(designer.files.recent())
+    history = part(designer, HistoryControl).strip.states
+    qtbot.waitUntil(lambda: history.rowCount() > 0)  # filled when the program is idle
     wrong, seen = walks.drawn_as_html()
     assert wrong == []
     assert seen > 20
@@ -71,9 +74,10 @@ def test_names_are_plain_text_in_the_whole_window(designer, hostile, walks, qtbo
 def test_unsaved_work_is_offered_in_plain_text(designer, hostile, walks) -> None:
     form = designer.documents.front.files.format
     paint = form.load(hostile)
-    left = [Recovery(DocumentStore(form.new()), form, lambda error: None) for _ in range(2)]
-    for recovery in left:
-        recovery._store.set(paint, "Open")
+    for _ in range(2):
+        store = DocumentStore(form.new())
+        recovery = Recovery(store, form, lambda error: None)
+        store.set(paint, "Open")
         recovery.write()
         recovery.close(keep=True)
     designer.recovery_offer.show()
@@ -107,7 +111,7 @@ def test_a_wheel_changes_nothing_in_the_window(designer, walks, qtbot) -> None:
         part(designer, kind).host.set_open(True)
     part(designer, HandoverControl).open()
     part(designer, StandardControl).take_present()
-    qtbot.waitUntil(lambda: designer.controller.is_complete)
+    qtbot.waitUntil(lambda: designer.controller.is_idle)
     paint = designer.desk.paint
     changed, count = walks.changed_by_wheel(designer.window)
     assert changed == []

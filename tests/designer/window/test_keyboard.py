@@ -58,7 +58,7 @@ def test_from_an_empty_start_to_the_hand_over(desk, tmp_path, qtbot) -> None:
     write("90")
     press(Qt.Key.Key_Return)
     press(Qt.Key.Key_D, CONTROL | Qt.KeyboardModifier.ShiftModifier)
-    control = next(part for part in designer.sections if isinstance(part, StandardControl))
+    control = designer.feature(StandardControl)
     assert control.standard.paint == designer.store.value
     press(Qt.Key.Key_0, Qt.KeyboardModifier.AltModifier)
     tab_to("L* at 110°, number")

@@ -14,7 +14,7 @@ def test_menus_outlive_the_fields_of_angles_that_are_gone(designer) -> None:
     """Python must not take the menus for deleted with the fields of two angles."""
     paint = designer.desk.paint
     more = tuple(Measurement(45.0, angle, (30.0, 0.0, -20.0)) for angle in (25.0, 75.0))
-    designer.desk.edit(replace(paint, measurements=(*paint.measurements, *more)), "Five Angles")
+    designer.desk.set_paint(replace(paint, measurements=(*paint.measurements, *more)), "Five Angles")
     assert len(designer.window.editors.editors) == 5
     designer.window.undo_action.trigger()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

@@ -1,4 +1,4 @@
-"""Everything can be reached by keyboard, and is told to who cannot see it: all widgets of the window, walked."""
+"""Everything can be reached by keyboard, and has a name for a screen reader: all widgets of the window, walked."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_designer.preview.thumbnails import Thumbnails
+from brdf_designer.preview import thumbnails
 from brdf_designer.window.letters import with_letters
 from brdf_qt.window.command_palette import commands
 from PySide6.QtCore import QPoint, Qt
@@ -48,7 +48,7 @@ def window(qapp, tmp_path_factory):
     patch = pytest.MonkeyPatch()
     patch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
     patch.setenv("BRDF_SUITE_LINK", f"reach-{id(patch)}")
-    patch.setattr(Thumbnails, "_ask_next", lambda _self: None)
+    patch.setattr(thumbnails, "child_command", lambda _module: [])
     designer = Designer()
     designer.window.resize(1400, 900)
     for section in designer.window.inspector.sections:
@@ -90,7 +90,7 @@ def said(widget: QWidget) -> str:
     return widget.accessibleName() or text.replace("&", "")
 
 
-def told(widget: QWidget) -> str:
+def described(widget: QWidget) -> str:
     return f"{type(widget).__name__} {widget.objectName()!r} {said(widget)!r} in {path(widget)}"
 
 
@@ -104,16 +104,16 @@ def path(widget: QWidget) -> str:
 def test_every_control_has_a_name_for_a_screen_reader(window):
     found = controls(window)
     assert len(found) > 60
-    assert [told(widget) for widget in found if not said(widget)] == []
+    assert [described(widget) for widget in found if not said(widget)] == []
 
 
-def test_every_name_of_a_number_tells_its_unit_or_has_none(window):
+def test_every_name_of_a_number_has_its_unit_or_has_none(window):
     """A number with a suffix says it: 5.0 µm is spoken with its unit."""
     from brdf_qt.fields.number import NumberField
 
     fields = window.findChildren(NumberField)
     assert len(fields) > 15
-    assert [told(f) for f in fields if f.unit and f.unit not in f.accessibleName()] == []
+    assert [described(f) for f in fields if f.unit and f.unit not in f.accessibleName()] == []
 
 
 def test_every_control_explains_itself(window):
@@ -126,7 +126,7 @@ def test_every_control_explains_itself(window):
 
     quiet = (QPlainTextEdit, QTextEdit, QLineEdit, QTabBar)
     silent = [
-        told(widget)
+        described(widget)
         for widget in controls(window)
         if not explained(widget)
         and not isinstance(widget, quiet)
@@ -147,7 +147,7 @@ def test_every_control_that_is_shown_takes_the_focus_by_tab(window):
     from brdf_qt.fields.colour_slider import ColourSlider
 
     quiet = [
-        told(widget)
+        described(widget)
         for widget in controls(window)
         if widget.isVisibleTo(window)
         and widget.isEnabled()
@@ -176,7 +176,7 @@ def test_tab_goes_through_the_window_from_top_to_bottom_of_the_inspector(window,
         now = QApplication.focusWidget()
         if now is first:
             break
-        assert now not in seen, told(now)
+        assert now not in seen, described(now)
         seen.append(now)
     assert len(seen) > 30
     inspector = window.inspector.widget()

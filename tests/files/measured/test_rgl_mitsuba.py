@@ -21,8 +21,8 @@ from brdf_suite.files.measured import write_measured
 from brdf_suite.files.measured.rgl import read_rgl, write_rgl
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.tensor import TensorReflectance
 from brdf_suite.reflectance.tensor.tabulate import tabulate
+from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 
 _directions = load_module(Path(__file__).parent / "direction_pairs.py")
 hemisphere, pairs = _directions.hemisphere, _directions.pairs

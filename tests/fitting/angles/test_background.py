@@ -14,7 +14,7 @@ import pytest
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.fitting.lobes.angles import fitter as fitter_module
-from brdf_suite.fitting.lobes.angles.late import chain_futures
+from brdf_suite.fitting.lobes.angles.future_chain import chain_futures
 from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers
@@ -40,14 +40,14 @@ def paint(name: str) -> Layered:
 def held_back(fitter: AngleFitter, monkeypatch: pytest.MonkeyPatch) -> threading.Event:
     """Keep the thread of the grey coat from working until the event is set."""
     event = threading.Event()
-    background = fitter._grey_coat.background
-    advance = background._advance
+    background = fitter.grey_coat.background
+    advance = background.advance
 
     def later(work: Any) -> Any:
         assert event.wait(SECONDS)
         return advance(work)
 
-    monkeypatch.setattr(background, "_advance", later)
+    monkeypatch.setattr(background, "advance", later)
     return event
 
 
@@ -91,12 +91,12 @@ def test_a_fit_that_begins_meanwhile_finds_the_late_base_begun(
         assert go_on.wait(SECONDS)
         return base
 
-    monkeypatch.setattr(hurried._base, "begin", slowly)
+    monkeypatch.setattr(hurried.base_solver, "begin", slowly)
     released = held_back(hurried, monkeypatch)
     fit = hurried.fit(paint("blue"))
     released.set()
     assert inside.wait(SECONDS)
-    other = threading.Thread(target=lambda: (hurried._supersede(), superseded.set()))
+    other = threading.Thread(target=lambda: (hurried.supersede(), superseded.set()))
     other.start()
     assert not superseded.wait(0.1)
     go_on.set()
@@ -112,9 +112,9 @@ def test_a_late_base_without_requests_is_not_begun(
     hurried: AngleFitter, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     begun: list[object] = []
-    begin = hurried._base.begin
-    monkeypatch.setattr(hurried._base, "begin", lambda *a, **k: (begun.append(1), begin(*a, **k))[1])
-    make = hurried._base_target
+    begin = hurried.base_solver.begin
+    monkeypatch.setattr(hurried.base_solver, "begin", lambda *a, **k: (begun.append(1), begin(*a, **k))[1])
+    make = hurried.base_target
     arrived, go_on = threading.Event(), threading.Event()
 
     def slowly(*given: Any) -> Any:
@@ -123,12 +123,12 @@ def test_a_late_base_without_requests_is_not_begun(
             assert go_on.wait(SECONDS)
         return make(*given)
 
-    monkeypatch.setattr(hurried, "_base_target", slowly)
+    monkeypatch.setattr(hurried, "base_target", slowly)
     released = held_back(hurried, monkeypatch)
     fit = hurried.fit(paint("blue"))
     released.set()
     assert arrived.wait(SECONDS)
-    hurried._supersede()
+    hurried.supersede()
     go_on.set()
     hurried.close()
     assert fit.exact is not None
@@ -153,7 +153,7 @@ def test_a_coat_without_an_optimum_is_reported(hurried: AngleFitter, monkeypatch
     def lost(*_: object) -> None:
         raise FittingError("no optimum")
 
-    monkeypatch.setattr(hurried._grey_coat.background, "_advance", lost)
+    monkeypatch.setattr(hurried.grey_coat.background, "advance", lost)
     fit = hurried.fit(paint("blue"))
     assert fit.exact is not None
     with pytest.raises(FittingError, match="no optimum"):

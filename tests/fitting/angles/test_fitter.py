@@ -272,8 +272,10 @@ def test_a_limit_that_nothing_can_meet_gives_the_best_at_hand_and_the_optimum_la
 def test_a_base_that_met_the_limit_is_finished_with_its_coat(monkeypatch: pytest.MonkeyPatch) -> None:
     target = paint("violet_shift")
     fitter = AngleFitter(time_limit_s=20.0)
-    solve = fitter._base.solve
-    monkeypatch.setattr(fitter._base, "solve", lambda targets, deadline, **kept: solve(targets, 0.0, **kept))
+    solve = fitter.base_solver.solve
+    monkeypatch.setattr(
+        fitter.base_solver, "solve", lambda targets, deadline, **kept: solve(targets, 0.0, **kept)
+    )
     fit = fitter.fit(target)
     assert fit.time_limited
     assert set(fit.coat_error.method) == {"optimum"}

@@ -124,9 +124,9 @@ def test_killed_and_started_again_it_gives_what_it_would_have_given(tmp_path: Pa
 )
 def test_the_command_that_is_kept_makes_the_answer_again(more: tuple[str, ...], words: str) -> None:
     parser = argparse.ArgumentParser()
-    basis.add(parser.add_subparsers())
-    options = parser.parse_args(["basis", *more])
-    assert basis._command(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
+    basis.add(parser)
+    options = parser.parse_args(more)
+    assert basis.command_line(options, 3) == f"brdf-suite basis --lobes 11 --starts 4 --workers 3{words}"
 
 
 def test_interrupted_it_keeps_what_is_done_and_says_so(tmp_path: Path, few_paints: Path) -> None:

@@ -5,15 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import Cancelled
 from brdf_suite.fitting.basis_search.error import equation_4
 from brdf_suite.fitting.basis_search.optimize import LARGEST_EXPONENT, optimize
 
-Floats = np.ndarray
 WANTED = np.log([3.0, 40.0, 2_000.0])
 
 
-def distances(exponents: Floats) -> Floats:
+def distances(exponents: AnyArray) -> AnyArray:
     """Six paints: each is as far off as its own lobe, and a floor."""
     away = np.log(exponents) - WANTED
     return np.concatenate((0.1 + np.abs(away), 0.05 + away**2))
@@ -31,7 +31,7 @@ def test_it_finds_the_exponents_and_says_what_they_are_worth() -> None:
 def test_only_equation_4_decides() -> None:
     """Larger exponents lower the mean, and with it the 2-norm, but raise the maximum more: the start stays."""
 
-    def traded(exponents: Floats) -> Floats:
+    def traded(exponents: AnyArray) -> AnyArray:
         above = float(np.log(exponents[0] / 8.0))
         return np.array([3.0 + 2.0 * abs(above), *([2.5 - 0.9 * above] * 9)])
 
@@ -67,7 +67,7 @@ def test_a_narrow_valley_across_the_axes_needs_its_slopes() -> None:
     turned = np.array([[1.0, 1.0, 1.0], [1.0, -1.0, 0.0], [1.0, 1.0, -2.0]]) / np.sqrt([[3.0], [2.0], [6.0]])
     across = np.array([[100.0], [1.0], [0.03]]) * turned
 
-    def valley(exponents: Floats) -> Floats:
+    def valley(exponents: AnyArray) -> AnyArray:
         return np.sqrt(0.01 + (across @ (np.log(exponents) - WANTED)) ** 2)
 
     assert optimize(valley, (10.0, 60.0, 9_000.0)).value < 0.21
@@ -76,7 +76,7 @@ def test_a_narrow_valley_across_the_axes_needs_its_slopes() -> None:
 def test_the_kink_of_the_maximum_needs_its_polish() -> None:
     """The 16-norm of these has its least value at 1.86; where maximum plus mean is least, one has an edge."""
 
-    def edge(exponents: Floats) -> Floats:
+    def edge(exponents: AnyArray) -> AnyArray:
         above = float(np.log(exponents[0] / 8.0))
         return np.array([max(1.0 + above, 0.0), *([max(0.9 - 0.2 * above, 0.0)] * 9)])
 

@@ -7,10 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import Cancelled, FittingError, ValueRangeError
 from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_lobes
-from brdf_suite.geometry.directions import Floats, from_half_angle_coordinates
+from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 

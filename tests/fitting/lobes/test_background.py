@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.limited import LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import SolverOutcome
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0
 
@@ -90,7 +90,7 @@ def test_a_caller_whose_solver_is_lost_is_reported_before_its_limit(solver: Limi
             raise AssertionError("it tries on and on")
         return SolverOutcome.LOST
 
-    solver.solver.run = lost  # type: ignore[method-assign]  # no target is known that loses it
+    solver.model.run = lost  # type: ignore[method-assign]  # no target is known that loses it
     answer = solver.solve([target()], time.perf_counter() + PATIENCE_S)
     assert not answer.optimal
     assert answer.exact is not None

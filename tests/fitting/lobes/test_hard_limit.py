@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from brdf_suite.fitting.lobes import fallback, limited
-from brdf_suite.fitting.lobes.limited import LimitedSolver
+from brdf_suite.fitting.lobes import fallback, time_limit
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0
 START_S = 100.0
@@ -40,7 +40,7 @@ class Clock:
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     made = Clock()
-    for module in (limited, fallback):
+    for module in (time_limit, fallback):
         monkeypatch.setattr(module, "time", types.SimpleNamespace(perf_counter=made))
     return made
 
@@ -84,8 +84,8 @@ def make_steady(clock: Clock, monkeypatch: pytest.MonkeyPatch) -> Iterator[MakeS
     def make(step_s: float = 1e-5) -> tuple[LimitedSolver, SteadySolver]:
         solver = LimitedSolver([program()], inline=True)
         made.append(solver)
-        steady = SteadySolver(clock, solver.solver, step_s)
-        monkeypatch.setattr(solver, "solver", steady)
+        steady = SteadySolver(clock, solver.model, step_s)
+        monkeypatch.setattr(solver, "model", steady)
         return solver, steady
 
     yield make
@@ -97,7 +97,7 @@ def test_no_run_is_begun_after_its_share_nor_allowed_to_last_longer(
     make_steady: MakeSteady, clock: Clock
 ) -> None:
     solver, steady = make_steady()
-    solver._pace_s = 1e-5
+    solver.pace_s = 1e-5
     answer = solver.solve([target()], START_S + 0.004, finish=False)
     assert not answer.optimal
     assert len(steady.runs) > 1
@@ -201,7 +201,7 @@ def test_the_vertex_of_two_targets_answers_the_third_without_the_solver(
     assert first.iterations > 0
     again = solver.solve([target()], clock.now + PATIENCE_S)
     assert again.iterations == 0
-    monkeypatch.setattr(solver, "solver", None)  # any use of it fails
+    monkeypatch.setattr(solver, "model", None)  # any use of it fails
     third = solver.solve([target() * (1.0 + 1e-9)], clock.now - 1.0)
     assert third.optimal
     np.testing.assert_allclose(third.objectives[0], first.objectives[0], rtol=1e-6)

@@ -14,14 +14,14 @@ from hypothesis import strategies as st
 from brdf_suite.errors import Cancelled, FittingError
 from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
-from brdf_suite.fitting.lobes.undivided import (
+from brdf_suite.fitting.lobes.measured import (
     UndividedFit,
     fit_rows,
     fit_scattered,
     fit_undivided,
     scattered_values,
 )
-from brdf_suite.fitting.lobes.undivided_samples import reflectance_rows, scattered_rows
+from brdf_suite.fitting.lobes.measured_samples import reflectance_rows, scattered_rows
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.models.lambertian import Lambertian

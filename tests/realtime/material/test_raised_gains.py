@@ -8,10 +8,10 @@ from pathlib import Path
 import moderngl
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting import LobeWeights
-from brdf_suite.fitting.lobes.raised import RaisedWeights
+from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
@@ -19,17 +19,16 @@ from brdf_suite.realtime.material.material_set import pack
 from brdf_suite.realtime.material.ramp import MAX_BROAD, make_ramp
 from brdf_suite.realtime.values import Coat, MaterialWeights
 
-Array = NDArray[np.float64]
 COSINES = np.linspace(0.0, 1.0, 101)
 
 
 def gains_of_the_shader(
     context: moderngl.Context,
-    evaluate: Callable[..., Array],
+    evaluate: Callable[..., Floats],
     folder: Path,
     weights: LobeWeights,
     coat: Coat,
-) -> tuple[Array, Array]:
+) -> tuple[Floats, Floats]:
     (folder / "gains.glsl").write_text(
         f'#define MAX_BROAD {MAX_BROAD}\n#define FRESNEL_RAISED 1\n#include "material.glsl"\n'
         "vec4 gains(float c) { vec3 base, gloss; fresnel_gains(c, base, gloss); return vec4(base.r, gloss.rgb); }\n"
@@ -63,7 +62,7 @@ def gains_of_the_shader(
 @pytest.mark.parametrize("share", [1.0, 3.0])
 def test_gains(
     context: moderngl.Context,
-    evaluate: Callable[..., Array],
+    evaluate: Callable[..., Floats],
     tmp_path: Path,
     ior: float,
     theta_fit_deg: float,

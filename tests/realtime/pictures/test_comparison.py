@@ -13,8 +13,8 @@ from brdf_suite.appearance.colour.colorimetry import (
     srgb_encode,
     working_to_lab,
 )
+from brdf_suite.appearance.difference.colour_scale import scale_colour
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.difference.scale import scale_colour
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, ComparisonRenderer

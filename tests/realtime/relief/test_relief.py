@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from brdf_suite.arrays import AnyArray
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Relief, SurfaceLook, TwoTone
@@ -22,7 +23,6 @@ from brdf_suite.realtime.relief.textures import ReliefTextures, mask_coordinates
 from brdf_suite.realtime.relief.values import MaskImage, PeelTile, SlopeMap
 from brdf_suite.realtime.values import MeshPart
 
-Array = np.ndarray
 SIZE = (96, 64)
 MAPPED = Relief(normal_map="/map.png", normal_width_mm=50.0)
 
@@ -52,7 +52,7 @@ def up_light(scenes: Any) -> Any:
     return scenes.from_function(lambda d: 2.0 + d)
 
 
-def middle(renderer: Renderer, shown: View) -> Array:
+def middle(renderer: Renderer, shown: View) -> AnyArray:
     return renderer.linear_image(shown, SIZE)[32, 48, :3] - 2.0
 
 
@@ -212,7 +212,7 @@ def test_a_mask_over_the_box(two_paints: Renderer) -> None:
 def test_where_the_box_is_covered() -> None:
     bounds = Bounds((-1.0, 0.0, -2.0), (1.0, 1.5, 3.0))
 
-    def at(projection: str, point: tuple[float, float, float]) -> Array:
+    def at(projection: str, point: tuple[float, float, float]) -> AnyArray:
         shown = view(two_tone=replace(TWO, projection=projection))  # type: ignore[arg-type] # a choice
         values: Any = mask_coordinates(shown, bounds, 1.0)
         return np.array([np.dot(values["mask_u"], [*point, 1]), np.dot(values["mask_v"], [*point, 1])])

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Measurement, Paint
 from brdf_suite.documents.store import load_paint
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance import measure_lab
 from brdf_suite.reflectance.designed.build import build_paint

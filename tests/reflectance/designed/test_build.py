@@ -10,8 +10,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from brdf_suite.appearance.clearcoat_gloss import gloss_units
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.gloss import gloss_units
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical

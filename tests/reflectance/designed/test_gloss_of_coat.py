@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.gloss import gloss_units
+from brdf_suite.appearance.clearcoat_gloss import gloss_units
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.reflectance.designed.build import DarkerThanCoatError, build_paint, gloss_of_coat

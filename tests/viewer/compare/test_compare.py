@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from brdf_viewer.compare.control import labels_of
 from brdf_viewer.compare.divider_gesture import DividerGesture
-from brdf_viewer.overlay.overlay import Label, Scale
+from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
@@ -216,10 +216,10 @@ def test_a_picture_of_light_is_compared_with_the_paint(start, lights, tmp_path, 
     ("mode", "labels"),
     [
         ("off", ()),
-        ("side", (Label("A  x", 0.0, 0.5), Label("B  y", 0.5, 0.5))),
-        ("swipe", (Label("A  x", 0.0, 0.3), Label("B  y", 0.3, 0.7))),
-        ("blink", (Label("B  y"),)),
-        ("difference", (Label("A  x  –  B  y"),)),
+        ("side", (OverlayLabel("A  x", 0.0, 0.5), OverlayLabel("B  y", 0.5, 0.5))),
+        ("swipe", (OverlayLabel("A  x", 0.0, 0.3), OverlayLabel("B  y", 0.3, 0.7))),
+        ("blink", (OverlayLabel("B  y"),)),
+        ("difference", (OverlayLabel("A  x  –  B  y"),)),
     ],
 )
 def test_labels(mode, labels) -> None:

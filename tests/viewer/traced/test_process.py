@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_viewer.traced.job import Frame
+from brdf_viewer.traced.job import TracedFrame
 from brdf_viewer.traced.picture_slots import SLOTS, take
 from brdf_viewer.traced.process import WORKER, TraceProcess
 from brdf_viewer.traced.request import TraceRequest
@@ -86,7 +86,7 @@ class Job:
         width, height = self.request.size
         for samples in range(1, 100):
             pixels = np.full((height, width, 4), float(samples), np.float32)
-            yield Frame(pixels, samples, 0, 1.0 / samples, 0.1 * samples)
+            yield TracedFrame(pixels, samples, 0, 1.0 / samples, 0.1 * samples)
 
     def denoise_picture(self, pixels: np.ndarray) -> np.ndarray:
         return -pixels

@@ -12,11 +12,11 @@ from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, QTimer
 
 from brdf_designer.acquire.mask.file import MASK_FILE, write_session_mask
-from brdf_designer.acquire.mask.history import Mask
 from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
+from brdf_suite.arrays import Bools
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress
 
@@ -42,7 +42,7 @@ class _Read:
 
     tones: Tones
     shape: tuple[int, int]
-    mask: Mask | None
+    mask: Bools | None
 
 
 class MaskControl(QObject):

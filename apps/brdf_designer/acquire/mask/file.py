@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from brdf_designer.acquire.mask.history import Mask
+from brdf_suite.arrays import Bools
 from brdf_suite.documents.atomic import write_atomically
 
 if TYPE_CHECKING:
@@ -19,7 +19,7 @@ MASK_FILE = "mask.png"
 _MOST_NAMES = 100
 
 
-def write_session_mask(folder: Path, session: Session, used: Mask) -> Session:
+def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
     """Write the mask into the folder and name it in session.json; return the session that names it.
 
     A mask of another name is left as it is, and so is a ``mask.png`` beside it that the session does not use.

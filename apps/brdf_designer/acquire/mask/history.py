@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-Mask = NDArray[np.bool_]
+from brdf_suite.arrays import Bools
+
 MOST_STEPS = 200
 
 
@@ -27,15 +28,15 @@ class _Step:
 class MaskHistory:
     """A mask, true where pixels are used, and its steps."""
 
-    def __init__(self, used: Mask) -> None:
+    def __init__(self, used: Bools) -> None:
         self._used = np.array(used, dtype=bool)
         self._undo: list[_Step] = []
         self._redo: list[_Step] = []
-        self._stroke: Mask | None = None
+        self._stroke: Bools | None = None
         self._box: list[int] | None = None
 
     @property
-    def used(self) -> Mask:
+    def used(self) -> Bools:
         """The mask as it is now (rows, columns); not to be written to."""
         return self._used
 
@@ -82,7 +83,7 @@ class MaskHistory:
         rows, columns = slice(box[0], box[1]), slice(box[2], box[3])
         return self._push(rows, columns, before)
 
-    def put(self, used: Mask) -> bool:
+    def put(self, used: Bools) -> bool:
         """Put another mask of the same size in its place, as one step."""
         self.end()
         before = self._used.copy()
@@ -127,7 +128,7 @@ class MaskHistory:
         )
         return True
 
-    def _push(self, rows: slice, columns: slice, before: Mask) -> bool:
+    def _push(self, rows: slice, columns: slice, before: Bools) -> bool:
         old, new = before[rows, columns], self._used[rows, columns]
         if np.array_equal(old, new):
             return False

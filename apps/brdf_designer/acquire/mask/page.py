@@ -12,11 +12,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy
 
 from brdf_designer.acquire.exposures.page import percent
-from brdf_designer.acquire.mask.history import Mask
 from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
 from brdf_designer.acquire.page import AcquirePage, Facts, beside, button, wrapped
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, drawn
+from brdf_suite.arrays import Bools
 
 
 class MaskPage(AcquirePage):
@@ -113,7 +113,7 @@ class MaskPage(AcquirePage):
             self.picture.show_mask(None)
         self._draw()
 
-    def show_mask(self, used: Mask | None) -> None:
+    def show_mask(self, used: Bools | None) -> None:
         """Show a mask that was read; its steps begin anew."""
         self.picture.show_mask(used)
         self._show_state()

@@ -13,10 +13,11 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
-from brdf_designer.acquire.mask.history import Mask, MaskHistory
+from brdf_designer.acquire.mask.history import MaskHistory
 from brdf_designer.acquire.pictures.marks import CASING, INK, Area, Mark
 from brdf_designer.acquire.pictures.tone import area_of
 from brdf_designer.acquire.pictures.view import PictureView
+from brdf_suite.arrays import Bools
 
 LEAST_RADIUS, MOST_RADIUS = 0.5, 400.0
 _STEP = 1.25
@@ -47,7 +48,7 @@ class MaskView(PictureView):
         self._last: QPointF | None = None
         self._stroke_takes_in = False
 
-    def show_mask(self, used: Mask | None) -> None:
+    def show_mask(self, used: Bools | None) -> None:
         """Start from this mask (rows, columns), true where pixels are used; its history is empty."""
         self.history = None if used is None else MaskHistory(used)
         self._at = QPointF(self.image.width() / 2.0, self.image.height() / 2.0)
@@ -83,7 +84,7 @@ class MaskView(PictureView):
         if self.history is not None and self.history.redo():
             self._edited()
 
-    def put(self, used: Mask) -> None:
+    def put(self, used: Bools) -> None:
         """Put another mask in its place, as one step."""
         if self.history is not None and self.history.put(used):
             self._edited()

@@ -9,7 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.recovery import Recovered, Recovery
+from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.documents.store import DocumentStore
+from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
 
@@ -25,7 +27,6 @@ from brdf_viewer.light.studio.fields import Edits
 from brdf_viewer.light.studio.lamp_form import changed_lamp
 from brdf_viewer.light.studio.live_light import LiveLight
 from brdf_viewer.light.studio.places import point_at, polar
-from brdf_viewer.light.studio.recovery_offer import offer_recovered
 from brdf_viewer.light.studio.surroundings_form import changed_surroundings
 from brdf_viewer.light.studio.templates import TEMPLATES
 from brdf_viewer.scene.control import SceneControl
@@ -69,7 +70,13 @@ class StudioControl(ViewerFeature):
         self._connect_panel()
         self._add_commands()
         self._contents_changed()
-        offer_recovered(self.recovery, window.messages, self._recover)
+        RecoveryOffer(
+            window.messages.show_message,
+            self.recovery.found,
+            self._recover,
+            self.recovery.drop,
+            tr("Viewer closed unexpectedly. Recover your unsaved work on the studio “{name}” of {when}?"),
+        ).show()
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""

@@ -43,5 +43,5 @@ class StudioFiles(DocumentFiles[LightDocument]):
         """Return none."""
         return []
 
-    def _store_recent(self, paths: list[Path]) -> None:
+    def remember(self, path: Path) -> None:
         """Keep none."""

@@ -20,7 +20,7 @@ import numpy.typing as npt
 from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, apply
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.progress import Progress, report
 
 _STEPS = 40
@@ -29,8 +29,6 @@ _HUBER = 1.5
 _OUTLIER = 5.0
 _OUTLIER_PX = 0.5
 _STEADY = 1e-4  # of a standard deviation
-
-Valid = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -77,7 +75,7 @@ class RigFit:
     posterior: Floats
 
 
-def fit_rig(series: HighlightSeries, prior: Floats, kept: Valid, progress: Progress | None) -> RigFit:
+def fit_rig(series: HighlightSeries, prior: Floats, kept: Bools, progress: Progress | None) -> RigFit:
     """Return the numbers that the highlights ``kept`` and the statements (covariance ``prior``) agree with best."""
     lower = np.linalg.inv(np.linalg.cholesky(prior))  # whitens the statements' errors
     scale = np.sqrt(np.diag(prior))
@@ -97,7 +95,7 @@ def fit_rig(series: HighlightSeries, prior: Floats, kept: Valid, progress: Progr
     return RigFit(x, off, slopes, np.linalg.inv(white.T @ white + lower.T @ lower))
 
 
-def _weights(off: Floats, sigma: Floats, kept: Valid) -> Floats:
+def _weights(off: Floats, sigma: Floats, kept: Bools) -> Floats:
     """Return Huber's weights (n,) over the standard errors, these as large as the residuals show them to be."""
     length = np.linalg.norm(off, axis=-1) / sigma
     spread = max(_SPREAD * float(np.median(length[kept])), 1.0)
@@ -105,7 +103,7 @@ def _weights(off: Floats, sigma: Floats, kept: Valid) -> Floats:
     return weight * kept / (sigma * spread)
 
 
-def stray(off: Floats, sigma: Floats) -> Valid:
+def stray(off: Floats, sigma: Floats) -> Bools:
     """Return the highlights (n,) that are far from where both of their neighbours in the series say.
 
     Where the sphere has moved a highlight still agrees with one of them.
@@ -115,15 +113,15 @@ def stray(off: Floats, sigma: Floats) -> Valid:
     # The first and the last are compared with the two next to them.
     before = np.concatenate((np.linalg.norm(off[:1] - off[2:3], axis=-1), step))
     after = np.concatenate((step, np.linalg.norm(off[-1:] - off[-3:-2], axis=-1)))
-    stray: Valid = np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
+    stray: Bools = np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
     return stray
 
 
-def find_outliers(off: Floats, sigma: Floats, kept: Valid) -> Valid:
+def find_outliers(off: Floats, sigma: Floats, kept: Bools) -> Bools:
     """Return the highlights (n,) that are off by far more than those ``kept`` usually are."""
     length = np.linalg.norm(off, axis=-1)
     middle = _SPREAD * float(np.median(length[kept]))
-    far: Valid = length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX)
+    far: Bools = length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX)
     return far
 
 

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _LEAST_PX = 0.4
 _LEAST_SIGNIFICANCE = 8.0

@@ -11,7 +11,7 @@ import numpy as np
 
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple, unit
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 # What a stated number is trusted to, where nothing better is known: a careful hand with a ruler.
 _ANGLE_DEG = 1.0

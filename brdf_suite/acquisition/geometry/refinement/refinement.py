@@ -27,14 +27,12 @@ from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, Re
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import AcquisitionError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report, subrange
 
 _LEAST_HIGHLIGHTS = 4
 _LEAST_COSINE = 0.02
-
-Valid = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -73,7 +71,7 @@ class Refinement:
     pixels: Floats
     residuals_px: Floats
     residuals_deg: Floats
-    outliers: Valid
+    outliers: Bools
     rms_px: float
     rms_deg: float
     before_px: float
@@ -247,12 +245,12 @@ def format_movement_notice(refinement: Refinement, names: Sequence[str]) -> str:
     )
 
 
-def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> Valid:
+def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> Bools:
     """Return which of the positions lie in the longest part between two movements."""
     part_of = np.zeros(len(positions), np.intp)
     for movement in movements:
         part_of += positions >= movement.after
-    longest: Valid = part_of == int(np.argmax(np.bincount(part_of)))
+    longest: Bools = part_of == int(np.argmax(np.bincount(part_of)))
     return longest
 
 

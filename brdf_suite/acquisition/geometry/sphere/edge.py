@@ -22,9 +22,9 @@ import numpy as np
 import numpy.typing as npt
 from scipy.special import ndtr
 
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Floats
 
 _OUTSIDE = 5.0
 _INSIDE = 0.06  # of the radius

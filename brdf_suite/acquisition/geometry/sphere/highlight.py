@@ -24,7 +24,7 @@ import numpy.typing as npt
 from scipy.ndimage import binary_dilation, label, uniform_filter
 
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.geometry.directions import Floats
+from brdf_suite.arrays import Bools, Floats
 
 _WINDOW = 0.22  # half, in radii of the sphere
 _LEAST_WINDOW = 8.0
@@ -37,8 +37,6 @@ _LEAST_PIXELS = 4
 _WIDEST_DEG = 20.0
 _FLOOR_PX = 0.03
 _ONE_PIXEL_PX = 1.0 / math.sqrt(12.0)  # standard deviation of a place of which only the pixel is known
-
-Valid = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -70,8 +68,8 @@ def find_highlight(
     radiance: npt.NDArray[np.floating],
     geometry: RigGeometry,
     k: int,
-    valid: Valid | None = None,
-    clipped: Valid | None = None,
+    valid: Bools | None = None,
+    clipped: Bools | None = None,
 ) -> Highlight | None:
     """Return the highlight of position ``k`` in its merged photograph (h, w, 3) or (h, w).
 
@@ -137,9 +135,9 @@ class _Window:
     pixels: Floats
     normals: Floats
     cos_o: Floats
-    usable: Valid
+    usable: Bools
     strength: Floats
-    clipped: Valid
+    clipped: Bools
 
     @classmethod
     def around(
@@ -149,8 +147,8 @@ class _Window:
         value: npt.NDArray[np.floating],
         geometry: RigGeometry,
         light: Floats,
-        valid: Valid | None,
-        clipped: Valid | None,
+        valid: Bools | None,
+        clipped: Bools | None,
     ) -> _Window | None:
         """Return the window of ``half`` pixels to each side, or None outside of the picture."""
         low = np.maximum(np.floor(middle - half), 0).astype(int)

@@ -18,11 +18,11 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import median_filter
 
+from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.edge import LEAST_LIT, Edge, circle, find_edge, lit_share
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple, unit
-from brdf_suite.acquisition.geometry.sphere.union import PhotographUnion
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import AcquisitionError
-from brdf_suite.geometry.directions import Floats
 from brdf_suite.progress import Progress, report
 
 _DRAWS = 1500
@@ -35,8 +35,6 @@ _LEAST_ARC = 1.2  # radians of outline that must be lit
 _SPREAD = 1.4826  # of a normal distribution, over the median absolute deviation
 _STEPS = 30
 _SYSTEMATIC_PX = 0.03
-
-Valid = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)
@@ -64,7 +62,7 @@ class SphereOutline:
     """
 
     points: Floats
-    used: Valid
+    used: Bools
     residuals_px: Floats
     centre_m: Triple
     covariance: Floats
@@ -79,7 +77,7 @@ class SphereOutline:
 
 
 def find_outline(
-    union: PhotographUnion, geometry: RigGeometry, mask: Valid | None = None, progress: Progress | None = None
+    union: PhotographUnion, geometry: RigGeometry, mask: Bools | None = None, progress: Progress | None = None
 ) -> SphereOutline:
     """Return the sphere's outline in a sum of photographs.
 
@@ -133,7 +131,7 @@ def _require(edge: Edge, geometry: RigGeometry) -> None:
         )
 
 
-def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Valid | None) -> RigGeometry:
+def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None) -> RigGeometry:
     """Return the geometry with the outline that most pixels between bright and dark lie on."""
     points = _border(union, mask)
     rays = geometry.lens.rays(points)
@@ -176,7 +174,7 @@ def _azimuth_bins(rays: Floats, axis: Floats) -> npt.NDArray[np.intp]:
     return np.minimum((turn * _BINS).astype(np.intp), _BINS - 1)
 
 
-def _border(union: PhotographUnion, mask: Valid | None) -> Floats:
+def _border(union: PhotographUnion, mask: Bools | None) -> Floats:
     """Return pixels (n, 2) of bright beside dark at several thresholds.
 
     The outline is a step and lies on the border at each of them; a highlight's slope and the sphere's own shadow do

@@ -22,8 +22,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.lens import Lens
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import Floats
 
 _ROUNDS = 60
 _CLOSE = 1e-12

@@ -12,13 +12,13 @@ import re
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Foreign, GroupPath, Palette
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.archive.zipped import in_part, is_zip, pack_zip, unpack
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_flat
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.xml.writing import attribute, read_root
 
 _MIMETYPES = (b"krita/x-colorset", b"application/x-krita-palette")

@@ -8,16 +8,17 @@ numbers: here only numbers are read.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.archive.zipped import in_part, is_zip, pack_zip, unpack
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.text.number_text import scale_text, unscale_text
 from brdf_suite.files.palettes.xml.writing import attribute, read_root, text_content
 
@@ -123,7 +124,6 @@ class _Reader:
                 self._read_group(element, inner, before)
 
     def _mark(self, what: str, group: GroupPath, before: list[str]) -> None:
-        from dataclasses import replace
 
         entries = self._collector.entries
         if not entries or entries[-1].group != group:

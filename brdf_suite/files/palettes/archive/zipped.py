@@ -6,8 +6,8 @@ import io
 import zipfile
 import zlib
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.palettes.format import LARGEST, PathLike
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.palettes.format import LARGEST
 
 MOST_PARTS = 1000
 _ENTRY = b"PK\1\2"

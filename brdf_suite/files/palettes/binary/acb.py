@@ -9,9 +9,10 @@ place on a page. The last bytes may say whether the colours are inks of their ow
 from __future__ import annotations
 
 from brdf_suite.documents.palette import Foreign, Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _CHANNELS = {0: 3, 2: 4, 7: 3}
 

@@ -12,10 +12,11 @@ from collections.abc import Callable
 
 from brdf_suite.documents.flat_colour import Model
 from brdf_suite.documents.palette import Entry, Foreign, Palette
+from brdf_suite.errors import PathLike, SuiteError
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_plain
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _FULL = 65_535.0
 _RGB, _HSB, _CMYK, _LAB, _GRAY, _WIDE_CMYK = 0, 1, 2, 7, 8, 9
@@ -119,7 +120,6 @@ def write(palette: Palette) -> bytes:
     SuiteError
         It has more than 65,535 entries.
     """
-    from brdf_suite.errors import SuiteError
 
     entries = palette.entries
     if len(entries) > 0xFFFF:

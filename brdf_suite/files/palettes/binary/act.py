@@ -6,9 +6,10 @@ Four more bytes may say how many of them count, and which is transparent. Only i
 from __future__ import annotations
 
 from brdf_suite.documents.palette import Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _TABLE, _WITH_COUNT = 768, 772
 

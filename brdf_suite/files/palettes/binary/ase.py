@@ -11,10 +11,11 @@ import struct
 
 from brdf_suite.documents.flat_colour import Model
 from brdf_suite.documents.palette import Palette, Usage
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_plain
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _BEGIN, _END, _COLOUR = 0xC001, 0xC002, 0x0001
 _MODELS: dict[bytes, tuple[Model, int]] = {

@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 import struct
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.palettes.format import PathLike
+from brdf_suite.errors import FileError, PathLike
 
 
 class ByteCursor:

@@ -8,10 +8,11 @@ from __future__ import annotations
 import struct
 
 from brdf_suite.documents.palette import Foreign, Palette
+from brdf_suite.errors import PathLike, SuiteError
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _VERSION = 0x0300
 _FLAGS = "pal.flags"
@@ -62,7 +63,6 @@ def _read_data(chunk: ByteCursor, collector: Collector) -> None:
 
 def write(palette: Palette) -> bytes:
     """Return the content of a RIFF palette; :class:`SuiteError` where there are more than 65,535 entries."""
-    from brdf_suite.errors import SuiteError
 
     if len(palette) > 0xFFFF:
         raise SuiteError(f"A RIFF palette holds 65,535 colours, and this one has {len(palette):,}.")

@@ -13,9 +13,10 @@ import unicodedata
 
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.text.css_colour import SPACES, format_css, parse_colour
 
 # Every branch takes at least one character and none can be taken in two ways, so the time is that of the length.

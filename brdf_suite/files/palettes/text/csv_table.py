@@ -16,6 +16,8 @@ import re
 from brdf_suite.appearance.colour.flat_colours import flat_labs, within_paint
 from brdf_suite.documents.flat_colour import MODELS, FlatColour
 from brdf_suite.documents.palette import USAGES, Entry, GroupPath, Palette
+from brdf_suite.errors import PathLike
+from brdf_suite.files.bounded_reading import number_in
 from brdf_suite.files.exports.csv_table import (
     COLUMN,
     DELIMITERS,
@@ -27,10 +29,9 @@ from brdf_suite.files.exports.csv_table import (
     parse_angles,
     unguard_formula,
 )
-from brdf_suite.files.measured.bounded_reading import number_in
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import as_readings
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _FIRST = ("name", "group", "code", "tags", "usage", "date", "entry_notes")
 _FLAT = ("model", "values", "space", "illuminant", "observer_deg", "wavelengths")

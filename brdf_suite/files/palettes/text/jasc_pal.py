@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 
 from brdf_suite.documents.palette import Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 
 _HEAD = "JASC-PAL"
 _COLOUR = re.compile(r"\s*(\d{1,3})\s+(\d{1,3})\s+(\d{1,3})(?:\s+(\d{1,3}))?\s*")

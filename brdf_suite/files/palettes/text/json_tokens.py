@@ -18,10 +18,10 @@ from typing import Any
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.documents.palette_store import entry_from_json, entry_to_json
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import convert_to_flat, convert_to_rgb8, in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.text.css_colour import SPACES, parse_colour
 
 _OURS = "brdf-suite"

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from datetime import UTC, datetime
 from importlib.metadata import version
+from xml.sax.saxutils import escape
 
 import numpy as np
 
@@ -134,7 +135,6 @@ def _multiline(text: str) -> str:
 
 
 def _text(text: str) -> str:
-    from xml.sax.saxutils import escape
 
     return escape(clean_text(text))
 

@@ -12,14 +12,13 @@ from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import USAGES, GroupPath, Palette
 from brdf_suite.documents.palette_store import flat_from_json
-from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, TAGS, SampleReader
+from brdf_suite.errors import FileError, PathLike, SuiteError
+from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, SampleReader
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
 from brdf_suite.files.cxf_values import CxfSample
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
-from brdf_suite.files.palettes.format import PathLike
 
 GROUP, CODE, LABELS, USAGE, DATE, NOTES, FLAT = (
     "palette.group", "palette.code", "palette.tags", "palette.usage", "palette.date", "palette.notes", "palette.flat",
@@ -243,7 +242,6 @@ class _Reader:
 
 def _moment(text: str, tags: Mapping[str, str]) -> str:
     """When a sample was made, where it says so; what this program wrote says it as a tag."""
-    from brdf_suite.files.cxf import VERSION
 
     if VERSION in tags or FLAT in tags:
         return ""

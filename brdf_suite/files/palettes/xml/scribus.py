@@ -12,11 +12,12 @@ import re
 
 from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
+from brdf_suite.errors import PathLike
 from brdf_suite.files.cxf_specification import number
 from brdf_suite.files.hardened_xml import Element
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_plain, convert_to_rgb8
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.text.number_text import scale_text, unscale_text
 from brdf_suite.files.palettes.xml.writing import attribute, mentions, read_root
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 import re
 
 from brdf_suite.documents.palette import Palette
+from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
-from brdf_suite.files.palettes.format import PaletteFormat, PathLike
+from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.xml.writing import attribute, mentions, read_root
 
 _HEX = re.compile("#?([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from xml.sax.saxutils import escape, quoteattr
 
-from brdf_suite.errors import FileError
-from brdf_suite.files.hardened_xml import Element, PathLike, parse_xml
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.hardened_xml import Element, parse_xml
 
 _NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 

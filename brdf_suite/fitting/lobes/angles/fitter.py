@@ -11,11 +11,11 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.angles.future_chain import chain_futures
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
-from brdf_suite.fitting.lobes.angles.late import chain_futures
 from brdf_suite.fitting.lobes.angles.program import base_program, coat_program
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, check_samples, coat_target
@@ -23,15 +23,14 @@ from brdf_suite.fitting.lobes.angles.weights import AngleWeights
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit
 from brdf_suite.fitting.lobes.fitter import PartError
-from brdf_suite.fitting.lobes.limited import LimitedSolution, LimitedSolver
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
+from brdf_suite.fitting.lobes.time_limit import LimitedSolution, LimitedSolver
 from brdf_suite.reflectance.protocol import Layered
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future
 
-FloatArray = NDArray[np.float64]
 
 #: Weight of the base's change between neighbouring incidences, and how many times as much the coat's counts: its
 #: shape hardly changes, so that calm costs it nothing. Chosen by measurement (docs/method/incidence.md).
@@ -76,7 +75,7 @@ class AngleFit:
 class _Solved:
     """One part: weights (K, terms, 3), error, whether optimal, iterations."""
 
-    table: FloatArray
+    table: Floats
     error: PartError
     optimal: bool
     iterations: int
@@ -134,9 +133,9 @@ class AngleFitter:
         base, coat = self.programs
         # A coat is the same in all channels, as a rule, and its program is then solved once; sharp lobes of
         # Cook-Torrance paints are coloured.
-        self._grey_coat = LimitedSolver([coat], 1)
-        self._coloured_coat = LimitedSolver([coat], 3, fallbacks=self._grey_coat.fallbacks)
-        self._base = LimitedSolver([base], 3)
+        self.grey_coat = LimitedSolver([coat], 1)
+        self.coloured_coat = LimitedSolver([coat], 3, fallbacks=self.grey_coat.fallbacks)
+        self.base_solver = LimitedSolver([base], 3)
         # A base that has to wait for the optimum of its coat is begun from the coat's thread: held meanwhile, so that
         # the next fit either finds it begun, and supersedes it, or keeps it from being begun.
         self._late = threading.Lock()
@@ -145,11 +144,11 @@ class AngleFitter:
 
     def close(self) -> None:
         """Drop what is in work and end the background threads, each at most one slice of its solver later."""
-        self._supersede()
-        for solver in (self._grey_coat, self._coloured_coat, self._base):
+        self.supersede()
+        for solver in (self.grey_coat, self.coloured_coat, self.base_solver):
             solver.close()
 
-    def _supersede(self) -> None:
+    def supersede(self) -> None:
         """Cancel the background work of the last fit."""
         with self._late:
             if self._exact is not None:
@@ -206,18 +205,18 @@ class AngleFitter:
         return self._fit(checked, start, self.time_limit_s)
 
     def _fit(self, samples: AngleSamples, start: float, limit_s: float) -> AngleFit:
-        self._supersede()
+        self.supersede()
         target, scale = coat_target(self.programs[1], self.coat_samples, samples)
         grey = bool(np.ptp(target, axis=1).max() <= SAME * target.max(initial=0.0))
         # The base takes what is left of the coat in the plane, so the coat comes first, and half of the time is its.
-        answer = (self._grey_coat if grey else self._coloured_coat).solve(
+        answer = (self.grey_coat if grey else self.coloured_coat).solve(
             [target[:, :1] if grey else target],
             start + COAT_SHARE * limit_s,
             then=lambda exact: self._coat(exact, target, scale),
         )
         coat = self._coat(answer, target, scale)
-        below, below_scale = self._base_target(samples, coat)
-        answered = self._base.solve(
+        below, below_scale = self.base_target(samples, coat)
+        answered = self.base_solver.solve(
             [below],
             start + limit_s - min(RESERVE_S, 0.25 * limit_s),
             finish=answer.optimal,
@@ -235,26 +234,27 @@ class AngleFitter:
         self, samples: AngleSamples, coat: _Solved, start: float, whole: Future[AngleFit]
     ) -> Future[AngleFit] | None:
         """Begin the base of a fit whose coat met the limit and has its optimum now; on the coat's thread."""
-        below, scale = self._base_target(samples, coat)
+        below, scale = self.base_target(samples, coat)
         with self._late:
             if whole.cancelled():
                 return None
-            return self._base.begin(
+            return self.base_solver.begin(
                 [below],
                 then=lambda exact: self._result(samples, self._part(0, exact, below, scale), coat, start),
             )
 
-    def _coat(self, answer: LimitedSolution, target: FloatArray, scale: FloatArray) -> _Solved:
+    def _coat(self, answer: LimitedSolution, target: Floats, scale: Floats) -> _Solved:
         if answer.solutions[0].shape[1] == 1:
             answer = replace(
                 answer, solutions=(np.repeat(answer.solutions[0], 3, 1),), methods=(3 * answer.methods[0],)
             )
         return self._part(1, answer, target, scale)
 
-    def _base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[FloatArray, FloatArray]:
+    def base_target(self, samples: AngleSamples, coat: _Solved) -> tuple[Floats, Floats]:
+        """Return the base's target under a solved coat, and its scale."""
         return base_target(self.programs[0], self.base_samples, samples, self.basis.array(), coat.table)
 
-    def _part(self, part: int, answer: LimitedSolution, target: FloatArray, scale: FloatArray) -> _Solved:
+    def _part(self, part: int, answer: LimitedSolution, target: Floats, scale: Floats) -> _Solved:
         program = self.programs[part]
         rows = (self.base_samples.gamma_rad.size, self.coat_samples.gamma_rad.size + self.grid.count)[part]
         solution = answer.solutions[0]
@@ -290,7 +290,7 @@ class AngleFitter:
 
 
 def _error(
-    program: PartProgram, solution: FloatArray, target: FloatArray, rows: int, method: tuple[str, ...]
+    program: PartProgram, solution: Floats, target: Floats, rows: int, method: tuple[str, ...]
 ) -> PartError:
     """Return the L1 error of the data rows, the first ``rows``; smoothness rows follow and have no target."""
     absolute = np.abs(program.matrix[:rows] @ solution - target[:rows]).sum(axis=0)

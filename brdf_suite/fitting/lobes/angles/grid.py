@@ -18,9 +18,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-
-FloatArray = npt.NDArray[np.float64]
 
 DEFAULT_COUNT = 16
 #: The least angles of a fit, and the most: the joint program grows with the square of their number.
@@ -66,7 +65,7 @@ class AngleGrid:
     lowest_cosine: float = LOWEST_COSINE
     power: float = field(init=False)
     measured: int = field(init=False)
-    cosines: FloatArray = field(init=False, compare=False, repr=False)
+    cosines: Floats = field(init=False, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         if not FEWEST <= self.count <= MOST:
@@ -96,18 +95,18 @@ class AngleGrid:
         object.__setattr__(self, "measured", nearest + 1)
         object.__setattr__(self, "cosines", cosines)
 
-    def position(self, cosine: npt.ArrayLike) -> FloatArray:
+    def position(self, cosine: npt.ArrayLike) -> Floats:
         """Return x·(K-1) (...), 0 to K-1, of cosines (...): held below the smallest cosine and above 1."""
         share = (np.asarray(cosine, np.float64) - self.lowest_cosine) / (1.0 - self.lowest_cosine)
-        result: FloatArray = (self.count - 1) * np.clip(share, 0.0, 1.0) ** (1.0 / self.power)
+        result: Floats = (self.count - 1) * np.clip(share, 0.0, 1.0) ** (1.0 / self.power)
         return result
 
-    def coordinate(self, cosine: npt.ArrayLike) -> FloatArray:
+    def coordinate(self, cosine: npt.ArrayLike) -> Floats:
         """Return the texture coordinate (...) of cosines (...): (x (K-1) + ½)/K, texel centres at (k + ½)/K."""
-        result: FloatArray = (self.position(cosine) + 0.5) / self.count
+        result: Floats = (self.position(cosine) + 0.5) / self.count
         return result
 
-    def shares(self, cosine: npt.ArrayLike) -> tuple[npt.NDArray[np.intp], FloatArray]:
+    def shares(self, cosine: npt.ArrayLike) -> tuple[npt.NDArray[np.intp], Floats]:
         """Return the lower texel (...) and the share (...) of the one above it, as linear filtering mixes them."""
         position = self.position(cosine)
         lower = np.minimum(position.astype(np.intp), self.count - 2)

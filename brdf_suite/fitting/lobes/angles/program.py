@@ -16,18 +16,16 @@ first. The weights of a paint whose flop has one shape at all angles are then co
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.program import SMALLEST_ENTRY, PartProgram, build_program
 
-FloatArray = NDArray[np.float64]
 
-
-def base_program(samples: AngleBaseSamples, exponents: FloatArray, smoothness: float) -> PartProgram:
+def base_program(samples: AngleBaseSamples, exponents: Floats, smoothness: float) -> PartProgram:
     """Return the base's joint program; unknowns angle by angle, KD and then KDD_i in each."""
     matrix = samples.columns(exponents)
     blocks = [samples.angle == k for k in range(samples.grid.count)]
@@ -39,7 +37,7 @@ def base_program(samples: AngleBaseSamples, exponents: FloatArray, smoothness: f
     )
 
 
-def coat_program(samples: AngleCoatSamples, exponents: FloatArray, smoothness: float) -> PartProgram:
+def coat_program(samples: AngleCoatSamples, exponents: Floats, smoothness: float) -> PartProgram:
     """Return the coat's joint program; at each angle KG_i, the last data row the coat's energy."""
     rings, energy = samples.cosine_lobes(exponents), samples.lobe_energy(exponents)
     # A lobe's energy, moved or lost, gains at most 1 on the rings and 2 μ in smoothness: losing it never pays.
@@ -54,11 +52,11 @@ def coat_program(samples: AngleCoatSamples, exponents: FloatArray, smoothness: f
 
 
 def joint_program(
-    matrices: list[FloatArray],
-    weights: list[FloatArray],
+    matrices: list[Floats],
+    weights: list[Floats],
     grid: AngleGrid,
     smoothness: float,
-    column_scale: FloatArray | None = None,
+    column_scale: Floats | None = None,
 ) -> PartProgram:
     """Join K systems (n_k, m) with row weights (n_k,) by smoothness μ ≥ 0 in one scaled program.
 

@@ -24,10 +24,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS, COAT_FIRST_RING_RAD
-
-FloatArray = NDArray[np.float64]
 
 #: Largest polar angle of a base sample's view, but for those of the measured incidence.
 HORIZON_DEG = 75.0
@@ -49,10 +48,10 @@ class AngleBaseSamples:
     gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
     raw_weights: tuple[float, ...] = BASE_WEIGHTS
     facets: bool = False
-    lights: FloatArray = field(init=False)
-    views: FloatArray = field(init=False)
-    gamma_rad: FloatArray = field(init=False)
-    weights: FloatArray = field(init=False)
+    lights: Floats = field(init=False)
+    views: Floats = field(init=False)
+    gamma_rad: Floats = field(init=False)
+    weights: Floats = field(init=False)
     angle: NDArray[np.intp] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -79,10 +78,10 @@ class AngleBaseSamples:
         }.items():
             object.__setattr__(self, name, value)
 
-    def columns(self, exponents: FloatArray) -> FloatArray:
+    def columns(self, exponents: Floats) -> Floats:
         """Return ``(N, 1 + m)``: 1, and ``(R·V)^E``, 0 where the dot is negative."""
         lobes = np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents
-        result: FloatArray = np.concatenate([np.ones((lobes.shape[0], 1)), lobes], axis=1)
+        result: Floats = np.concatenate([np.ones((lobes.shape[0], 1)), lobes], axis=1)
         return result
 
 
@@ -99,12 +98,12 @@ class AngleCoatSamples:
     first_ring_rad: float = COAT_FIRST_RING_RAD
     rings: int = COAT_RINGS
     azimuths: int = COAT_AZIMUTHS
-    gamma_rad: FloatArray = field(init=False)
-    views: FloatArray = field(init=False)
-    lights: FloatArray = field(init=False)
-    cosines: FloatArray = field(init=False)
-    lit: FloatArray = field(init=False)
-    solid_angle: FloatArray = field(init=False)
+    gamma_rad: Floats = field(init=False)
+    views: Floats = field(init=False)
+    lights: Floats = field(init=False)
+    cosines: Floats = field(init=False)
+    lit: Floats = field(init=False)
+    solid_angle: Floats = field(init=False)
 
     def __post_init__(self) -> None:
         cosine = self.grid.cosines
@@ -135,7 +134,7 @@ class AngleCoatSamples:
         }.items():
             object.__setattr__(self, name, value)
 
-    def _azimuths(self, cosine: FloatArray) -> tuple[FloatArray, FloatArray]:
+    def _azimuths(self, cosine: Floats) -> tuple[Floats, Floats]:
         """Return φ and its share of the ring, each ``(K, azimuths)``, on half a ring, dense about 0 and π.
 
         Half a ring is enough: an isotropic reflectance is symmetric about the plane of incidence.
@@ -150,16 +149,16 @@ class AngleCoatSamples:
         share[:, -1] += 0.5 - share.sum(axis=1)
         return np.concatenate([phi, np.pi - phi], axis=1), np.concatenate([share, share], axis=1)
 
-    def cosine_lobes(self, exponents: FloatArray) -> FloatArray:
+    def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(K, n, m)``: ring means of ``(R·L)^E`` above the horizon, exact for sharp lobes."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
-        lobes: FloatArray = self.lit[..., None] * np.exp(log_cosine[..., None] * exponents)
+        lobes: Floats = self.lit[..., None] * np.exp(log_cosine[..., None] * exponents)
         return lobes
 
-    def lobe_energy(self, exponents: FloatArray) -> FloatArray:
+    def lobe_energy(self, exponents: Floats) -> Floats:
         """Return ``(K, m)``: ``(R·L)^E`` integrated above the horizon, sr."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
         whole = self.solid_angle[..., None] * np.exp(log_cosine[..., None] * exponents)
         share = (self.lit[..., None] * whole).sum(axis=1) / whole.sum(axis=1)
-        energy: FloatArray = 2.0 * np.pi / (exponents + 1.0) * share
+        energy: Floats = 2.0 * np.pi / (exponents + 1.0) * share
         return energy

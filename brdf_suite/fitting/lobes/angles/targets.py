@@ -14,15 +14,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf, leaving
 from brdf_suite.fitting.lobes.checks import check_targets
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-
-FloatArray = NDArray[np.float64]
 
 #: Smallest aspecular angle at which paints are read.
 NEAREST_READING_RAD = np.deg2rad(15.0) - 1e-9
@@ -35,9 +33,9 @@ class AngleSamples:
     ``rings`` ``(K, n, 3)`` are means of ``f_r·(N·L)`` at ``coat_samples``; ``seconds`` is what sampling took.
     """
 
-    base: FloatArray
-    coat: FloatArray
-    rings: FloatArray
+    base: Floats
+    coat: Floats
+    rings: Floats
     ior: float
     base_under_coat: bool = True
     seconds: float = 0.0
@@ -47,7 +45,7 @@ def check_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoa
     """Return ``samples`` as float64 of the right shapes, or raise a FittingError that names the first bad one."""
     theta = np.arccos(np.clip(flat.grid.cosines, 0.0, 1.0))
 
-    def checked(part: str, values: FloatArray, gamma_rad: FloatArray, theta_rad: FloatArray) -> FloatArray:
+    def checked(part: str, values: Floats, gamma_rad: Floats, theta_rad: Floats) -> Floats:
         def where(place: tuple[int, ...]) -> str:
             gamma, light = np.rad2deg(gamma_rad[place]), np.rad2deg(theta_rad[place])
             return f"at the aspecular angle {gamma:.4g}° under light at {light:.4g}°"
@@ -65,7 +63,7 @@ def check_samples(samples: AngleSamples, flat: AngleBaseSamples, rings: AngleCoa
 
 def coat_target(
     program: PartProgram, rings: AngleCoatSamples, samples: AngleSamples
-) -> tuple[FloatArray, FloatArray]:
+) -> tuple[Floats, Floats]:
     """Return the coat's weighted relative target, and what its weights are multiplied by, (K,)."""
     energy = np.einsum("knc,kn->kc", samples.rings, rings.solid_angle)
     mean = energy.mean(axis=1)
@@ -79,9 +77,9 @@ def base_target(
     program: PartProgram,
     flat: AngleBaseSamples,
     samples: AngleSamples,
-    exponents: FloatArray,
-    kg: FloatArray,
-) -> tuple[FloatArray, FloatArray]:
+    exponents: Floats,
+    kg: Floats,
+) -> tuple[Floats, Floats]:
     """Return the base's weighted relative target, and what its weights are multiplied by, (K,)."""
     entered = flat.grid.cosines[flat.angle]
     whole = samples.base.copy()
@@ -98,7 +96,7 @@ def base_target(
     return _weighted(program, whole), scale
 
 
-def _weighted(program: PartProgram, values: FloatArray) -> FloatArray:
+def _weighted(program: PartProgram, values: Floats) -> Floats:
     """Return the target (n, 3) of ``program``: weighted ``values`` of the data rows, 0 for those of smoothness."""
     target = np.zeros((program.shape[0], 3))
     target[: len(values)] = program.row_weights[: len(values), None] * values

@@ -9,18 +9,17 @@ from typing import ClassVar
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles.grid import AngleGrid
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
-FloatArray = npt.NDArray[np.float64]
-
 #: Cosine of 89.9°: nothing is divided by a smaller transmission than the one here.
 GRAZING = 0.002
 
 
-def leaving(cos_light: FloatArray, cos_view: FloatArray, cos_gamma: FloatArray, ior: float) -> FloatArray:
+def leaving(cos_light: Floats, cos_view: Floats, cos_gamma: Floats, ior: float) -> Floats:
     """Return T(N·V) over T of the view at the same γ on the normal's side (...), all cosines (...).
 
     In the plane of incidence that view has the polar angle θi - γ; the ratio is 1 there, and below 1 beyond the
@@ -29,13 +28,11 @@ def leaving(cos_light: FloatArray, cos_view: FloatArray, cos_gamma: FloatArray, 
     sines = np.sqrt(np.clip((1.0 - cos_light**2) * (1.0 - cos_gamma**2), 0.0, None))
     inner = np.maximum(cos_light * cos_gamma + sines, GRAZING)
     out = 1.0 - fresnel_dielectric(np.maximum(cos_view, GRAZING), ior)
-    result: FloatArray = out / (1.0 - fresnel_dielectric(inner, ior))
+    result: Floats = out / (1.0 - fresnel_dielectric(inner, ior))
     return result
 
 
-def gloss_brdf(
-    grid: AngleGrid, exponents: FloatArray, kg: FloatArray, light: FloatArray, view: FloatArray
-) -> FloatArray:
+def gloss_brdf(grid: AngleGrid, exponents: Floats, kg: Floats, light: Floats, view: Floats) -> Floats:
     """Return the gloss lobes' f_r (n, 3) of a table ``kg`` (K, m, 3) for ``light``, ``view`` (n, 3)."""
     up = light[:, 2] * view[:, 2]
     tangential = light[:, 0] * view[:, 0] + light[:, 1] * view[:, 1]
@@ -45,17 +42,17 @@ def gloss_brdf(
     return np.where(above[:, None], value / np.sqrt(np.where(above, up, 1.0))[:, None], 0.0)
 
 
-def halfway_cosine(light: FloatArray, view: FloatArray) -> FloatArray:
+def halfway_cosine(light: Floats, view: Floats) -> Floats:
     """Return cos θd (...), θd half the angle between ``light`` and ``view`` (..., 3)."""
-    result: FloatArray = np.sqrt(np.clip(0.5 * (1.0 + (light * view).sum(axis=-1)), 0.0, 1.0))
+    result: Floats = np.sqrt(np.clip(0.5 * (1.0 + (light * view).sum(axis=-1)), 0.0, 1.0))
     return result
 
 
-def _mixed(grid: AngleGrid, table: FloatArray, cosine: FloatArray) -> FloatArray:
+def _mixed(grid: AngleGrid, table: Floats, cosine: Floats) -> Floats:
     """``table`` (K, ...) at cosines (n,): (n, ...)."""
     lower, share = grid.shares(cosine)
     share = share.reshape(share.shape + (1,) * (table.ndim - 1))
-    result: FloatArray = (1.0 - share) * table[lower] + share * table[lower + 1]
+    result: Floats = (1.0 - share) * table[lower] + share * table[lower + 1]
     return result
 
 
@@ -93,16 +90,16 @@ class AngleWeights:
     time_limited
         The time limit came before the optimum.
 
-    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.raised.RaisedWeights`) is never applied on top: it is in the
-    weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is negative or not
-    finite.
+    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.fresnel_extrapolation.RaisedWeights`) is never applied on top:
+    it is in the weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is
+    negative or not finite.
     """
 
     grid: AngleGrid
-    exponents: FloatArray
-    kd: FloatArray
-    kdd: FloatArray
-    kg: FloatArray
+    exponents: Floats
+    kd: Floats
+    kdd: Floats
+    kg: Floats
     ior: float
     base_under_coat: bool = True
     base_of_facets: bool = False
@@ -132,7 +129,7 @@ class AngleWeights:
             raise FittingError(f"The refractive index of the coat is {self.ior:g}; it must be 1 or more.")
 
     @property
-    def cosines(self) -> FloatArray:
+    def cosines(self) -> Floats:
         """``(K,)`` rising cosines of incidence of the table."""
         return self.grid.cosines
 
@@ -153,9 +150,7 @@ class AngleWeights:
             base_under_coat=self.base_under_coat,
         )
 
-    def leaving(
-        self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike
-    ) -> FloatArray:
+    def leaving(self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike) -> Floats:
         """Return t (...), see the class, for cosines (...) of light, view and aspecular angle."""
         light, view, cosine = np.broadcast_arrays(
             np.asarray(cos_light, float), np.asarray(cos_view, float), np.asarray(cos_gamma, float)
@@ -164,7 +159,7 @@ class AngleWeights:
             return np.ones(light.shape)
         return leaving(light, view, cosine, self.ior)
 
-    def _sums(self, wi: FloatArray, wo: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def _sums(self, wi: Floats, wo: Floats) -> tuple[Floats, Floats, Floats]:
         """Return N·L (...), base and gloss as f_r (..., 3), both 0 below the horizon."""
         light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
         shape = light.shape[:-1]
@@ -180,27 +175,27 @@ class AngleWeights:
         gloss = gloss_brdf(self.grid, self.exponents, self.kg, light, view)
         return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
 
-    def reflected(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def reflected(self, wi: Floats, wo: Floats) -> Floats:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
 
         ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
         broadcast. Result ``(..., 3)``, 0 where either is at or below the horizon.
         """
         cosine, base, gloss = self._sums(wi, wo)
-        result: FloatArray = np.maximum(cosine, 0.0)[..., None] * (base + gloss)
+        result: Floats = np.maximum(cosine, 0.0)[..., None] * (base + gloss)
         return result
 
-    def eval(self, wi: FloatArray, wo: FloatArray) -> FloatArray:
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
         """Return f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``; shapes as there."""
         _, base, gloss = self._sums(wi, wo)
         return base + gloss
 
-    def coat_energy(self) -> FloatArray:
+    def coat_energy(self) -> Floats:
         """Return ``(K, 3)`` what the gloss lobes reflect of a constant environment, seen at each angle.
 
         Wide lobes count whole, also what of them lies below the horizon.
         """
-        result: FloatArray = np.einsum("m,kmc->kc", 2.0 * np.pi / (self.exponents + 1.0), self.kg)
+        result: Floats = np.einsum("m,kmc->kc", 2.0 * np.pi / (self.exponents + 1.0), self.kg)
         return result
 
     def texture(self) -> npt.NDArray[np.float32]:

@@ -95,10 +95,16 @@ def _import() -> ModuleType | None:
     except ExtraError as error:
         _log.info("Environments are filtered by numpy alone: %s", error)
         return None
-    except RuntimeError as error:  # numba's "cannot cache function: no locator available"
-        _log.warning("numba has no folder for its cache (%s); environments are filtered without it.", error)
+    if _folder(compiled_filter) is None:
+        _log.warning("numba finds no folder for its cache; environments are filtered without it.")
         return None
     return compiled_filter
+
+
+def _folder(module: ModuleType) -> str | None:
+    """Return where numba keeps the compiled kernels; None where it finds no place."""
+    folder: str | None = module.compiled_cube.side_band.stats.cache_path
+    return folder
 
 
 def _stamp(module: ModuleType) -> Path:
@@ -121,8 +127,7 @@ def _stamp(module: ModuleType) -> Path:
     )
     for source in sorted(Path(__file__).parent.glob("*.py")):
         digest.update(f"{source.name} {source.stat().st_mtime_ns}".encode())
-    folder: str = module.compiled_cube.side_band.stats.cache_path
-    return Path(folder) / f"brdf_suite-{digest.hexdigest()[:16]}.compiled"
+    return Path(_folder(module) or "") / f"brdf_suite-{digest.hexdigest()[:16]}.compiled"
 
 
 def _start() -> subprocess.Popen[bytes] | None:

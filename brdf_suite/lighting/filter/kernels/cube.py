@@ -20,7 +20,7 @@ import math
 
 import numpy as np
 
-from brdf_suite.compilation import Array, compiled_on_disk
+from brdf_suite.compilation import Array, compiled
 
 _LANES = 24
 MARGIN = 5
@@ -30,7 +30,7 @@ MARGIN = 5
 _SIDES = (4, 1, 5, 0)
 
 
-@compiled_on_disk
+@compiled
 def _taps(position: float, table: Array, weights: Array) -> int:
     """Fill the kernel's eight weights around a position in grid steps; return the first one's grid index."""
     first = math.ceil(position - 4.0)
@@ -43,7 +43,7 @@ def _taps(position: float, table: Array, weights: Array) -> int:
     return first
 
 
-@compiled_on_disk
+@compiled
 def _along(weights: Array, source: Array, at: int, target: Array, to: int) -> None:
     """Set target[to : to + 24] to the weighted sum of eight rows of 24 of source (n,), the first at ``at``.
 
@@ -68,7 +68,7 @@ def _along(weights: Array, source: Array, at: int, target: Array, to: int) -> No
         )
 
 
-@compiled_on_disk
+@compiled
 def fold_ring(values: Array, shift: int, target: Array) -> None:
     """Lay a ring (3, P) side by side for the eight turned and mirrored points: target (P//8 + 2·MARGIN + 1, 24).
 
@@ -95,21 +95,21 @@ def fold_ring(values: Array, shift: int, target: Array) -> None:
                             place = period - 1
 
 
-@compiled_on_disk
+@compiled
 def _side_ring(s: float, j: int, size: int, rings: int) -> float:
     """Return where a texel of a side face lies between the rings: column at s, row j."""
     t = 1.0 - (2.0 * j + 1.0) / size
     return (0.5 * math.pi - math.atan(t / math.sqrt(1.0 + s * s))) * rings / math.pi - 0.5
 
 
-@compiled_on_disk
+@compiled
 def _polar_ring(p: float, inner: int, size: int, rings: int) -> float:
     """Return where a texel of the upper face lies between the rings: p and q from its middle."""
     q = (2.0 * inner + 1.0) / size
     return math.atan(math.sqrt(p * p + q * q)) * rings / math.pi - 0.5
 
 
-@compiled_on_disk
+@compiled
 def _side_first(s: float, first: int, size: int, rings: int) -> int:
     """Return the first row 0 … size/2 of a column at s whose texel's eight rings begin at ``first`` or after."""
     theta = (first + 3.5) * math.pi / rings
@@ -123,7 +123,7 @@ def _side_first(s: float, first: int, size: int, rings: int) -> int:
     return j
 
 
-@compiled_on_disk
+@compiled
 def _polar_first(p: float, outer: int, first: int, size: int, rings: int) -> int:
     """Return the first of the texels 0 … outer + 1 in a line at p whose eight rings begin at ``first`` or after."""
     tangent = math.tan(min(max((first + 3.5) * math.pi / rings, 0.0), 1.5))
@@ -136,7 +136,7 @@ def _polar_first(p: float, outer: int, first: int, size: int, rings: int) -> int
     return inner
 
 
-@compiled_on_disk
+@compiled
 def side_band(
     north: Array, south: Array, first: int, end: int, rings: int, period: int, table: Array, faces: Array
 ) -> None:
@@ -191,7 +191,7 @@ def side_band(
                     faces[face, size - 1 - j, half + i, c] = below[lane + 1]
 
 
-@compiled_on_disk
+@compiled
 def polar_band(
     north: Array, south: Array, first: int, end: int, rings: int, period: int, table: Array, faces: Array
 ) -> None:

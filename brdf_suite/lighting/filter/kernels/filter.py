@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.lighting.filter.face_array import FaceArray, choose_scale
 from brdf_suite.lighting.filter.harmonics import legendre_starts, worker_count
 from brdf_suite.lighting.filter.kernels import cube as compiled_cube
@@ -36,8 +37,6 @@ _ROWS = 16  # of a face's upper half at once
 _PACKED_ROWS = 64
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
 
-Floats = NDArray[np.float64]
-Singles = NDArray[np.float32]
 _Item = TypeVar("_Item")
 
 

@@ -12,18 +12,18 @@ import math
 
 import numpy as np
 
-from brdf_suite.compilation import Array, compiled_on_disk
+from brdf_suite.compilation import Array, compiled
 
 _LIFT = 400.0
 
 
-@compiled_on_disk
+@compiled
 def order_start(m: int, limit: int) -> int:
     """Return where the coefficients of an order begin: one order after the other, degrees m … limit of each."""
     return m * (2 * limit + 3 - m) // 2
 
 
-@compiled_on_disk
+@compiled
 def _reached(m: int, limit: int, cosine: Array) -> int:
     """Return how many rings, from the equator on, order m matters on: P̄_lm is nothing where m ≫ l·sinθ."""
     low = (m - 24.0 - 6.0 * limit ** (1.0 / 3.0)) / max(limit, 1)
@@ -33,7 +33,7 @@ def _reached(m: int, limit: int, cosine: Array) -> int:
     return count
 
 
-@compiled_on_disk
+@compiled
 def _start(m: int, count: int, log_start: Array, sine_log: Array, twice: Array, last: Array) -> None:
     """Put p of k = 0 and 1 into ``last``."""
     for r in range(count):
@@ -43,7 +43,7 @@ def _start(m: int, count: int, log_start: Array, sine_log: Array, twice: Array, 
         last[1, r] = value * twice[r]
 
 
-@compiled_on_disk
+@compiled
 def _advance(count: int, m: int, k: int, twice: Array, last: Array, values: Array, row: int) -> None:
     """Put p of k … k+3 into four rows of ``values`` and those of k+4, k+5 into ``last``."""
     square = float(m) * m
@@ -71,7 +71,7 @@ def _advance(count: int, m: int, k: int, twice: Array, last: Array, values: Arra
         last[1, r] = x * p_4 - beta_5 * p_3
 
 
-@compiled_on_disk
+@compiled
 def _factors(m: int, limit: int, steps: int, factors: Array) -> None:
     """Fill c_km of k = 0 … with the lift taken out; 0 beyond the bandlimit, up to a whole number of steps."""
     square = float(m) * m
@@ -83,7 +83,7 @@ def _factors(m: int, limit: int, steps: int, factors: Array) -> None:
         factors[k] = value if m + k <= limit else 0.0
 
 
-@compiled_on_disk
+@compiled
 def _collect(count: int, p: Array, parity: int, light: Array, row: Array, k: int, factors: Array) -> None:
     """Add the sums over rings of two degrees, k + parity and k + parity + 2, to a row of coefficients."""
     a_0 = a_1 = a_2 = a_3 = a_4 = a_5 = 0.0
@@ -124,7 +124,7 @@ def _collect(count: int, p: Array, parity: int, light: Array, row: Array, k: int
         row[at, 5] += b_5 * c
 
 
-@compiled_on_disk
+@compiled
 def analyse_rings(
     spectrum: Array,
     weights: Array,
@@ -192,7 +192,7 @@ def analyse_rings(
             _collect(count, p, 1, light, row, k, factors)
 
 
-@compiled_on_disk
+@compiled
 def _spread(count: int, p: Array, parity: int, sums: Array, terms: Array) -> None:
     """Add four degrees of one parity, times their coefficients (8, 6), to the sums (12, rings)."""
     s = sums[6 * parity : 6 * parity + 6]
@@ -214,7 +214,7 @@ def _spread(count: int, p: Array, parity: int, sums: Array, terms: Array) -> Non
             s[i + 1, r] += u_0 * p_0 + u_2 * p_2 + u_4 * p_4 + u_6 * p_6
 
 
-@compiled_on_disk
+@compiled
 def synthesise_rings(
     coefficients: Array,
     analysed: int,

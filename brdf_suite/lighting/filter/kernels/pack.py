@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from brdf_suite.compilation import Array, compiled_on_disk
+from brdf_suite.compilation import Array, compiled
 
 
-@compiled_on_disk
+@compiled
 def pack_rows(
     faces: Array, share: float, changes: Array, scale: float, first: int, end: int, halves: Array
 ) -> None:

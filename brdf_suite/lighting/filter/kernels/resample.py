@@ -10,13 +10,13 @@ import math
 
 import numpy as np
 
-from brdf_suite.compilation import Array, compiled_on_disk
+from brdf_suite.compilation import Array, compiled
 
 # The faces whose centres lie at φ = 0, 90°, 180° and 270°: +Z, -X, -Z, +X.
 _SIDES = (4, 1, 5, 0)
 
 
-@compiled_on_disk
+@compiled
 def _look_up(pixels: Array, theta: float, phi: float, target: Array, at: int) -> None:
     """Set target[at : at + 3] to the map (h, w, 3) at θ 0…π and φ (-2π…2π), over the seam and the poles."""
     height, width = pixels.shape[0], pixels.shape[1]
@@ -48,7 +48,7 @@ def _look_up(pixels: Array, theta: float, phi: float, target: Array, at: int) ->
         target[at + c] = top * (one - down) + bottom * down
 
 
-@compiled_on_disk
+@compiled
 def resample_rows(pixels: Array, first: int, end: int, faces: Array) -> None:
     """Fill rows ``first`` … ``end - 1`` ≤ F/2 of all faces (6, F, F, 3), and their mirror images from below.
 

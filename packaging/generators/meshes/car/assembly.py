@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.surface.mesh import Mesh
-from meshes.car.blends import Floats
 from meshes.car.fittings import exhaust, grille_bars, mirror
 from meshes.car.nets import Soup
 from meshes.car.pieces import LIP_DROP, Piece, join_pieces, mirror_piece, turn_edges_in, walls

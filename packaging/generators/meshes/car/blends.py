@@ -9,9 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats: TypeAlias = NDArray[np.float64]
+from brdf_suite.arrays import Floats
+
 Field: TypeAlias = Callable[[Floats, Floats, Floats], Floats]
 """A scalar of position: f(x, y, z), arrays that broadcast, metres; negative inside."""
 

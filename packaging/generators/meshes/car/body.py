@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshes.car.blends import Field, Floats, SoftPolyline, bell, ramp, smooth_max, smooth_min
+from brdf_suite.arrays import Floats
+from meshes.car.blends import Field, SoftPolyline, bell, ramp, smooth_max, smooth_min
 from meshes.car.proportions import ARCH_RADIUS, FRONT_AXLE_Z, REAR_AXLE_Z, WHEEL_RADIUS
 
 # --- side: half-width over z, inset over height ---

@@ -12,13 +12,13 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from meshes.car.blends import Field, Floats
-from meshes.car.nets import Ints, Soup, gradient, normals, unique_edges
+from brdf_suite.arrays import Bools, Floats, Integers
+from meshes.car.blends import Field
+from meshes.car.nets import Soup, gradient, normals, unique_edges
 
 PointFunction: TypeAlias = Callable[[Floats], Floats]
 """A function of points (n, 3) -> (n,)."""
 
-Marks: TypeAlias = NDArray[np.bool_]
 """(n, m): point i lies on curve j."""
 
 _ON_CURVE = 2e-5
@@ -60,7 +60,7 @@ def cut(soup: Soup, function: PointFunction, snap: bool = False) -> Soup:
     return _cut(soup, function, snap)[0]
 
 
-def cut_all(soup: Soup, functions: Sequence[PointFunction], marks: Marks) -> tuple[Soup, Marks]:
+def cut_all(soup: Soup, functions: Sequence[PointFunction], marks: Bools) -> tuple[Soup, Bools]:
     """Return the soup cut along all functions, and which point lies on which curve.
 
     ``marks`` (n, m) has a column for each curve known before; the result has one more per function.
@@ -77,7 +77,7 @@ def cut_all(soup: Soup, functions: Sequence[PointFunction], marks: Marks) -> tup
     return soup, marks
 
 
-def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray[np.bool_], Ints]:
+def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray[np.bool_], Integers]:
     """Return the cut soup, which old points lie on the zero, and the two old ends of each new point's edge."""
     value = function(soup.points)
     value[np.abs(value) < _ON_CURVE] = 0.0
@@ -94,7 +94,7 @@ def _cut(soup: Soup, function: PointFunction, snap: bool) -> tuple[Soup, NDArray
     return Soup(points, _split(points, soup.triangles, number[edge_of_side])), value == 0.0, edge[crossing]
 
 
-def _roots(function: PointFunction, points: Floats, a: Ints, b: Ints, value: Floats) -> Floats:
+def _roots(function: PointFunction, points: Floats, a: Integers, b: Integers, value: Floats) -> Floats:
     """Return where the function vanishes on the edges from a to b, by the Illinois form of false position."""
     low, high = points[a], points[b]
     f_low, f_high = value[a], value[b]
@@ -110,7 +110,7 @@ def _roots(function: PointFunction, points: Floats, a: Ints, b: Ints, value: Flo
     return middle
 
 
-def _split(points: Floats, triangles: Ints, new: Ints) -> Ints:
+def _split(points: Floats, triangles: Integers, new: Integers) -> Integers:
     """Return the triangles with the sides split where ``new`` (k, 3) names a point; one or two sides each."""
     split = new >= 0
     out = [triangles[~split.any(axis=1)]]
@@ -130,7 +130,7 @@ def _split(points: Floats, triangles: Ints, new: Ints) -> Ints:
     return np.concatenate(out)
 
 
-def _snapped(soup: Soup, value: Floats, a: Ints, b: Ints) -> tuple[Soup, Floats]:
+def _snapped(soup: Soup, value: Floats, a: Integers, b: Integers) -> tuple[Soup, Floats]:
     """Return the soup with points moved along a crossing edge on to the zero where it is near, and values."""
     points = soup.points.copy()
     value = value.copy()

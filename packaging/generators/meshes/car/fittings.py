@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshes.car.blends import Floats, smooth_max, smooth_min
+from brdf_suite.arrays import Floats
+from meshes.car.blends import smooth_max, smooth_min
 from meshes.car.body import body
 from meshes.car.cutting import at_points, cut
 from meshes.car.lathe import lathe, loft

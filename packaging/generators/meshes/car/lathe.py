@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from meshes.car.blends import Floats
-from meshes.car.nets import Ints, Soup
+from brdf_suite.arrays import Floats, Integers
+from meshes.car.nets import Soup
 
 
-def grid_triangles(rows: int, columns: int, closed: bool) -> Ints:
+def grid_triangles(rows: int, columns: int, closed: bool) -> Integers:
     """Return triangles over a grid of points (row-major); ``closed`` joins the last column to the first."""
     r, c = np.meshgrid(np.arange(rows - 1), np.arange(columns if closed else columns - 1), indexing="ij")
     a = (r * columns + c).ravel()
@@ -19,7 +19,7 @@ def grid_triangles(rows: int, columns: int, closed: bool) -> Ints:
     return np.concatenate([np.stack([a, b, e], 1), np.stack([a, e, d], 1)]).astype(np.int64)
 
 
-def smooth_normals(points: Floats, triangles: Ints) -> Floats:
+def smooth_normals(points: Floats, triangles: Integers) -> Floats:
     """Return area-weighted vertex normals (n, 3), unit length."""
     a, b, c = (points[triangles[:, i]] for i in range(3))
     facing = np.cross(b - a, c - a)

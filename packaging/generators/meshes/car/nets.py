@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from meshes.car.blends import Field, Floats
+from brdf_suite.arrays import Floats, Integers
+from meshes.car.blends import Field
 
-Ints = NDArray[np.int64]
 _STEP = 2e-4
 _BLOCK = 1 << 13
 """Points at once: the many intermediate arrays of a field stay in the processor's cache."""
@@ -25,7 +25,7 @@ class Soup:
     """Points (n, 3) metres and triangles (k, 3), counter-clockwise from outside."""
 
     points: Floats
-    triangles: Ints
+    triangles: Integers
 
     def keep(self, chosen: NDArray[np.bool_]) -> Soup:
         """Return the chosen triangles with the points that they use."""
@@ -40,7 +40,7 @@ def find_turned_over(soup: Soup, normals: Floats) -> NDArray[np.bool_]:
     return result
 
 
-def compact(points: Floats, triangles: Ints) -> tuple[Soup, Ints]:
+def compact(points: Floats, triangles: Integers) -> tuple[Soup, Integers]:
     """Return a soup without unused points, and the old index of each point."""
     used, inverse = np.unique(triangles, return_inverse=True)
     return Soup(points[used], inverse.reshape(-1, 3).astype(np.int64)), used.astype(np.int64)
@@ -113,7 +113,7 @@ def extract(field: Field, xs: Floats, ys: Floats, zs: Floats) -> Soup:
     return Soup(points, _split_quads(points, quad))
 
 
-def _quads(inside: NDArray[np.bool_], number: Ints, axis: int) -> Ints:
+def _quads(inside: NDArray[np.bool_], number: Integers, axis: int) -> Integers:
     """Return the quads round all grid edges along ``axis`` whose ends differ, facing outwards."""
     one, two = (axis + 1) % 3, (axis + 2) % 3
     low = tuple(slice(None, -1) if a == axis else slice(1, -1) for a in range(3))
@@ -132,7 +132,7 @@ def _quads(inside: NDArray[np.bool_], number: Ints, axis: int) -> Ints:
     return quad
 
 
-def _split_quads(points: Floats, quad: Ints) -> Ints:
+def _split_quads(points: Floats, quad: Integers) -> Integers:
     """Return two triangles per quad, split along the shorter diagonal."""
     a, b, c, d = quad.T
     first = np.linalg.norm(points[a] - points[c], axis=1) <= np.linalg.norm(points[b] - points[d], axis=1)
@@ -141,7 +141,7 @@ def _split_quads(points: Floats, quad: Ints) -> Ints:
     return np.concatenate([one, two])
 
 
-def unique_edges(triangles: Ints) -> tuple[Ints, Ints]:
+def unique_edges(triangles: Integers) -> tuple[Integers, Integers]:
     """Return the unique edges (e, 2), lower index first, and the edge of each triangle side (k, 3).
 
     Side i of a triangle goes from its corner i to corner i + 1.
@@ -153,17 +153,17 @@ def unique_edges(triangles: Ints) -> tuple[Ints, Ints]:
     return np.stack(np.divmod(found, size), axis=1), inverse.reshape(-1, 3).astype(np.int64)
 
 
-def border(triangles: Ints) -> Ints:
+def border(triangles: Integers) -> Integers:
     """Return the directed edges (e, 2) that only one triangle has, as that triangle runs along them."""
     sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
     low, high = sides.min(axis=1), sides.max(axis=1)
     key = low * (int(triangles.max()) + 1) + high
     _, inverse, count = np.unique(key, return_inverse=True, return_counts=True)
-    result: Ints = sides[count[inverse.ravel()] == 1]
+    result: Integers = sides[count[inverse.ravel()] == 1]
     return result
 
 
-def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_side: Ints) -> Soup:
+def split_edges(soup: Soup, chosen: NDArray[np.bool_], middles: Floats, edge_of_side: Integers) -> Soup:
     """Return the soup with the chosen edges split at ``middles`` (one per chosen edge), without gaps."""
     number = np.full(len(chosen), -1, dtype=np.int64)
     number[chosen] = len(soup.points) + np.arange(int(chosen.sum()))

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshes.car.blends import Floats, SoftPolyline, rounded_max, smooth_min
+from brdf_suite.arrays import Floats
+from meshes.car.blends import SoftPolyline, rounded_max, smooth_min
 from meshes.car.body import FLOOR, cabin_side, lower_body, roof_surface, screen_station
 from meshes.car.proportions import ARCH_DEPTH_X, ARCH_RADIUS, AXLES, WHEEL_RADIUS
 

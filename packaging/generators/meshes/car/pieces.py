@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from brdf_suite.arrays import Floats, Integers
 from brdf_suite.surface.mesh import PartGeometry
-from meshes.car.blends import Floats
-from meshes.car.nets import Ints, Soup
+from meshes.car.nets import Soup
 
 LIP_DROP = 0.0008
 """How far the edge of a panel lies below its surface, m."""
@@ -26,7 +26,7 @@ class Piece:
     normals: Floats
 
 
-def turn_edges_in(soup: Soup, normals: Floats, edge: Ints) -> tuple[Soup, Floats]:
+def turn_edges_in(soup: Soup, normals: Floats, edge: Integers) -> tuple[Soup, Floats]:
     """Return a panel whose given edges bend inwards: the rounded edge of pressed sheet metal.
 
     Points on the border drop by a fraction of a millimetre and their normals lean outwards, so each shut line
@@ -50,7 +50,7 @@ def turn_edges_in(soup: Soup, normals: Floats, edge: Ints) -> tuple[Soup, Floats
     return Soup(points, soup.triangles), bent
 
 
-def walls(soup: Soup, normals: Floats, edge: Ints, top: Floats, depth: Floats) -> tuple[Soup, Floats]:
+def walls(soup: Soup, normals: Floats, edge: Integers, top: Floats, depth: Floats) -> tuple[Soup, Floats]:
     """Return walls along edges of a sunk area, facing into it.
 
     They go from ``top`` to ``depth`` (m, one per point) below the surface.
@@ -87,11 +87,11 @@ def join_pieces(name: str, pieces: list[Piece]) -> PartGeometry:
     return PartGeometry(name, pieces[0].material, points, normals, uvs, triangles)
 
 
-def without_slivers(points: Floats, triangles: Ints) -> Ints:
+def without_slivers(points: Floats, triangles: Integers) -> Integers:
     """Return the triangles whose area single precision can hold (over 1e-10 m²)."""
     p = points.astype(np.float32).astype(np.float64)
     a, b, c = (p[triangles[:, i]] for i in range(3))
-    result: Ints = triangles[np.linalg.norm(np.cross(b - a, c - a), axis=1) > 2e-10]
+    result: Integers = triangles[np.linalg.norm(np.cross(b - a, c - a), axis=1) > 2e-10]
     return result
 
 
@@ -104,7 +104,9 @@ def planar(points: Floats, normals: Floats) -> Floats:
     return result
 
 
-def project_box(points: Floats, normals: Floats, triangles: Ints) -> tuple[Floats, Floats, Floats, Ints]:
+def project_box(
+    points: Floats, normals: Floats, triangles: Integers
+) -> tuple[Floats, Floats, Floats, Integers]:
     """Return points, normals, UVs (mm) and triangles, points doubled where the projection axis changes.
 
     Each triangle is seen along the axis that it faces most, so lengths shrink by at most 1/√3, and

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Integers
 from meshes.car import outlines
-from meshes.car.blends import Field, Floats
+from meshes.car.blends import Field
 from meshes.car.body import ARCH_LIP, LINE, ROCKER, body, fillets
 from meshes.car.cutting import PointFunction, at_points, cut, cut_all, surface_distance
 from meshes.car.nets import (
-    Ints,
     Soup,
     border,
     compact,
@@ -103,7 +103,7 @@ class Shell:
 
     soup: Soup
     normals: Floats
-    piece: Ints
+    piece: Integers
     names: tuple[str, ...]
 
     def chosen(self, name: str) -> NDArray[np.bool_]:
@@ -224,7 +224,7 @@ def build_shell() -> Shell:
     return Shell(Soup(soup.points, triangles), normal, piece[kept], NAMES)
 
 
-def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Ints:
+def _pieces(soup: Soup, distances: dict[str, PointFunction]) -> Integers:
     """Return the index in :data:`NAMES` of each triangle's piece; later assignments win."""
     middle = soup.points[soup.triangles].mean(axis=1)
     value = {name: distance(middle) for name, distance in distances.items()}
@@ -256,7 +256,7 @@ def groove_depth(points: Floats, depth: float) -> Floats:
     return depth * (1.0 - nearest / (GAP / 2))
 
 
-def take(shell: Shell, chosen: NDArray[np.bool_]) -> tuple[Soup, Floats, Ints, Ints]:
+def take(shell: Shell, chosen: NDArray[np.bool_]) -> tuple[Soup, Floats, Integers, Integers]:
     """Return the chosen triangles as a soup of their own, its normals, and two kinds of edges (e, 2).
 
     First the edges shared with other pieces, then those on wheel openings; they run as the chosen triangles

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from meshes.car.blends import Floats
-from meshes.car.nets import Ints, unique_edges
+from brdf_suite.arrays import Floats, Integers
+from meshes.car.nets import unique_edges
 
 _ROUNDS = 24
 _TIGHT_RADIUS = 0.15
@@ -21,11 +21,11 @@ _TIGHT_EDGE = 0.004
 def merge_points(
     points: Floats,
     normals: Floats,
-    triangles: Ints,
+    triangles: Integers,
     curves: NDArray[np.bool_],
     shortest: float,
     angle_deg: float,
-) -> tuple[Ints, Ints]:
+) -> tuple[Integers, Integers]:
     """Return the triangles (m, 3) after collapsing edges shorter than ``shortest`` (m), and which they were.
 
     Parameters
@@ -58,7 +58,7 @@ def merge_points(
     return triangles, kept
 
 
-def in_tight_bends(points: Floats, triangles: Ints, curves: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def in_tight_bends(points: Floats, triangles: Integers, curves: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return which points (n,) lie where a curve bends with a radius below 150 mm."""
     edge, _ = unique_edges(triangles)
     tight = np.zeros(len(points), dtype=bool)
@@ -86,11 +86,11 @@ def in_tight_bends(points: Floats, triangles: Ints, curves: NDArray[np.bool_]) -
 def _candidates(
     points: Floats,
     normals: Floats,
-    triangles: Ints,
+    triangles: Integers,
     curves: NDArray[np.bool_],
     reach: Floats,
     limit: float,
-) -> tuple[Ints, Floats]:
+) -> tuple[Integers, Floats]:
     """Return for each point the neighbour that it may move to (or -1), and the length of that move."""
     edge, edge_of_side = unique_edges(triangles)
     length = np.linalg.norm(points[edge[:, 0]] - points[edge[:, 1]], axis=1)
@@ -115,7 +115,9 @@ def _candidates(
     return target, best
 
 
-def _without_overlap(points: Floats, normals: Floats, triangles: Ints, target: Ints, rank: Floats) -> Ints:
+def _without_overlap(
+    points: Floats, normals: Floats, triangles: Integers, target: Integers, rank: Floats
+) -> Integers:
     """Return the targets left when moves that turn a triangle over or touch a shorter move are dropped."""
     target = target.copy()
     order = np.argsort(np.where(target >= 0, rank, np.inf), kind="stable")

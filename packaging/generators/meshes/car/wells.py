@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshes.car.blends import Floats
+from brdf_suite.arrays import Floats
 from meshes.car.body import FLOOR, body
 from meshes.car.cutting import at_points, cut
 from meshes.car.lathe import grid_triangles

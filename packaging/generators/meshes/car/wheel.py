@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from meshes.car.blends import Floats
+from brdf_suite.arrays import Floats
 from meshes.car.lathe import lathe, loft
 from meshes.car.nets import Soup
 from meshes.car.pieces import Piece

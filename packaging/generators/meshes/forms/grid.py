@@ -7,12 +7,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-Float64 = NDArray[np.float64]
-Surface = Callable[[Float64, Float64], Float64]
+from brdf_suite.arrays import Floats
+
+Surface = Callable[[Floats, Floats], Floats]
 """Two parameter arrays of one shape in, points (..., 3) out."""
 
 
-def smooth_step(x: Float64, start: float, end: float) -> Float64:
+def smooth_step(x: Floats, start: float, end: float) -> Floats:
     """Return 0 before ``start``, 1 after ``end``, and between them the seventh-degree step.
 
     Its first three derivatives vanish at both ends, so what it blends keeps its curvature continuous.
@@ -29,14 +30,14 @@ def grid_triangles(rows: int, columns: int) -> NDArray[np.int64]:
     return np.concatenate([half.reshape(-1, 3) for half in halves])
 
 
-def with_area(positions: Float64, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
+def with_area(positions: Floats, triangles: NDArray[np.int64]) -> NDArray[np.int64]:
     """Leave out triangles that a pole of the grid has flattened to a line."""
     a, b, c = (positions[triangles[:, corner]] for corner in range(3))
     doubled = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     return np.asarray(triangles[doubled > 1e-9 * doubled.max()])
 
 
-def grid_normals(surface: Surface, first: Float64, second: Float64, step: float = 1e-5) -> Float64:
+def grid_normals(surface: Surface, first: Floats, second: Floats, step: float = 1e-5) -> Floats:
     """Return unit normals (..., 3) along ∂/∂first × ∂/∂second, by central differences of ``surface``.
 
     In double precision the error is about ``step``² times the third derivative: 1e-9 for the forms here.
@@ -47,7 +48,7 @@ def grid_normals(surface: Surface, first: Float64, second: Float64, step: float 
     return np.asarray(normal / np.linalg.norm(normal, axis=-1, keepdims=True))
 
 
-def lengths_along(points: Float64, axis: int, start: int) -> Float64:
+def lengths_along(points: Floats, axis: int, start: int) -> Floats:
     """Return the signed length along a grid (rows, columns, 3) on ``axis`` from line ``start``."""
     steps = np.linalg.norm(np.diff(points, axis=axis), axis=-1)
     pad = [(0, 0), (0, 0)]

@@ -10,10 +10,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from meshes.forms.grid import grid_triangles, smooth_step, with_area
-
-Float64 = NDArray[np.float64]
 
 # Millimetres.
 _HALF_WIDTH, _HALF_HEIGHT = 300.0, 200.0
@@ -26,7 +25,7 @@ _THICKNESS = 0.8
 _CELL = 4.0
 
 
-def _profile(length: Float64) -> tuple[Float64, Float64, Float64]:
+def _profile(length: Floats) -> tuple[Floats, Floats, Floats]:
     """Return distance outwards, depth and turn (radians) ``length`` along the skin from a corner's centre."""
     fine = np.linspace(0.0, _FLAT + _FOLD + _FLANGE, 6001)
     turn = 0.5 * np.pi * smooth_step(fine, _FLAT, _FLAT + _FOLD)
@@ -37,7 +36,7 @@ def _profile(length: Float64) -> tuple[Float64, Float64, Float64]:
     return np.interp(length, fine, out), np.interp(length, fine, depth), np.interp(length, fine, turn)
 
 
-def _bulge(x: Float64, y: Float64) -> tuple[Float64, Float64, Float64]:
+def _bulge(x: Floats, y: Floats) -> tuple[Floats, Floats, Floats]:
     """Return the height over the flat panel and its slopes along x and y."""
     from_line = y - _LINE_Y
     rounded = np.sqrt(from_line**2 + _LINE_RADIUS**2)
@@ -45,7 +44,7 @@ def _bulge(x: Float64, y: Float64) -> tuple[Float64, Float64, Float64]:
     return height, -x / _BEND_X, -y / _BEND_Y - _LINE_SLOPE * from_line / rounded
 
 
-def _bent(centre: Float64, direction: Float64, length: Float64) -> tuple[Float64, Float64, Float64]:
+def _bent(centre: Floats, direction: Floats, length: Floats) -> tuple[Floats, Floats, Floats]:
     """Return points, normals and texture coordinates of flat places.
 
     ``centre`` (..., 2) a place in the inner rectangle, ``direction`` (..., 2) outwards from it (unit, or zero
@@ -102,8 +101,8 @@ def panel() -> Mesh:
 
 
 def _patch(
-    x: Float64, y: Float64, normal_x: Float64, normal_y: Float64, length: Float64, flip: bool = False
-) -> tuple[Float64, Float64, Float64, NDArray[np.int64]]:
+    x: Floats, y: Floats, normal_x: Floats, normal_y: Floats, length: Floats, flip: bool = False
+) -> tuple[Floats, Floats, Floats, NDArray[np.int64]]:
     """Return points, normals, uvs and triangles of one grid; the arguments broadcast to (rows, columns)."""
     x, y, normal_x, normal_y, length = np.broadcast_arrays(x, y, normal_x, normal_y, length)
     parts = _bent(np.stack([x, y], axis=-1), np.stack([normal_x, normal_y], axis=-1), length)

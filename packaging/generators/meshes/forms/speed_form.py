@@ -13,12 +13,10 @@ the curvature is continuous there too. Reflections therefore flow without a kink
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from meshes.forms.grid import grid_normals, grid_triangles, lengths_along, smooth_step, with_area
-
-Float64 = NDArray[np.float64]
 
 ROWS, COLUMNS_ABOVE, COLUMNS_BELOW = 172, 48, 76
 
@@ -28,12 +26,12 @@ _LINE_RADIUS = 0.030
 _LINE_CLUSTER, _LINE_DENSITY = 0.06, 6.0
 
 
-def line_elevation(t: Float64) -> Float64:
+def line_elevation(t: Floats) -> Floats:
     """Return where the character line is: its angle above the widest place of the section, radians."""
     return np.asarray(0.471 - 0.10 * t - 0.12 * t * t)
 
 
-def speed_form_point(polar: Float64, around: Float64) -> Float64:
+def speed_form_point(polar: Floats, around: Floats) -> Floats:
     """Return points (..., 3), millimetres.
 
     Parameters
@@ -61,7 +59,7 @@ def speed_form_point(polar: Float64, around: Float64) -> Float64:
     return np.stack([x, y, _HALF_LENGTH * t], axis=-1)
 
 
-def _character_line(t: Float64, sine: Float64) -> Float64:
+def _character_line(t: Floats, sine: Floats) -> Floats:
     """Return how far the section is drawn in, relative to its radius, on both sides of the line.
 
     On each side a ramp begins at the line, with a rounded start, and runs out: a shallow one above, a deep one
@@ -74,26 +72,26 @@ def _character_line(t: Float64, sine: Float64) -> Float64:
     return np.asarray(-strength * (upper + lower))
 
 
-def _ramp(x: Float64) -> Float64:
+def _ramp(x: Floats) -> Floats:
     """Return max(0, x) with its corner rounded."""
     return np.asarray(0.5 * (np.sqrt(x * x + _LINE_RADIUS**2) + x))
 
 
-def _window(x: Float64, width: float) -> Float64:
+def _window(x: Floats, width: float) -> Floats:
     return np.asarray((1.0 - np.minimum((x / width) ** 2, 1.0)) ** 4)
 
 
-def _elevations(t: Float64) -> Float64:
+def _elevations(t: Floats) -> Floats:
     """Return the angles of one side's columns, from below to the crown, (rows, columns).
 
     One column runs along the character line, and they crowd towards it as its small radius needs.
     """
     line = line_elevation(t)[:, None]
 
-    def spread(distance: Float64) -> Float64:
+    def spread(distance: Floats) -> Floats:
         return np.asarray(distance + _LINE_DENSITY * _LINE_CLUSTER * np.arctan(distance / _LINE_CLUSTER))
 
-    def distances(limit: Float64, count: int) -> Float64:
+    def distances(limit: Floats, count: int) -> Floats:
         wanted = spread(limit) * np.linspace(0.0, 1.0, count + 1)
         low, high = np.zeros_like(wanted), np.broadcast_to(limit, wanted.shape)
         for _ in range(50):
@@ -109,7 +107,7 @@ def _elevations(t: Float64) -> Float64:
     return np.concatenate([down[:, :0:-1], up], axis=1)
 
 
-def speed_form_grid() -> tuple[Float64, Float64]:
+def speed_form_grid() -> tuple[Floats, Floats]:
     """Return the angles ``polar`` and ``around`` of the mesh's vertices, (rows, columns) each."""
     polar = np.linspace(0.0, np.pi, ROWS + 1)
     right = _elevations(np.cos(polar))

@@ -41,15 +41,15 @@ def openings(path: str, runs: int) -> dict[str, object]:
     program.window.show()
     _until(app, lambda: program.window._painted)
     program.start()
-    _until(app, lambda: program.is_complete)
-    space = next((part for part in program.parts if isinstance(part, Space)), None)
+    _until(app, lambda: program.is_idle)
+    space = program.feature(Space)
     seen: dict[str, float] = {}
 
     def read(*_of: object) -> None:
         seen["read"] = perf_counter()
 
     def painted() -> None:
-        if "read" in seen and space.is_complete:
+        if "read" in seen and space.is_idle:
             seen.setdefault("painted", perf_counter())
             seen.setdefault("cpu", process_time())
 
@@ -60,7 +60,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
     for _ in range(runs):
         for name in ("copper", path):
             program.session.set_subjects(())
-            _until(app, lambda: program.is_complete)
+            _until(app, lambda: program.is_idle)
             seen.clear()
             start, cpu = perf_counter(), process_time()
             program.sources.open(name)
@@ -70,7 +70,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
                 _until(app, lambda: "read" in seen and _views_are_there(program))
                 app.processEvents()  # what has been handed to the views is painted in the turn after
                 seen["painted"], seen["cpu"] = perf_counter(), process_time()
-            _until(app, lambda: program.is_complete)
+            _until(app, lambda: program.is_idle)
             if name == path:
                 found["read_s"].append(seen["read"] - start)
                 found["cpu_s"].append(seen["cpu"] - cpu)
@@ -82,7 +82,7 @@ def openings(path: str, runs: int) -> dict[str, object]:
 
 def _views_are_there(program: object) -> bool:
     # Figures and fits follow; a picture does not wait for them.
-    return all(getattr(part, "is_complete", True) for part in program.parts if part is not program.numbers)
+    return all(part.is_idle for part in program.features if part is not program.numbers)
 
 
 def _until(app: object, done: object) -> None:

@@ -56,10 +56,10 @@ def drag() -> dict[str, float]:
     for key in window.plots.plots:
         window.plots.set_shown(key, key in ("polar", "curves"))
     window.show()
-    slices = next(part for part in program.parts if isinstance(part, Slices))
+    slices = program.feature(Slices)
     for subject in _subjects():
         session.add(subject)
-    while not slices.is_complete or session.tasks.busy:
+    while not slices.is_idle or session.tasks.busy:
         app.processEvents()
     answer: dict[str, float] = {}
     angles = np.concatenate((np.linspace(FROM_DEG, TO_DEG, STEPS), np.linspace(TO_DEG, FROM_DEG, STEPS)))
@@ -89,7 +89,7 @@ def drag() -> dict[str, float]:
 def _subjects():
     from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 
-    from brdf_suite.fitting.lobes.undivided import fit_undivided
+    from brdf_suite.fitting.lobes.measured import fit_undivided
     from brdf_suite.reflectance.models.ggx import Ggx
     from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
     from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable

@@ -80,7 +80,7 @@ def figures() -> dict[str, float]:
     program = LobeVisualizer(parts=(Space,))
     program.window.resize(*SIZE)
     program.window.show()
-    space = next(part for part in program.parts if isinstance(part, Space))
+    space = program.feature(Space)
     _until(app, lambda: space.view is not None and space.view.isValid())
     from OpenGL import GL
 
@@ -89,7 +89,7 @@ def figures() -> dict[str, float]:
     found = {}
     for name, reflectance in subjects.items():
         program.session.set_subjects((PlottedMaterial(name, name, Material(name, reflectance)),))
-        _until(app, lambda: space.is_complete)
+        _until(app, lambda: space.is_idle)
         found[name] = _steps(app, program, space, GL)
     program.close()
     slower = max(found, key=lambda name: np.median(found[name]["wall"]))

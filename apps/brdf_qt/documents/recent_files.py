@@ -1,0 +1,37 @@
+"""The files that were opened last, newest first, remembered between runs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_qt.program.settings import settings
+
+MOST_RECENT = 10
+
+
+class RecentFiles:
+    """A list of recent files, kept in the settings of the program under ``key``."""
+
+    def __init__(self, key: str = "recent") -> None:
+        self._key = key
+
+    def paths(self) -> list[str]:
+        """Return absolute paths, newest first; files that are gone are left out."""
+        stored = settings().value(self._key, [])
+        stored = stored if isinstance(stored, list) else [stored]
+        return [path for path in stored if isinstance(path, str) and Path(path).is_file()]
+
+    def add(self, path: str | Path) -> None:
+        """Put ``path`` first."""
+        first = str(Path(path).absolute())
+        paths = [first, *(known for known in self.paths() if known != first)]
+        settings().setValue(self._key, paths[:MOST_RECENT])
+
+    def remove(self, path: str | Path) -> None:
+        """Leave ``path`` out from now on."""
+        gone = str(Path(path).absolute())
+        settings().setValue(self._key, [known for known in self.paths() if known != gone])
+
+    def clear(self) -> None:
+        """Forget them."""
+        settings().remove(self._key)

@@ -1,0 +1,182 @@
+"""The command line and the run of a program: its options, a picture of the window, times of the start, exit status."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Callable, Sequence
+from functools import partial
+from pathlib import Path
+
+from PySide6.QtCore import QObject, QTimer
+from PySide6.QtWidgets import QApplication
+
+from brdf_qt.program.application import create_application, process_age_s, run
+from brdf_qt.program.program import Program
+from brdf_qt.program.theme import THEMES
+from brdf_qt.program.translation import languages
+from brdf_suite.errors import SuiteError
+
+_LARGEST = 20_000
+_LOOK_EVERY_MS = 50
+_PAINT_MS = 200
+"""Between the end of all work and a picture of the window: what has just come is painted, a fit is made exact."""
+
+
+def window_size(text: str) -> tuple[int, int]:
+    """Parse ``WIDTHxHEIGHT`` in pixels (an argparse type)."""
+    width, _, height = text.partition("x")
+    if not (width.isdecimal() and height.isdecimal()) or not all(
+        0 < int(n) < _LARGEST for n in (width, height)
+    ):
+        raise argparse.ArgumentTypeError(f"{text!r} is no size; give WIDTHxHEIGHT in pixels, as in 1280x800")
+    return int(width), int(height)
+
+
+def program_parser(
+    command: str, description: str, times: str, epilog: str | None = None
+) -> argparse.ArgumentParser:
+    """Return the parser of ``command`` with the options of every program.
+
+    ``times`` completes the help of ``--report-startup``: what is printed beside the time of the painted window.
+    """
+    parser = argparse.ArgumentParser(prog=command, description=description, epilog=epilog)
+    parser.add_argument("--theme", choices=THEMES, help="theme of this run (default: the last one chosen)")
+    parser.add_argument(
+        "--language", choices=languages(), help="language of this run (default: the last one chosen)"
+    )
+    parser.add_argument("--size", type=window_size, metavar="WxH", help="size of the window in pixels")
+    parser.add_argument(
+        "--screenshot",
+        type=Path,
+        metavar="FILE",
+        help="save a picture of the window once all of it is there, and end",
+    )
+    parser.add_argument(
+        "--quit-after", type=float, metavar="S", help="end S seconds after the window is complete"
+    )
+    parser.add_argument(
+        "--report-startup",
+        action="store_true",
+        help='print {"ready_s": s, "complete_s": s}: seconds from the start of the process to the first painted '
+        f"window, and {times}",
+    )
+    return parser
+
+
+def run_program(
+    name: str,
+    parser: argparse.ArgumentParser,
+    make: Callable[[argparse.Namespace], Program],
+    argv: Sequence[str] | None = None,
+    actions: Callable[[argparse.Namespace], Sequence[str]] = lambda _options: (),
+) -> int:
+    """Run the program ``name`` ("Designer") that ``make`` returns for the options; return the exit status.
+
+    ``actions`` are given to :meth:`Program.do` after the start, each when all that the one before led to is there.
+    """
+    options = parser.parse_args(argv)
+    app = create_application(name, theme_name=options.theme, language=options.language)
+    try:
+        program = make(options)
+    except SuiteError as error:
+        print(f"{parser.prog}: {error}", file=sys.stderr)
+        return 1
+    if options.size is not None:
+        program.window.resize(*options.size)
+        program.window.fit_inspector()
+    program.start_when_painted()
+    _Run(app, program, options, parser.prog, actions(options))
+    return run(app, program.window)
+
+
+class _Run(QObject):
+    """What the options ask for once the program has started."""
+
+    def __init__(
+        self,
+        app: QApplication,
+        program: Program,
+        options: argparse.Namespace,
+        command: str,
+        actions: Sequence[str],
+    ) -> None:
+        super().__init__(program)
+        self._app, self._program, self._options = app, program, options
+        self._command, self._actions = command, list(actions)
+        self._seen: list[str] = []
+        self._times: dict[str, float] = {}
+        program.reached.connect(self._reach)
+        program.start_failed.connect(self._fail)
+
+    def _reach(self, milestone: str) -> None:
+        self._seen.append(milestone)
+        started = "complete_s" in self._times
+        if "ready" in self._seen:  # what is drawn before the window is painted is seen only then
+            now = round(process_age_s(), 3)
+            self._times.update({f"{one}_s": now for one in self._seen if f"{one}_s" not in self._times})
+        if "complete_s" in self._times and not started:
+            self._complete()
+
+    def _complete(self) -> None:
+        if self._options.screenshot is not None:
+            self._when_idle(self._finish)
+            return
+        self._report()
+        self._act()
+        self._quit_later()
+
+    def _quit_later(self) -> None:
+        if self._options.quit_after is not None:
+            QTimer.singleShot(round(1000 * self._options.quit_after), self, partial(self._end, 0))
+
+    def _fail(self, problem: str) -> None:
+        if self._options.screenshot is not None:
+            self._end(1, problem)
+        else:
+            self._quit_later()
+
+    def _finish(self) -> None:
+        if self._program.is_idle:
+            self._times.setdefault("finished_s", round(process_age_s(), 3))
+        self._report()
+        self._act()
+
+    def _report(self) -> None:
+        if self._options.report_startup:
+            print(json.dumps(self._times), flush=True)
+
+    def _act(self) -> None:
+        """Do the next action; after the last one take the picture."""
+        if self._actions:
+            action = self._actions.pop(0)
+            if self._program.do(action):
+                self._when_idle(self._act)
+            else:
+                self._end(2, f"{action}: there is no such action or option.")
+        elif self._options.screenshot is not None:
+            QTimer.singleShot(_PAINT_MS, self, self._save)
+
+    def _save(self) -> None:
+        path = self._options.screenshot
+        saved = self._program.window.grab().save(str(path))
+        self._end(*((0, "") if saved else (1, f"{path}: the picture cannot be written there.")))
+
+    def _end(self, status: int, problem: str = "") -> None:
+        if problem:
+            print(f"{self._command}: {problem}", file=sys.stderr)
+        self._app.exit(status)
+
+    def _when_idle(self, then: Callable[[], None]) -> None:
+        wait = QTimer(self)
+        wait.setInterval(_LOOK_EVERY_MS)
+
+        def look() -> None:
+            if self._program.is_idle or process_age_s() > self._program.patience_s:
+                wait.stop()
+                wait.deleteLater()
+                then()
+
+        wait.timeout.connect(look)
+        wait.start()

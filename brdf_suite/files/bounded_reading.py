@@ -1,0 +1,98 @@
+"""Guards against crashes, hangs and memory exhaustion when reading damaged or hostile files."""
+
+from __future__ import annotations
+
+import math
+import os
+import stat
+from collections.abc import Iterator
+from io import BufferedReader
+from pathlib import Path
+
+from brdf_suite.errors import FileError, PathLike
+
+LONGEST_LINE = 1 << 20
+"""Bytes; a row of two thousand bands with twenty digits each is 40 KB."""
+
+MOST_SAMPLES = 1_000_000
+"""Directions of a scattered measurement; a gonioreflectometer makes a few thousand."""
+
+MOST_BANDS = 2048
+"""Wavelengths of a spectrum; the finest array spectrometers have about that."""
+
+
+def open_plain(path: PathLike, largest: int) -> BufferedReader:
+    """Return the open file at ``path``.
+
+    Raises
+    ------
+    FileError
+        It is missing, not readable, not a plain file (so that no pipe can hang us), or over ``largest`` bytes.
+    """
+    try:
+        found = Path(path).stat()
+        if not stat.S_ISREG(found.st_mode):
+            raise FileError(path, "is not a file" if not stat.S_ISDIR(found.st_mode) else "is a folder")
+        if found.st_size > largest:
+            raise FileError(
+                path, f"has {found.st_size:,} bytes, more than the {largest:,} that this format can need"
+            )
+        return Path(path).open("rb")
+    except OSError as error:
+        raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+    except ValueError as error:  # a NUL character in the name
+        raise FileError(os.fspath(path), f"cannot be read: {error}") from error
+
+
+def read_bytes(path: PathLike, largest: int) -> bytes:
+    """Return the content of a plain file of at most ``largest`` bytes, or raise :class:`FileError`."""
+    with open_plain(path, largest) as stream:
+        try:
+            # As many as it has now: asking for the largest would reserve that much.
+            return stream.read(os.fstat(stream.fileno()).st_size)
+        except OSError as error:
+            raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+
+
+def numbered_lines(path: PathLike, largest: int) -> Iterator[tuple[int, str]]:
+    """Yield (line number from 1, text without its ending) of a text file.
+
+    Raises
+    ------
+    FileError
+        As :func:`open_plain`; a line is over :data:`LONGEST_LINE` bytes, or the file holds a NUL byte or is
+        not UTF-8 (Latin-1 in comments is let through: old instruments write it).
+    """
+    number = 0
+    with open_plain(path, largest) as stream:
+        while True:
+            try:
+                line = stream.readline(LONGEST_LINE + 1)
+            except OSError as error:
+                raise FileError(path, f"cannot be read: {error.strerror or error}") from error
+            if not line:
+                return
+            number += 1
+            if len(line) > LONGEST_LINE:
+                raise FileError(path, f"the line is longer than {LONGEST_LINE:,} bytes", f"line {number}")
+            if b"\0" in line:
+                raise FileError(path, "holds a NUL byte, so it is not text", f"line {number}")
+            try:
+                text = line.decode("utf-8-sig" if number == 1 else "utf-8")
+            except UnicodeDecodeError:
+                text = line.decode("latin-1")
+            # Old Mac files end their lines with CR alone; those are not met in this trade and count as one.
+            yield number, text.rstrip("\r\n")
+
+
+def number_in(path: PathLike, text: str, line: int, what: str) -> float:
+    """Return the finite number in ``text``, or raise :class:`FileError` naming the line and ``what``."""
+    try:
+        # Python also takes 1_000, which no instrument means.
+        value = math.nan if "_" in text else float(text)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        shown = text if len(text) <= 40 else text[:37] + "..."
+        raise FileError(path, f"expected a finite number for {what}, not {shown!r}", f"line {line}")
+    return value

@@ -1,0 +1,214 @@
+"""What the ray tracer draws, part by part: each is made once and kept while what it is made of stays the same."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.documents.view import View
+from brdf_suite.fitting.lobes.basis import default_basis
+from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.lighting.environment import Environment
+from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
+from brdf_suite.pipeline.material import Material
+from brdf_suite.pipeline.paint_angles import material_weights
+from brdf_suite.realtime.camera import Bounds, compose, matrices
+from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT
+from brdf_suite.realtime.material.stock_materials import stock_materials
+from brdf_suite.reference.bsdfs.translate import translate
+from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
+from brdf_suite.reference.raytraced.flakes import SparkleField
+from brdf_suite.reference.raytraced.light_set import LightSet, Strata
+from brdf_suite.reference.raytraced.quality import Quality
+from brdf_suite.reference.raytraced.sky import TracedSky
+from brdf_suite.reference.raytraced.split import split
+from brdf_suite.reference.raytraced.surface import Surface, SurfaceArrays
+from brdf_suite.reference.raytraced.table_split import TableSplit
+from brdf_suite.reference.raytraced.tracer import LightArrays
+from brdf_suite.reference.scene.backdrop import blur_map
+from brdf_suite.reference.scene.scene import PinholeCamera
+from brdf_suite.surface.mesh import Mesh
+from brdf_suite.tracing.optics import lobe_term
+
+Size = tuple[int, int]
+PAINT = "paint"
+_BLURRED_ROWS = 96
+_TOO_MUCH = "times the light that falls on it"
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, eq=False)
+class PictureInputs:
+    """All that a picture is made of, loaded."""
+
+    paint: Material
+    environment: Environment
+    mesh: Mesh
+    view: View
+    size: Size
+    quality: Quality
+    tables: TableSplit
+
+
+class Parts:
+    """Makes the parts of a picture; what was made for the same is given again."""
+
+    def __init__(self) -> None:
+        self._kept: dict[str, tuple[object, Any]] = {}
+
+    def keep(self, what: str, made_of: object, make: Callable[[], _T]) -> _T:
+        """Return what was made last where it is made of the same."""
+        if what not in self._kept or self._kept[what][0] != made_of:
+            self._kept.pop(what, None)  # before the new one is made: two large ones may not fit
+            self._kept[what] = (made_of, make())
+        found: _T = self._kept[what][1]
+        return found
+
+    def mesh(self, inputs: PictureInputs) -> tuple[Mesh, Bounds]:
+        """Return the mesh with the materials that the view gives its parts, and its bounds."""
+        chosen = {item.part: item.material for item in inputs.view.surface_look.materials}
+
+        def make() -> tuple[Mesh, Bounds]:
+            parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in inputs.mesh.parts)
+            mesh = replace(inputs.mesh, parts=parts)
+            return mesh, Bounds.of(p.positions for p in mesh.parts)
+
+        return self.keep("mesh", (Same(inputs.mesh), tuple(chosen.items())), make)
+
+    def surface(self, mesh: Mesh) -> Any:
+        """Return the mesh in the ray tracer."""
+        numbers = {name: index for index, name in enumerate(materials_of(mesh))}
+        return self.keep("surface", Same(mesh), lambda: Surface(SurfaceArrays.of(mesh.parts, numbers)))
+
+    def splits(self, inputs: PictureInputs, mesh: Mesh) -> tuple[list[Any], tuple[str, ...]]:
+        """Return each material cut in two, by its number, and sentences about the paint."""
+        mirror, view = inputs.quality.mirrors, inputs.view
+        names = materials_of(mesh)
+
+        def stock() -> dict[str, Any]:
+            weights = stock_materials(default_basis().exponents)
+            used = {name: weights.get(name, weights["neutral"]) for name in names if name != PAINT}
+            return {name: split(lobe_term(w, view), mirror=mirror) for name, w in used.items()}
+
+        others = self.keep("stock", (tuple(names), mirror, view.fresnel), stock)
+        if PAINT not in names:
+            return [others[name] for name in names], ()
+        made_of = (Same(inputs.paint.reflectance), view.fresnel)
+        term, notices = self.keep("term", made_of, lambda: term_of(inputs.paint, view))
+        cut = self.keep(
+            "paint",
+            (Same(term), mirror, inputs.tables),
+            lambda: split(term, mirror=mirror, tables=inputs.tables),
+        )
+        return [cut if name == PAINT else others[name] for name in names], notices
+
+    def light(self, inputs: PictureInputs) -> tuple[TracedSky, NDArray[np.float32]]:
+        """Return the environment as rays find it, turned, and its radiance (h, w, 3) in the view's light colour."""
+        environment, view = inputs.environment, inputs.view
+        colour = view.light_colour
+        made_of = (Same(environment), colour, inputs.quality.lights)
+
+        def make() -> tuple[TracedSky, NDArray[np.float32]]:
+            tint = environment_matrix(colour)
+            radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
+            return TracedSky.of(radiance, self._strata(inputs).without_suns(radiance)), radiance
+
+        sky, radiance = self.keep("sky", made_of, make)
+        turned = self.keep("turned", (*made_of, view.rotation_deg), lambda: sky.turned(view.rotation_deg))
+        return turned, radiance
+
+    def backdrop(self, inputs: PictureInputs) -> TracedSky:
+        """Return the sky that is seen behind the object: the light's, or blurred where the view has it so."""
+        view = inputs.view
+        sky, radiance = self.light(inputs)
+        if view.background != "blurred":
+            return sky
+
+        def make() -> TracedSky:
+            around = direction(ring_angles(_BLURRED_ROWS)[:, None], column_angles(2 * _BLURRED_ROWS)[None])
+            return TracedSky.of(blur_map(radiance, BLUR_EXPONENT)(around))
+
+        soft = self.keep("blurred", (Same(inputs.environment), view.light_colour), make)
+        return soft.turned(view.rotation_deg)
+
+    def lights(self, inputs: PictureInputs, turn: int) -> LightArrays:
+        """Return the lights of a round: the first, 0, are in the middle of their strata, others drawn from them."""
+        view, quality = inputs.view, inputs.quality
+        colour = view.light_colour
+        tint = environment_matrix(colour)
+        made_of = (Same(inputs.environment), quality.lights)
+
+        def make() -> LightArrays:
+            tinted = self._strata(inputs).tinted(tint)
+            found: LightSet = tinted.middles() if turn == 0 else tinted.drawn(turn)
+            return LightArrays.of(
+                found.turned(view.rotation_deg).with_lamps(view.lamps).dealt(quality.samples)
+            )
+
+        return self.keep(
+            "lights", (*made_of, quality.samples, colour, view.rotation_deg, view.lamps, turn), make
+        )
+
+    def _strata(self, inputs: PictureInputs) -> Strata:
+        environment, count = inputs.environment, inputs.quality.lights
+        return self.keep(
+            "strata", (Same(environment), count), lambda: Strata.of(environment, count, np.eye(3))
+        )
+
+    def camera(self, view: View, bounds: Bounds, size: Size) -> Pinhole:
+        """Return the eye of a view whose camera is placed, and its picture's size."""
+        seen = matrices(view.camera, bounds, size)
+        return Pinhole.of(PinholeCamera(seen.eye, seen.view_to_world, seen.half_tangents[0]), size)
+
+
+class Same:
+    """A value that equals itself alone, and stays alive as long as something was made of it."""
+
+    def __init__(self, value: object) -> None:
+        self._value = value
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self._value is other._value
+
+    def __hash__(self) -> int:
+        return id(self._value)
+
+
+def placed(view: View, bounds: Bounds, size: Size) -> View:
+    """Return the view with its camera placed, as the real-time picture places it."""
+    return replace(view, camera=compose(view.camera, bounds, size))
+
+
+def materials_of(mesh: Mesh) -> list[str]:
+    """Return the materials of a mesh; their places are their numbers."""
+    return sorted({part.material for part in mesh.parts})
+
+
+def term_of(paint: Material, view: View) -> tuple[Any, tuple[str, ...]]:
+    """Return what a paint reflects by, and sentences about it."""
+    if isinstance(paint.reflectance, LobeWeights):
+        return lobe_term(material_weights(paint.reflectance), view), ()
+    translated = translate(paint.reflectance)
+    notices = translated.notices
+    most = largest_albedo(translated.term)
+    if most > 1.0 + TOLERANCE and not any(_TOO_MUCH in notice for notice in paint.notices):
+        notices = (*notices, f"This paint would reflect {most:.2f} {_TOO_MUCH}.")
+    return translated.term, notices
+
+
+def sparkle_of(paint: Material, view: View) -> SparkleField | None:
+    """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
+    flakes = paint.flakes
+    if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
+        return None
+    if isinstance(paint.reflectance, LobeWeights):
+        ior = paint.reflectance.ior if paint.reflectance.base_under_coat else 1.0
+    else:
+        ior = float(getattr(paint.reflectance, "ior", 1.0))
+    return SparkleField(flakes, ior, view.sparkle.strength)

@@ -1,0 +1,70 @@
+"""Weights at many angles: non-negative, the optimum, calm along the chain, and of few columns."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.optimize import nnls
+
+from brdf_suite.fitting.lobes.smooth_over_angles import ColumnGroup, chained_weights
+
+
+def system(rng: np.random.Generator, angles: int = 5, rows: int = 12, columns: int = 4):
+    a = rng.random((angles, rows, columns))
+    b = rng.random((angles, rows, 3)) - 0.3
+    return a, b
+
+
+def solved(a, b, **more):
+    return chained_weights(
+        np.einsum("nrk,nrl->nkl", a, a), np.einsum("nrk,nrc->nkc", a, b), (b**2).sum(axis=1), **more
+    )
+
+
+def test_without_a_chain_it_is_non_negative_least_squares() -> None:
+    a, b = system(np.random.default_rng(3))
+    found = solved(a, b, smoothness=0.0)
+    assert (found >= 0.0).all()
+    for n in range(5):
+        for c in range(3):
+            best = nnls(a[n], b[n, :, c])[1]
+            assert np.linalg.norm(a[n] @ found[n, :, c] - b[n, :, c]) < best * (1.0 + 1e-4)
+
+
+def test_known_weights_come_back_whatever_the_columns_size() -> None:
+    rng = np.random.default_rng(4)
+    a, _ = system(rng)
+    a *= [1.0, 1e-4, 1e3, 1.0]
+    weights = rng.random((5, 4, 3)) / np.array([1.0, 1e-4, 1e3, 1.0])[:, None]
+    found = solved(a, np.einsum("nrk,nkc->nrc", a, weights), smoothness=0.0)
+    np.testing.assert_allclose(found, weights, rtol=0.05)
+
+
+def test_smoothness_calms() -> None:
+    a, b = system(np.random.default_rng(5))
+    rough, calm = (np.abs(np.diff(solved(a, b, smoothness=mu), axis=0)).sum() for mu in (0.0, 3.0))
+    assert calm < 0.5 * rough
+
+
+def test_what_says_the_same_is_dropped_and_what_matters_stays() -> None:
+    rng = np.random.default_rng(6)
+    a, _ = system(rng)
+    a = np.concatenate((a, a[..., :1] + 1e-4 * rng.random(a[..., :1].shape)), axis=-1)
+    weights = np.ones((5, 4, 3))
+    b = np.einsum("nrk,nkc->nrc", a[..., :4], weights)
+    found = solved(a, b, groups=[ColumnGroup((0, 1, 2, 3, 4), 5)])
+    used = found.max(axis=(0, 2)) > 0.0
+    assert used[1:4].all()
+    assert used[0] != used[4]
+    forced = solved(a, b, groups=[ColumnGroup((0, 1, 4), 1)])
+    assert np.count_nonzero(forced.max(axis=(0, 2))[[0, 1, 4]]) == 1
+    assert (forced.max(axis=(0, 2))[[2, 3]] > 0.0).all()
+
+
+def test_a_column_of_zeros_and_one_angle_alone() -> None:
+    a, b = system(np.random.default_rng(7), angles=1)
+    a[..., 2] = 0.0
+    found = solved(a, b)
+    assert not found[:, 2].any()
+    assert found.shape == (1, 4, 3)
+    assert solved(a, np.zeros_like(b)) == pytest.approx(0.0)
