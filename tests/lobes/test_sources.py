@@ -8,7 +8,7 @@ from threading import Event
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.subjects import sources_control
+from brdf_lobe_visualizer.subjects import sources
 from brdf_lobe_visualizer.subjects.sources import MOST_AT_ONCE, MeasuredBins, names, open_source
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
@@ -275,7 +275,7 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
         finally:
             ended.set()
 
-    monkeypatch.setattr(sources_control, "open_source", slow)
+    monkeypatch.setattr(sources, "open_source", slow)
     job = program.sources.open("slow.binary")
     strip = program.window.progress
     qtbot.waitUntil(lambda: job in strip.jobs)

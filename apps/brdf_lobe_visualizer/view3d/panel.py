@@ -32,15 +32,14 @@ from brdf_lobe_visualizer.view3d.camera import (
     parse_camera,
     preset,
 )
-from brdf_lobe_visualizer.view3d.layers import SceneMaker
 from brdf_lobe_visualizer.view3d.options import SpaceState
-from brdf_lobe_visualizer.view3d.probe import SpaceProbe
 from brdf_lobe_visualizer.view3d.save import SaveSurface
 from brdf_lobe_visualizer.view3d.section import SurfaceSection
-from brdf_lobe_visualizer.view3d.values import SpaceValues
 from brdf_lobe_visualizer.window import LobeWindow
 
 if TYPE_CHECKING:
+    from brdf_lobe_visualizer.view3d.layers import SceneMaker
+    from brdf_lobe_visualizer.view3d.values import SpaceValues
     from brdf_lobe_visualizer.view3d.view import LobeView
 
 
@@ -154,10 +153,12 @@ class Space(Feature, QObject):
         if QGuiApplication.platformName() in ("offscreen", "minimal"):
             self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
+        # With the view comes pyqtgraph's OpenGL: a quarter of a second of the processor's time.
+        from brdf_lobe_visualizer.view3d import layers, probe, values
         from brdf_lobe_visualizer.view3d.view import LobeView
 
-        self.values = SpaceValues(self.session, self._stale)
-        self._maker = SceneMaker(self.session, self.values)
+        self.values = values.SpaceValues(self.session, self._stale)
+        self._maker = layers.SceneMaker(self.session, self.values)
         self.view = view = LobeView()
         view.set_camera(self.camera)
         view.failed.connect(self._show_failure)
@@ -170,7 +171,7 @@ class Space(Feature, QObject):
         drag.dragged.connect(self.session.set_incidence)
         drag.turned.connect(self._turn)
         drag.reset.connect(self.session.reset_incidence)
-        SpaceProbe(view)
+        probe.SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
 

@@ -19,7 +19,6 @@ from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.errors import GraphicsError, SuiteError
-from brdf_suite.inspection.lobe_surface.export import write_surface
 
 if TYPE_CHECKING:
     from brdf_lobe_visualizer.view3d.view import LobeView
@@ -150,21 +149,14 @@ class SaveSurface(QObject):
             size = round(self.section.width_.value()), round(self.section.height_.value())
             self._view().write_picture(path, *size, " · ".join(self._about()))
         else:
-            self._write_mesh(path)
+            about = (*self._about(), "lengths in millimetres")
+            self._view().write_surface(path, about, self.section.size_.value())
 
     def _view(self) -> LobeView:
         view = self._current_view()
         if view is None or not view.isValid():
             raise GraphicsError(tr("OpenGL is not available, so the lobes cannot be drawn."))
         return view
-
-    def _write_mesh(self, path: Path) -> None:
-        layers = [layer for panel in self._view().scene.panels for layer in panel.layers]
-        if not layers:
-            raise GraphicsError(tr("No surface to save. Add a reflectance, or show one in the legend."))
-        write_surface(
-            path, layers[0].surface, (*self._about(), "lengths in millimetres"), self.section.size_.value()
-        )
 
     def _about(self) -> list[str]:
         view = self._view()

@@ -34,7 +34,9 @@ from brdf_lobe_visualizer.view3d.overlay import Overlay
 from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
 from brdf_suite.arrays import Floats
+from brdf_suite.errors import GraphicsError
 from brdf_suite.files.images.png import write_png
+from brdf_suite.inspection.lobe_surface.export import write_surface
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met
 
 _TILE = 1024
@@ -305,6 +307,13 @@ class LobeView(SpaceView):
         write_png(
             path, np.ascontiguousarray(rows.reshape(height, width, 4)[..., 2::-1]), {"Description": about}
         )
+
+    def write_surface(self, path: Path, about: tuple[str, ...], radius_mm: float) -> None:
+        """Write the first surface as OBJ or PLY; raises :class:`GraphicsError` where there is none."""
+        layers = [layer for panel in self.scene.panels for layer in panel.layers]
+        if not layers:
+            raise GraphicsError(tr("No surface to save. Add a reflectance, or show one in the legend."))
+        write_surface(path, layers[0].surface, about, radius_mm)
 
     def frame(self) -> Frame:
         """Return the lines and labels about the lobes, in the theme's colours."""

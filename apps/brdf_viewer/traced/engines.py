@@ -19,12 +19,12 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.sums_file import write_sums
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
 from brdf_viewer.traced.job import Job, TracedFrame, add_coverage
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # Mitsuba comes with them, which is optional
+    from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
     from brdf_suite.tracing.reference.live import LiveReference
     from brdf_viewer.traced.reference_job import ReferenceJob
 
@@ -60,8 +60,6 @@ class Engines:
 
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
-            from brdf_suite.tracing.reference.live import LiveReference  # here, because Mitsuba comes with it
-
             self._reference = LiveReference()
         live = self._reference
         look = request.view.surface_look
@@ -132,7 +130,7 @@ class RaytracedJob:
             raise SuiteError("There is no picture yet.")
         scene = self._newest.scene
         shown = replace(scene, view=replace(view, camera=scene.view.camera))
-        write_sums(path, self._newest.sums, RaytracedImage(shown, self._newest.sums).whole(), scene.key)
+        write_sums(path, self._newest.sums, replace(self._newest, scene=shown).whole(), scene.key)
 
 
 def _without_backdrop(view: View) -> View:
