@@ -4073,7 +4073,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>θd of the θh cut</source>
-        <translation>θd des θh-Schnitts</translation>
+        <translation>θd, θh-Schnitt</translation>
     </message>
     <message>
         <source>θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value</source>
@@ -4081,7 +4081,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>θh of the θd cut</source>
-        <translation>θh des θd-Schnitts</translation>
+        <translation>θh, θd-Schnitt</translation>
     </message>
     <message>
         <source>θh of the cut over θd</source>

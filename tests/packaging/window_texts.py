@@ -14,6 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.program.application import create_application
+from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -113,9 +114,12 @@ def _names() -> list[tuple[str, str]]:
     return [pair for pair in found if pair[1]]
 
 
-def _cut_off(window: QWidget) -> list[str]:
+def _cut_off(window: SuiteWindow) -> list[str]:
     """Return the labels, buttons and lists that are on show and narrower than their own text."""
     wrong = []
+    inspector = window.inspector
+    if inspector.widget().width() > inspector.viewport().width():
+        wrong.append(f"inspector: {inspector.widget().width()} in {inspector.viewport().width()} pixels")
     for widget in window.findChildren(QWidget):
         if not widget.isVisible():
             continue
