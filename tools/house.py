@@ -25,11 +25,8 @@ LONG_FILE = 500
 
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
-    "imports inside functions": 365,
-    "class names in several rooms": 27,
-    "attributes by text": 7,
-    "private accesses in tests": 185,
-    "unwanted words": 76,
+    "imports inside functions": 65,
+    "attributes by text": 6,
 }
 
 OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsuba", "numba", "rawpy"}
