@@ -51,11 +51,22 @@ def drawn_as_html() -> tuple[list[str], int]:
     return wrong, seen
 
 
-def all_texts() -> list[tuple[str, str]]:
-    """Return the texts of all widgets that there are, each with its place."""
+def widgets_of(window: QWidget) -> list[QWidget]:
+    """Return a window and all widgets in it or opened from it; menus of libraries that nothing opens are not."""
+
+    def is_inside(widget: QWidget | None) -> bool:
+        while widget is not None and widget is not window:
+            widget = widget.parentWidget()
+        return widget is window
+
+    return [widget for widget in QApplication.allWidgets() if is_inside(widget)]
+
+
+def all_texts(window: QWidget) -> list[tuple[str, str]]:
+    """Return the texts of a window's widgets, each with its place."""
     return [
         (f"{type(widget).__name__} {widget.objectName()!r}, {what}", text)
-        for widget in QApplication.allWidgets()
+        for widget in widgets_of(window)
         for what, text, _ in _texts(widget)
         if text
     ]

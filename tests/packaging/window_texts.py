@@ -13,19 +13,19 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+from brdf_qt.fields.labels import ElidedLabel
 from brdf_qt.program.application import create_application
+from brdf_qt.program.program import Program
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QApplication,
     QComboBox,
     QDockWidget,
     QLabel,
     QLineEdit,
-    QMainWindow,
     QMenu,
     QTabBar,
     QToolButton,
@@ -35,37 +35,37 @@ from PySide6.QtWidgets import (
 SIZE = (1280, 720)
 
 
-def designer() -> QMainWindow:
-    """Open Designer."""
+def designer() -> Program:
+    """Make Designer."""
     from brdf_designer.assembly import Designer
 
-    return Designer().window
+    return Designer()
 
 
-def lobe_visualizer() -> QMainWindow:
-    """Open Lobe Visualizer."""
+def lobe_visualizer() -> Program:
+    """Make Lobe Visualizer."""
     from brdf_lobe_visualizer.assembly import LobeVisualizer
 
-    return LobeVisualizer().window
+    return LobeVisualizer()
 
 
-def color_swatch() -> QMainWindow:
-    """Open Color Swatch."""
+def color_swatch() -> Program:
+    """Make Color Swatch."""
     from brdf_color_swatch.assembly import ColorSwatch
 
-    return ColorSwatch().window
+    return ColorSwatch()
 
 
-def viewer() -> QMainWindow:
-    """Open Viewer on a sphere in a plain light, as the first start does otherwise."""
+def viewer() -> Program:
+    """Make Viewer with a sphere in a plain light, as the first start does otherwise."""
     from brdf_viewer.controller import ViewerController
 
     from brdf_suite.documents.view import View
 
-    return ViewerController(View(surface="sphere"), "blue").window
+    return ViewerController(View(environment="booth", surface="sphere"), "blue")
 
 
-PROGRAMS: dict[str, Callable[[], QMainWindow]] = {
+PROGRAMS: dict[str, Callable[[], Program]] = {
     "Designer": designer,
     "Lobe Visualizer": lobe_visualizer,
     "Color Swatch": color_swatch,
@@ -77,20 +77,28 @@ def main() -> int:
     """Open, walk, print."""
     name, *chosen = sys.argv[1:]
     app = create_application(name)
-    window = PROGRAMS[name]()
+    program = PROGRAMS[name]()
+    window = program.window
     window.resize(*SIZE)
+    program.start_when_painted()
     window.show()
     for dock in window.findChildren(QDockWidget):
         dock.show()
     for section in window.findChildren(Section):
         section.set_open(True)
-    QTest.qWait(300)
+    painted = []
+    window.first_painted.connect(lambda: painted.append(True))
+    # Without OpenGL nothing is baked for a surface, and that of the Viewer is never complete.
+    awaited = [feature for feature in program.features if type(feature).__name__ != "SurfaceControl"]
+    while not painted or not all(feature.is_idle for feature in awaited):
+        QTest.qWait(20)
+    QTest.qWait(50)  # layouts follow what has come
     for code in chosen:
         window.findChild(object, f"language_{code}").trigger()
     walks = _load(Path(__file__).parent.parent / "window_walks.py")
     found = {
         "language": app.property("language"),
-        "texts": [*walks.all_texts(), *_names()],
+        "texts": [*walks.all_texts(window), *_names(walks.widgets_of(window))],
         "entries": [
             action.text() for menu in window.findChildren(QMenu) for action in menu.actions() if action.text()
         ],
@@ -101,10 +109,10 @@ def main() -> int:
     os._exit(0)  # nothing that is on its way is awaited
 
 
-def _names() -> list[tuple[str, str]]:
+def _names(widgets: list[QWidget]) -> list[tuple[str, str]]:
     """Return what the widgets are called: for screen readers, as titles, as hints in empty lines."""
     found = []
-    for widget in QApplication.allWidgets():
+    for widget in widgets:
         place = f"{type(widget).__name__} {widget.objectName()!r}"
         found += [(place, widget.accessibleName()), (place, widget.windowTitle())]
         if isinstance(widget, QLineEdit):
@@ -123,6 +131,8 @@ def _cut_off(window: SuiteWindow) -> list[str]:
     for widget in window.findChildren(QWidget):
         if not widget.isVisible():
             continue
+        if isinstance(widget, ElidedLabel):  # its tip has the whole text
+            continue
         if isinstance(widget, QLabel) and not widget.wordWrap() and type(widget).sizeHint is QLabel.sizeHint:
             ignored = widget.sizePolicy().horizontalPolicy() == widget.sizePolicy().Policy.Ignored
             short = not ignored and widget.width() < widget.sizeHint().width()
@@ -138,7 +148,10 @@ def _cut_off(window: SuiteWindow) -> list[str]:
             continue
         elif isinstance(widget, QAbstractButton):
             text = widget.text().replace("&", "")
-            mark = 0 if widget.icon().isNull() else widget.iconSize().width()
+            beside = not isinstance(widget, QToolButton) or (
+                widget.toolButtonStyle() is not Qt.ToolButtonStyle.ToolButtonTextUnderIcon
+            )
+            mark = widget.iconSize().width() if beside and not widget.icon().isNull() else 0
             short = widget.width() < mark + widget.fontMetrics().horizontalAdvance(text)
         elif isinstance(widget, QComboBox):
             text = widget.currentText()

@@ -54,6 +54,8 @@ class HandoverSection(QWidget):
         )
         box.addWidget(form)
         self.holds, self.losses = _wrapped(), _wrapped()
+        self.holds.setObjectName("format_contents")
+        self.losses.setObjectName("format_losses")
         self.holds.setAccessibleName(tr("Contents of the format"))
         self.losses.setAccessibleName(tr("Losses of the format"))
         self.losses.setTextInteractionFlags(
