@@ -9,6 +9,7 @@ import pytest
 
 from brdf_suite.acquisition.geometry.board_corners import find_corners
 from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration, calibrate_intrinsics
+from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
 from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.errors import AcquisitionError, Cancelled, MissingExtraError, ValueRangeError
 
@@ -33,7 +34,7 @@ def photograph(tilt: float, turn: float, seed: int) -> np.ndarray:
     middle = MIDDLE
     fine = 4
     x, y = np.meshgrid(np.arange(WIDTH * fine), np.arange(HEIGHT * fine))
-    rays = TRUE.rays(np.stack(((x + 0.5) / fine - 0.5, (y + 0.5) / fine - 0.5), axis=-1))
+    rays = lens_rays(TRUE, np.stack(((x + 0.5) / fine - 0.5, (y + 0.5) / fine - 0.5), axis=-1))
     reach = (middle @ axes[:, 2]) / (rays @ axes[:, 2])
     place = (reach[..., None] * rays - middle) @ axes[:, :2] / SQUARE
     u, v = place[..., 0] + 0.5 * (COLUMNS + 1), place[..., 1] + 0.5 * (ROWS + 1)
@@ -86,7 +87,7 @@ def test_corners_are_found_to_a_tenth_of_a_pixel(board: list[tuple[str, np.ndarr
     place = (steps - np.array([(COLUMNS - 1) / 2, (ROWS - 1) / 2])) * SQUARE
     points = MIDDLE + place @ board_axes(*POSES[5])[:, :2].T
     # Which corner comes first, a board that looks the same from two sides does not show.
-    apart = np.linalg.norm(TRUE.pixels(points)[:, None] - corners, axis=-1).min(axis=0)
+    apart = np.linalg.norm(lens_pixels(TRUE, points)[:, None] - corners, axis=-1).min(axis=0)
     assert np.sqrt(np.mean(apart**2)) < 0.1
 
 
