@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QSplitter, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.library.tree import LibraryTree
@@ -109,6 +109,18 @@ class SwatchWindow(SuiteWindow):
         button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonIconOnly)
         button.setAccessibleName(action.text().replace("&", ""))
         self.library_buttons.addWidget(button)
+
+    def open_menu(self, keys: Iterable[str], point: QPoint, name: str = "") -> None:
+        """Open a menu of commands by their keys at a point of the screen; an empty key is a line between groups."""
+        menu = QMenu(self)
+        menu.setObjectName(name)
+        for key in keys:
+            action = self.command(key) if key else None
+            if action is not None:
+                menu.addAction(action)
+            elif not key:
+                menu.addSeparator()
+        menu.popup(point)
 
     def fit_inspector(self) -> None:
         """Give the inspector what it wants, and the library a sixth of the window at most a fourth."""

@@ -9,7 +9,6 @@ import numpy as np
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication, QKeySequence
-from PySide6.QtWidgets import QMenu
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, what_words, with_date
@@ -239,18 +238,11 @@ class EditCommands(SwatchFeature):
     # Menus.
 
     def _menu(self, point: QPoint) -> None:
-        menu = QMenu(self._window)
-        menu.setObjectName("swatch_menu")
-        for key in (
+        keys = (
             "rename", "tags", "notes", "", "cut", "copy", "paste", "duplicate", "delete", "", "new_group", "",
             "nearest", "compare", "", "to_designer", "to_viewer", "to_lobes",
-        ):  # fmt: skip
-            action = self._window.command(key) if key else None
-            if action is not None:
-                menu.addAction(action)
-            elif not key:
-                menu.addSeparator()
-        menu.popup(point)
+        )  # fmt: skip
+        self._window.open_menu(keys, point, "swatch_menu")
 
     def _enable(self) -> None:
         some = bool(self._session.selected)

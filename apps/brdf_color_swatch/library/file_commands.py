@@ -8,7 +8,6 @@ from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QMenu
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.entry_edits import add_entries
@@ -190,17 +189,10 @@ class FileCommands(SwatchFeature):
     def _menu(self, scope: Scope, point: QPoint) -> None:
         if scope.palette and scope.palette != self._session.state.scope.palette:
             self._session.show_scope(scope)
-        menu = QMenu(self._window)
         keys = ["new", "open", "shipped"]
         if scope.palette:
             keys = ["save", "save_as", "export", "", "new_group", "rename_group", "remove_group", "", "close"]
-        for key in keys:
-            action = self._window.command(key) if key else None
-            if action is not None:
-                menu.addAction(action)
-            elif not key:
-                menu.addSeparator()
-        menu.popup(point)
+        self._window.open_menu(keys, point)
 
     def _enable(self) -> None:
         item = self._session.item
