@@ -25,7 +25,7 @@ LONG_FILE = 500
 
 # Breaches of each rule that there are today. Lower a number when breaches go; a rule without a number has none.
 ALLOWED: dict[str, int] = {
-    "imports inside functions": 65,
+    "imports inside functions": 63,
     "attributes by text": 6,
 }
 
@@ -47,6 +47,7 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/preview/drawer.py": "80 ms, with the first picture",
     "apps/brdf_designer/preview/control.py": "moderngl, only on a screen with OpenGL: 6 ms",
     "apps/brdf_designer/preview/scene.py": "30 ms, on a thread",
+    "apps/brdf_viewer/traced/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/fitting/lobes/angles/future_chain.py": "concurrent.futures loads logging: as background.py",
     "brdf_suite/fitting/lobes/background.py": "concurrent.futures loads logging, and a program may start without a fit",

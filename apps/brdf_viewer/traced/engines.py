@@ -56,7 +56,8 @@ class Engines:
         self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
     ) -> ReferenceJob:
         # Here, because Mitsuba comes with it, which is optional.
-        from brdf_viewer.traced.reference_job import LiveReference, ReferenceJob
+        from brdf_suite.tracing.reference.live import LiveReference
+        from brdf_viewer.traced.reference_job import ReferenceJob
 
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")

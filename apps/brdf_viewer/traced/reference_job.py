@@ -16,8 +16,6 @@ from brdf_suite.reference.estimate_file import write_estimate
 from brdf_suite.tracing.reference.live import LiveReference
 from brdf_viewer.traced.job import TracedFrame, add_coverage
 
-__all__ = ["LiveReference", "ReferenceJob"]
-
 
 class ReferenceJob:
     """The path tracer: unbiased, without end."""
