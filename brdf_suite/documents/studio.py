@@ -1,17 +1,20 @@
 """Studio document: a room or a plain backdrop with lamps; and a sky by its parameters.
 
-Both are kept in ``.brdfstudio`` files and become light in :mod:`brdf_suite.lighting.procedural`. Lengths are metres
-from the middle of the scene, where the surface stands and from where the light is seen: x to the right, y up, z
-towards the viewer's front.
+Both are kept in ``.brdfstudio`` JSON files, with the field ``kind`` for the type, and become light in
+:mod:`brdf_suite.lighting.procedural`. Lengths are metres from the middle of the scene, where the surface stands and
+from where the light is seen: x to the right, y up, z towards the viewer's front.
 """
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Literal, get_args
 
+from brdf_suite.documents.atomic import encode, write_atomically
+from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.parameter import (
     Parameter,
     check_choice,
@@ -21,7 +24,8 @@ from brdf_suite.documents.parameter import (
     set_number,
     set_numbers,
 )
-from brdf_suite.errors import ValueRangeError
+from brdf_suite.documents.reading import FieldReader, fill, read_json
+from brdf_suite.errors import PathLike, ValueRangeError
 
 Shape = Literal["box", "strip", "ring"]
 SHAPES: tuple[str, ...] = get_args(Shape)
@@ -231,3 +235,61 @@ class Sky:
             raise ValueRangeError("turbidity", "Preetham's model holds from 1.9 on; take hosek_wilkie below")
         if not isinstance(self.sun_disc, bool):
             raise ValueRangeError("sun_disc", f"expected true or false, not {describe(self.sun_disc)}")
+
+
+STUDIO_ENDING = ".brdfstudio"
+LightDocument = Studio | Sky
+
+
+def load_light(path: PathLike) -> LightDocument:
+    """Read a ``.brdfstudio`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
+    return light_from_json(read_json(path), path)
+
+
+def save_light(light: LightDocument, path: PathLike) -> None:
+    """Write a ``.brdfstudio`` file, whole or not at all; raise :class:`FileError` where that fails."""
+    write_atomically(path, encode(light_to_json(light)))
+
+
+def light_to_json(light: LightDocument) -> dict[str, object]:
+    """Return the JSON object of a studio or a sky; :func:`light_from_json` is its inverse."""
+    fields = dataclasses.asdict(light)
+    kind = "sky" if isinstance(light, Sky) else "studio"
+    if kind == "studio":
+        fields = {
+            name: fields[name] for name in ("name", "unit", "room", "backdrop") if fields[name] is not None
+        } | {"lamps": [_lamp_to_json(lamp) for lamp in fields["lamps"]]}
+    return {"format": "brdfstudio", "version": VERSIONS["brdfstudio"], "kind": kind, **fields}
+
+
+def light_from_json(value: object, path: PathLike = "the message") -> LightDocument:
+    """Return the studio or sky in a JSON value; ``path`` is what error messages call its origin.
+
+    Raises
+    ------
+    DocumentError
+        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    """
+    reader = open_envelope(value, "brdfstudio", path)
+    kind = reader.take("kind")
+    if kind == "sky":
+        return fill(reader, Sky, required=("name",))
+    if kind != "studio":
+        reader.fail('the kinds known to this version are "studio" and "sky"', "kind")
+    name = reader.take("name")
+    lamps = tuple(
+        fill(item, StudioLamp, required=("shape", "position_m", "size_m"))
+        for item in reader.take_objects("lamps")
+    )
+    room, backdrop = (reader.take_or(part, None) for part in ("room", "backdrop"))
+    taken = {
+        "name": name,
+        "lamps": lamps,
+        "room": None if room is None else fill(FieldReader(room, path, "room"), BoothRoom),
+        "backdrop": None if backdrop is None else fill(FieldReader(backdrop, path, "backdrop"), Backdrop),
+    }
+    return fill(reader, Studio, taken=taken)
+
+
+def _lamp_to_json(lamp: dict[str, object]) -> dict[str, object]:
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in lamp.items()}

@@ -1,4 +1,4 @@
-"""Guards against crashes, hangs and memory exhaustion when reading damaged or hostile files."""
+"""Bounded reading of files that may be damaged or hostile, and the stamp by which a changed file is noticed."""
 
 from __future__ import annotations
 
@@ -95,3 +95,14 @@ def number_in(path: PathLike, text: str, line: int, what: str) -> float:
         shown = text if len(text) <= 40 else text[:37] + "..."
         raise FileError(path, f"expected a finite number for {what}, not {shown!r}", f"line {line}")
     return value
+
+
+def file_stamp(asked: object) -> tuple[int, int] | None:
+    """Return time of change (ns) and size (bytes) of the file that a text names; None for what names no file."""
+    if not isinstance(asked, str):
+        return None
+    try:
+        status = Path(asked).stat()
+    except (OSError, ValueError):  # a shipped name, or a file whose reader will report that it is missing
+        return None
+    return status.st_mtime_ns, status.st_size

@@ -22,7 +22,7 @@ from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError
-from brdf_suite.palettes.swatches.flat import colours_at
+from brdf_suite.palettes.swatches.look import colours_at
 from brdf_suite.reflectance.designed.build import build_reflectance
 
 LIGHT_DEG = 45.0

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
-from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_light
-from brdf_suite.documents.studio import Sky
+from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, load_light
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.environment import Environment

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from brdf_suite.documents.light_store import LightDocument
+from brdf_suite.documents.studio import LightDocument
 from brdf_suite.documents.view import View
 from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis

@@ -53,8 +53,7 @@ def environments(folder: Path) -> Iterator[Path]:
 
 def occlusion(folder: Path) -> Iterator[Path]:
     """Write what is baked for the surface that a new user sees first, named as it is looked up."""
-    from brdf_suite.files.meshes.baked_occlusion import encode_baked
-    from brdf_suite.files.meshes.occlusion_cache import ENDING, occlusion_key
+    from brdf_suite.files.meshes.occlusion_cache import ENDING, encode_baked, occlusion_key
     from brdf_suite.pipeline.scene import default_view, load_surface
     from brdf_suite.surface.occlusion.bake import bake
 

@@ -8,9 +8,18 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.documents.light_store import light_from_json, light_to_json, load_light, save_light
 from brdf_suite.documents.store import load_view, save_view, view_from_json
-from brdf_suite.documents.studio import Backdrop, BoothRoom, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import (
+    Backdrop,
+    BoothRoom,
+    Sky,
+    Studio,
+    StudioLamp,
+    light_from_json,
+    light_to_json,
+    load_light,
+    save_light,
+)
 from brdf_suite.documents.view import View
 from brdf_suite.errors import DocumentError, FileError
 

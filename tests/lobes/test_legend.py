@@ -8,7 +8,7 @@ from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Plotted
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QColorDialog
 
-from brdf_suite.inspection.figures.errors import errors_between
+from brdf_suite.inspection.figures.figures import errors_between
 from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.models.lambertian import Lambertian
 

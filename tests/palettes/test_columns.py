@@ -78,7 +78,7 @@ def test_columns_hold_readings_flop_and_travel() -> None:
 
 def test_what_was_not_read_is_what_the_reflectance_gives_and_is_worked_out_in_pieces() -> None:
     from brdf_suite.appearance.colour.colorimetry import working_to_lab
-    from brdf_suite.palettes.swatches.flat import colours_at
+    from brdf_suite.palettes.swatches.look import colours_at
     from brdf_suite.reflectance.designed.build import build_reflectance
 
     measured = load_document("table1_opel_titan")

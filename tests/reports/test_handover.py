@@ -33,7 +33,7 @@ from brdf_suite.reports.handover import (
     item_of_paint,
     read_paints,
 )
-from brdf_suite.reports.paint_report import pictures as report_pictures
+from brdf_suite.reports.paint_report import document as report_document
 from brdf_suite.reports.paint_report.document import ReportOptions, build_report
 
 pytestmark = pytest.mark.usefixtures("shared_cache")
@@ -117,7 +117,7 @@ def test_the_page_shows_pictures_and_numbers_and_fetches_nothing(
 ) -> None:
     # One light for both pictures, and nothing baked: what costs time here is not of the report.
     bare = SurfaceLook(occlusion=False)
-    monkeypatch.setattr(report_pictures, "SECOND", View(surface="sphere", surface_look=bare))
+    monkeypatch.setattr(report_document, "SECOND", View(surface="sphere", surface_look=bare))
     path = tmp_path / "report.html"
     darker = replace(blue, name="<b>darker</b> & 金")
     darker = darker.with_lab(110.0, (6.0, 8.0, -28.0))

@@ -11,11 +11,10 @@ from brdf_qt.link.link import LiveLink
 from brdf_qt.window.dialogs import Answer
 from PIL import Image
 
-from brdf_suite.documents.light_store import save_light
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import paint_to_json, save_paint
-from brdf_suite.documents.studio import Backdrop, Studio, StudioLamp
+from brdf_suite.documents.studio import Backdrop, Studio, StudioLamp, save_light
 from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 

@@ -28,8 +28,15 @@ from typing import Any
 import numpy as np
 from fuzz_measured import mutate, options, reported
 
-from brdf_suite.documents.light_store import STUDIO_ENDING, load_light, save_light
-from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import (
+    STUDIO_ENDING,
+    Backdrop,
+    Sky,
+    Studio,
+    StudioLamp,
+    load_light,
+    save_light,
+)
 from brdf_suite.errors import FileError
 from brdf_suite.lighting.procedural import sky, studio
 from brdf_suite.pipeline.environments import read_environment

@@ -19,12 +19,13 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, PlottedMaterial, Srgb
 from brdf_suite.arrays import Bools, Floats
 from brdf_suite.inspection.slices.cuts import Slice
-from brdf_suite.inspection.slices.samples import SlicePoints, points_near
 from brdf_suite.inspection.slices.values import (
     Cosine,
     SliceError,
+    SlicePoints,
     channel_of,
     evaluate,
+    points_near,
     slice_error,
     slices_csv,
 )

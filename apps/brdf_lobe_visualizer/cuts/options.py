@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.options import OptionState
 from brdf_suite.inspection.slices.cuts import AXES, Axis
-from brdf_suite.inspection.slices.images import SEED_INCIDENCES_DEG
-from brdf_suite.inspection.slices.tone import TONES, Tone
+from brdf_suite.inspection.slices.images import SEED_INCIDENCES_DEG, TONES, Tone
 
 Polar = Literal["range", "linear", "cbrt", "log"]
 POLARS: tuple[Polar, ...] = ("range", "linear", "cbrt", "log")

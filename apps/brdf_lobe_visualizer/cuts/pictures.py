@@ -17,9 +17,17 @@ from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
 from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
 from brdf_lobe_visualizer.words import UNIT, plain
 from brdf_suite.arrays import Bytes, Floats
-from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
-from brdf_suite.inspection.slices.images import Pairs, image_error, image_of
-from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
+from brdf_suite.inspection.lobe_surface.colour import difference_map, value_map
+from brdf_suite.inspection.slices.images import (
+    DECADES,
+    Pairs,
+    Tone,
+    colour_codes,
+    image_error,
+    image_of,
+    mapped_codes,
+    share_of,
+)
 from brdf_suite.inspection.slices.values import Channel, Cosine, channel_of, nice_above
 from brdf_suite.progress import Progress, report
 

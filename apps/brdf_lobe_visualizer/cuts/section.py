@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from brdf_lobe_visualizer.cuts.options import EV_RANGE, POLARS, Polar, SliceOptions, SliceState
-from brdf_suite.inspection.slices.tone import TONES, Tone
+from brdf_suite.inspection.slices.images import TONES, Tone
 
 _TONES: dict[Tone, str] = {
     "gamma": mark("Gamma (sRGB)"),

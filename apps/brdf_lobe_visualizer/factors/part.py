@@ -17,7 +17,7 @@ from brdf_lobe_visualizer.factors.view import CHANNELS, TONES, FactorsView
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.inspection.factor_pictures import factor_pictures, factored_in
-from brdf_suite.inspection.slices.tone import Tone
+from brdf_suite.inspection.slices.images import Tone
 
 _CHANNEL_KEY, _TONE_KEY = "lobes/factor_channel", "lobes/factor_tone"
 

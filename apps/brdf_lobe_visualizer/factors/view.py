@@ -9,7 +9,7 @@ from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid, Picture, ScaleBar
 from brdf_lobe_visualizer.words import plain
 from brdf_suite.inspection.factor_pictures import FactorPicture, angles_at
-from brdf_suite.inspection.slices.tone import DECADES, Tone, colour_codes, mapped_codes, share_of
+from brdf_suite.inspection.slices.images import DECADES, Tone, colour_codes, mapped_codes, share_of
 from brdf_suite.inspection.slices.values import Channel, channel_of
 
 _BAR_STEPS = 128

@@ -15,7 +15,7 @@ from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
-    from brdf_suite.inspection.figures.errors import Errors
+    from brdf_suite.inspection.figures.figures import Errors
 
 _PAUSE_MS = 60
 """A drag changes a paint sixty times a second; its error follows a few times."""
@@ -119,8 +119,7 @@ class LegendErrors(QObject):
 
 def _error_of(pair: tuple[Reflectance, Reflectance], _progress: Progress) -> ShownError:
     # Deferred: it brings the fits of undivided data, and nothing of it is needed before a reference is chosen.
-    from brdf_suite.inspection.figures.errors import errors_between
-    from brdf_suite.inspection.figures.figures import angle_readings
+    from brdf_suite.inspection.figures.figures import angle_readings, errors_between
 
     reference, other = pair
     errors = errors_between(reference, other)

@@ -17,8 +17,7 @@ from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Pan
 from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, with_cosine
 from brdf_lobe_visualizer.words import UNIT, lobe_title, lobe_weight, number, quantity
 from brdf_suite.arrays import Singles
-from brdf_suite.inspection.lobe_surface.colour import scalar_of
-from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, value_map
+from brdf_suite.inspection.lobe_surface.colour import difference_map, scalar_of, value_map
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
 from brdf_suite.inspection.lobe_surface.scale import RadiusKind, RadiusScale

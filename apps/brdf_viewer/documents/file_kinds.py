@@ -9,9 +9,9 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtWidgets import QFileDialog, QWidget
 
-from brdf_suite.documents.light_store import STUDIO_ENDING
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING
+from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.files.images.relief import IMAGE_ENDINGS
 from brdf_suite.files.meshes.reading import MESH_ENDINGS
 

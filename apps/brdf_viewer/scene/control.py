@@ -11,7 +11,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
-from brdf_suite.documents.light_store import STUDIO_ENDING
+from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.documents.view import View
 from brdf_suite.lighting.statistics import EnvironmentStatistics
 from brdf_suite.pipeline.environments import AUTOMATIC

@@ -6,8 +6,7 @@ import argparse
 from pathlib import Path
 
 from brdf_suite.cli.output import progress_bar
-from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_light, save_light
-from brdf_suite.documents.studio import SKY_MODELS, Sky
+from brdf_suite.documents.studio import SKY_MODELS, STUDIO_ENDING, LightDocument, Sky, load_light, save_light
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.procedural.booth import BOOTH

@@ -14,7 +14,7 @@ from brdf_suite.cli.output import print_json
 from brdf_suite.files.palettes import read_palette
 from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, labs_of
 from brdf_suite.palettes.search import nearest
-from brdf_suite.palettes.swatches.flat import colours_at
+from brdf_suite.palettes.swatches.look import colours_at
 from brdf_suite.pipeline.material import load_document, load_material
 
 _MOST = 1000

@@ -7,7 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from brdf_suite.cli.output import export_progress, print_written, progress_bar
-from brdf_suite.cli.picture.file_options import parse_settings
+from brdf_suite.cli.picture.scene_options import parse_settings
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 

@@ -7,14 +7,13 @@ import os
 from pathlib import Path
 
 from brdf_suite.cli.output import add_export, export_progress, print_written
-from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.reference_options import (
     add_reference,
     check_renderer,
     run_raytraced,
     run_reference,
 )
-from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 
 
 def add(command: argparse.ArgumentParser) -> None:

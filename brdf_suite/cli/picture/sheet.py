@@ -7,8 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from brdf_suite.cli.output import add_export, export_progress, print_json
-from brdf_suite.cli.picture.file_options import add_picture, parse_settings
-from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.reports.contact_sheet.document import write_sheet
 
 

@@ -6,9 +6,8 @@ import argparse
 from pathlib import Path
 
 from brdf_suite.cli.output import add_export, export_progress, print_written
-from brdf_suite.cli.picture.file_options import add_picture, parse_settings
 from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, check_renderer, samples
-from brdf_suite.cli.picture.scene_options import add_scene, parse_view
+from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.output.turntable import Turn, write_turntable
 from brdf_suite.tracing.turntable import Budget, write_traced_turntable
 

@@ -11,7 +11,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from brdf_suite.cli.output import add_export, export_progress, print_json
-from brdf_suite.cli.tools.machine import describe_machine
+from brdf_suite.cli.tools.measurements import describe_machine
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import load_database

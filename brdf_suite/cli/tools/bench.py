@@ -16,8 +16,15 @@ from pathlib import Path
 from types import ModuleType
 
 from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.cli.tools.machine import describe_machine, machine_summary
-from brdf_suite.cli.tools.measurements import Bound, ReportSection, Result, renew_section, today
+from brdf_suite.cli.tools.measurements import (
+    Bound,
+    ReportSection,
+    Result,
+    describe_machine,
+    machine_summary,
+    renew_section,
+    today,
+)
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.progress import Progress
 

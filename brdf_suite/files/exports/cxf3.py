@@ -8,12 +8,10 @@ place for (flakes, the rule between angles) is kept as tags, which only this sui
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from importlib.metadata import version
 from types import MappingProxyType
-from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
@@ -24,13 +22,13 @@ from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, readings_loss
+from brdf_suite.files.hardened_xml import attribute, clean_text, text_content
 from brdf_suite.files.paint_fields import flatten_paint, setting_text
 from brdf_suite.progress import Progress
 
 _FIRST_NM, _LAST_FIRST_NM = 360.0, 400.0
 _LEAST, _MOST = -0.1, 3.0
 """Between these, both left out, lies a reflectance of the schema (ReflectanceDataType)."""
-_NO_XML = re.compile("[^\t\n -\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:
@@ -42,7 +40,7 @@ def losses(item: ExportItem) -> tuple[str, ...]:
     found.append(
         f"{what} and the near-specular factor go in as tags of this suite; other programs pass over them."
     )
-    if any(_NO_XML.search(text) for text in (item.name, item.paint.notes, item.paint.source)):
+    if any(clean_text(text) != text for text in (item.name, item.paint.notes, item.paint.source)):
         found.append("Characters that XML does not know are written as �.")
     if item.spectra is not None:
         found += _spectral_losses(item.spectra)
@@ -88,7 +86,7 @@ def write_document(
         "  <cc:FileInformation>\n"
         f"    <cc:Creator>BRDF Suite {version('brdf-suite')}</cc:Creator>\n"
         f"    <cc:CreationDate>{now}</cc:CreationDate>\n"
-        f"    <cc:Description>{escape(clean_text(about))}</cc:Description>\n{tags}"
+        f"    <cc:Description>{text_content(about)}</cc:Description>\n{tags}"
         "  </cc:FileInformation>\n"
         + (f"  <cc:Resources>\n{resources}  </cc:Resources>\n" if objects else "  <cc:Resources/>\n")
         + "</cc:CxF>\n"
@@ -127,7 +125,7 @@ def write_object(
     return (
         f'      <cc:Object ObjectType="Standard" Name={attribute(paint.name)} Id="{identity}">\n'
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
-        + (f"        <cc:Comment>{escape(clean_text(paint.notes))}</cc:Comment>\n" if paint.notes else "")
+        + (f"        <cc:Comment>{text_content(paint.notes)}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
         + tag_collection({**_tags(item), **further_tags})
         + "        <cc:PhysicalAttributes>\n"
@@ -188,16 +186,6 @@ def any_specification(
         + (f"          {spectral}\n" if spectral else "")
         + "        </cc:MeasurementSpec>\n      </cc:ColorSpecification>\n"
     )
-
-
-def clean_text(text: str) -> str:
-    """Return a text with U+FFFD for what XML does not know."""
-    return _NO_XML.sub("\ufffd", text)
-
-
-def attribute(text: str) -> str:
-    """Return a text as the value of an attribute, with its quotes."""
-    return quoteattr(clean_text(text))
 
 
 def fits(row: Sequence[float]) -> bool:

@@ -1,21 +1,135 @@
 """LuxCore: the paint as a material of type ``carpaint``, a text of properties for a scene (``.scn``).
 
 A scene takes the lines over with ``Scene.Parse``; an object is painted by ``scene.objects.NAME.material``. Colours are
-linear Rec. 709. How the parameters are found stands in :mod:`brdf_suite.files.exports.carpaint_fit`.
+linear Rec. 709.
+
+The model (checked against LuxCore's own renderer to six digits) is a sum of a diffuse layer and three lobes,
+
+    f_r = kd / π + Σ ks_i D(h; m_i) G(wi; m_i) G(wo; m_i) F(wo·h; R_i) / (4 cosθi cosθo),
+
+D = m² / (π (m² cos²θh + 1 - cos²θh)²) of Schlick 1994 (that of Trowbridge and Reitz),
+G(w) = cosθ / (cosθ (1 - m²) + m²), F = R + (1 - R)(1 - wo·h)^5; the absorption of its coat is switched off (ka 0, d 0).
+The structure is that of Günther et al. 2005.
+
+Lobe 3 is the clearcoat: ks3 = 1, R3 the reflectance along the normal, m3 its roughness α, at which the peak of D is
+that of the paint's Beckmann lobe. kd, ks1 and ks2 are found with R1 = R2 = 1 by non-negative least squares of relative
+errors for each pair m1 > m2 of a grid; the pair with the smallest mean square of ΔE00 is refined on finer ones.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from importlib.metadata import version
 
+import numpy as np
+
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import PathLike
-from brdf_suite.files.exports.carpaint_fit import CarPaint, fit_carpaint
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
-from brdf_suite.files.exports.material_names import material_names
-from brdf_suite.files.exports.model_fit import fitted_losses
+from brdf_suite.files.exports.model_fit import (
+    ModelFitSamples,
+    fitted_losses,
+    ggx,
+    half_vector,
+    leaves_rec_709,
+    material_names,
+    normal_reflectance,
+    sample_paint,
+    schlick,
+)
 from brdf_suite.progress import Progress
+from brdf_suite.reflectance.designed.build import build_paint
+
+_NARROWEST, _WIDEST = 0.06, 1.0
+_GRID, _FINER = 13, 7
+_ROUNDS = 3
+# Darkest values count as if they had this share of the lightest, so that noise in black does not lead the fit.
+_FLOOR = 0.01
+_BLACK = (0.0, 0.0, 0.0)
+
+Rgb = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class CarPaint:
+    """Fitted car paint parameters, colours in linear Rec. 709; ``differences`` are ΔE00 at the paint's readings."""
+
+    kd: Rgb
+    ks: tuple[Rgb, Rgb, Rgb]
+    r: Rgb
+    m: Rgb
+    differences: tuple[float, ...]
+    clipped: bool
+
+    def eval(self, wi: Floats, wo: Floats) -> Floats:
+        """Return f_r (n, 3) in 1/sr, linear Rec. 709, without the cosine, at directions above the horizon."""
+        value = np.asarray(self.kd) / math.pi + np.zeros((len(wi), 1))
+        for ks, r, m in zip(self.ks, self.r, self.m, strict=True):
+            value = value + lobe(wi, wo, m, r)[:, None] * np.asarray(ks)
+        return np.asarray(value)
+
+
+def lobe(wi: Floats, wo: Floats, m: float, r: float) -> Floats:
+    """Return one lobe (n,) of weight 1."""
+    cos_h, cos_d = half_vector(wi, wo)
+    cos_i, cos_o = wi[:, 2], wo[:, 2]
+    rough = m * m
+    shadowed = cos_i / (cos_i * (1.0 - rough) + rough) * cos_o / (cos_o * (1.0 - rough) + rough)
+    return np.asarray(ggx(cos_h, m) * shadowed * schlick(cos_d, r) / (4.0 * cos_i * cos_o))
+
+
+@lru_cache(maxsize=32)
+def fit_carpaint(paint: Paint) -> CarPaint:
+    """Return the car paint that is nearest to a designed paint.
+
+    Raises :class:`~brdf_suite.errors.UnreachableError` where there is no such paint.
+    """
+    layers = build_paint(paint)
+    samples = sample_paint(paint, layers)
+    r3, m3 = normal_reflectance(layers.ior), min(layers.roughness, 1.0)
+    left = np.maximum(samples.f - lobe(samples.wi, samples.wo, m3, r3)[:, None], 0.0)
+    widths = np.geomspace(_NARROWEST, _WIDEST, _GRID)
+    first, second, ratio = widths, widths, float(widths[1] / widths[0])
+    best = (math.inf, CarPaint(_BLACK, (_BLACK,) * 3, (1.0, 1.0, r3), (1.0, 0.5, m3), (), False))
+    for _ in range(_ROUNDS):
+        for m1, m2 in ((m1, m2) for m1 in first for m2 in second if m2 < 0.999 * m1):
+            found = _paint(_weights(samples, left, m1, m2), (m1, m2, m3), r3)
+            best = min(
+                best, (samples.score(found.eval(samples.wi, samples.wo)), found), key=lambda pair: pair[0]
+            )
+        first, second = (
+            np.clip(np.geomspace(m / ratio, m * ratio, _FINER), _NARROWEST, _WIDEST) for m in best[1].m[:2]
+        )
+        ratio **= 2.0 / (_FINER - 1)
+    value = best[1].eval(samples.wi, samples.wo)
+    return replace(best[1], differences=samples.at_readings(value), clipped=leaves_rec_709(samples))
+
+
+def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Floats:
+    """Return weights (3 columns kd, ks1, ks2; 3 channels), between 0 and 1, of the least relative error to ``left``."""
+    from scipy.optimize import nnls  # much to import, and only these exports fit
+
+    columns = np.stack(
+        [np.full(len(left), 1.0 / math.pi), *(lobe(samples.wi, samples.wo, m, 1.0) for m in (m1, m2))],
+        axis=-1,
+    )
+    found = np.empty((3, 3))
+    for channel in range(3):
+        target = left[:, channel]
+        scale = np.sqrt(samples.weight) / (target + _FLOOR * max(float(left.max()), 1e-6))
+        found[:, channel] = nnls(columns * scale[:, None], target * scale)[0]
+    return np.minimum(found, 1.0)
+
+
+def _paint(weights: Floats, m: tuple[float, float, float], r3: float) -> CarPaint:
+    kd, ks1, ks2 = ((float(row[0]), float(row[1]), float(row[2])) for row in weights)
+    widths = (float(m[0]), float(m[1]), float(m[2]))
+    return CarPaint(kd, (ks1, ks2, (1.0, 1.0, 1.0)), (1.0, 1.0, r3), widths, (), False)
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:

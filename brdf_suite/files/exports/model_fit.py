@@ -8,6 +8,8 @@ and with less weight under a steeper and a shallower light, where the paint itse
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -132,3 +134,23 @@ def normal_reflectance(ior: float) -> float:
 
 def _lab(f: Floats) -> Floats:
     return working_to_lab(math.pi * f @ REC709_TO_WORKING.T)
+
+
+_NOT_A_NAME = re.compile(r"[^A-Za-z0-9_]+")
+
+
+def material_names(names: Sequence[str]) -> list[str]:
+    """Return a material's name for each paint, no two alike: letters, digits and underscores only.
+
+    >>> material_names(["Blue, dark", "Blue dark"])
+    ['Blue_dark', 'Blue_dark_2']
+    """
+    found: list[str] = []
+    for name in names:
+        wanted = base = _NOT_A_NAME.sub("_", name).strip("_") or "paint"
+        number = 1
+        while wanted in found:
+            number += 1
+            wanted = f"{base}_{number}"
+        found.append(wanted)
+    return found

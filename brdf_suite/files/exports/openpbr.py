@@ -15,9 +15,8 @@ from xml.sax.saxutils import quoteattr
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import PathLike
 from brdf_suite.files.exports.format import ExportFormat, ExportItem
-from brdf_suite.files.exports.material_names import material_names
 from brdf_suite.files.exports.metal_rough_fit import MetalRough, fit_openpbr
-from brdf_suite.files.exports.model_fit import fitted_losses
+from brdf_suite.files.exports.model_fit import fitted_losses, material_names
 from brdf_suite.progress import Progress
 
 

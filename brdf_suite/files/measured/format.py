@@ -1,4 +1,4 @@
-"""Registry entry of a format of measured reflectance."""
+"""Registry entry of a format of measured reflectance, and the losses of a half-angle table."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import PathLike
+from brdf_suite.reflectance.protocol import Reflectance
 
 
 class MeasuredReflectance(Protocol):
@@ -84,3 +85,11 @@ class WrittenMeasurement:
 
     format: MeasuredFormat
     notes: tuple[str, ...] = ()
+
+
+def tabulation_notes(value: Reflectance) -> tuple[str, ...]:
+    """Return the notices for the user, each a clause."""
+    notes = ["tabulated in 90 × 90 × 180 half-angle bins, as an isotropic and reciprocal reflectance"]
+    if getattr(value, "wavelengths_nm", None) is not None:
+        notes.append("its spectra were left out; the colours are those of the chosen observer under D65")
+    return tuple(notes)

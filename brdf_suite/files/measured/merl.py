@@ -22,8 +22,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import open_plain
-from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
-from brdf_suite.files.measured.tabulation import tabulation_notes
+from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions, tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid

@@ -1,12 +1,14 @@
 """glTF 2.0 reader: triangles, normals, texture coordinates and material names.
 
 Source: Khronos Group, glTF 2.0 Specification, and KHR_mesh_quantization. Textures, cameras, animations, skins and morph
-targets are not read. The scene graph is walked once, each node's matrix being its parent's times its own.
+targets are not read. The scene graph is walked once, each node's matrix being its parent's times its own. A part is
+painted unless its name says otherwise: who opens a mesh here wants to see paint on it.
 """
 
 from __future__ import annotations
 
 import base64
+import re
 from collections.abc import Iterator
 from pathlib import Path, PureWindowsPath
 from typing import Any
@@ -18,8 +20,43 @@ from numpy.typing import NDArray
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.memory_limit import MOST_MADE_BYTES, check_made
-from brdf_suite.files.meshes.material_words import material_word
 from brdf_suite.surface.repair import RawPart
+
+# In order: the first row with a word that a name begins a word with decides. Paint comes first, since
+# "metallic paint" is no metal; trim before glass, since a window trim is no window.
+_ROWS: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("paint", ("paint", "carpaint", "lacquer", "body", "bodywork", "coachwork")),
+    ("trim", ("trim", "plastic", "bumper", "grille", "grill")),
+    ("glass", ("glass", "window", "windscreen", "windshield")),
+    ("rubber", ("rubber", "tire", "tyre", "wheel")),
+    ("tail_lamp", ("taillight", "taillamp", "brakelight")),
+    ("lamp", ("lamp", "headlamp", "headlight", "bulb")),
+    ("chrome", ("chrome", "metal", "steel", "alumin", "rim")),
+    ("neutral", ("calibration", "floor", "ground", "backdrop", "background", "pedestal", "plinth")),
+)
+_WHOLE_WORDS = frozenset({"rim", "rims", "body", "grill", "metal", "metals"})
+_WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")
+
+
+def material_word(material: str, part: str) -> str:
+    """Return the material word for a part; the material's name counts before the part's own.
+
+    >>> material_word("window_trim", "Body"), material_word("Material.001", "FrontTyre")
+    ('trim', 'rubber')
+    """
+    for name in (material, part):
+        words = [word.lower() for word in _WORD.findall(name)]
+        for result, starts in _ROWS:
+            if any(_fits(word, start) for word in words for start in starts):
+                return result
+    return "paint"
+
+
+def _fits(word: str, start: str) -> bool:
+    if start in _WHOLE_WORDS:
+        return word in (start, start + "s")
+    return word.startswith(start)
+
 
 _COMPRESSED = {
     "EXT_meshopt_compression": "meshopt compression",

@@ -3,21 +3,78 @@
 An entry is named by what it was made from: positions, normals and triangles of the parts, and the version of the
 baking. That of the surface which a new user sees first is packaged, so that the first picture waits for no baking
 (``packaging/generators/resources.py occlusion`` writes it).
+
+In the file (:mod:`brdf_suite.files.array_file`) the header holds ``"ground": [height, x0, z0, x1, z1]``. The arrays are
+``ground``, and of each part only what is not in the mesh itself: ``0.light``, and ``0.triangles`` and the vertices on
+its edges where it was cut.
 """
 
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 
 import numpy as np
 
+from brdf_suite.arrays import AnyArray
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.array_file import Layout, encode_arrays, read_arrays
 from brdf_suite.files.cache.disk_cache import DiskCache
-from brdf_suite.files.meshes.baked_occlusion import LAYOUT, encode_baked, read_baked
 from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource_root
-from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
+
+LAYOUT = Layout(b"BRDFOCCL", 3, "baked occlusion", ("<f2", "<f4", "<u4"), level=1, smallest=0, most=1 << 16)
+
+_CUT = ("positions", "normals", "uvs")
+
+
+def encode_baked(mesh: Mesh, baked: BakedMesh) -> list[bytes | memoryview]:
+    """Return the parts of a file with what was baked for ``mesh``, to be written one after the other."""
+    ground = baked.ground
+    arrays: dict[str, AnyArray] = {"ground": ground.transfer.astype("<f2")}
+    for number, (part, original) in enumerate(zip(baked.parts, mesh.parts, strict=True)):
+        arrays[f"{number}.light"] = part.light.astype("<f2")
+        if len(part.triangles) > len(original.triangles):
+            arrays[f"{number}.triangles"] = part.triangles.astype("<u4")
+            for name in _CUT:
+                added = getattr(part, name)[len(original.positions) :]
+                arrays[f"{number}.{name}"] = added.astype("<f4")
+    header = {"ground": [ground.height, *ground.low, *ground.high]}
+    return encode_arrays(LAYOUT, LAYOUT.name, header, arrays)
+
+
+def read_baked(path: PathLike, mesh: Mesh) -> BakedMesh:
+    """Return what was baked for ``mesh``.
+
+    Raises
+    ------
+    FileError
+        It is not there, damaged, of another version, or was baked for another mesh.
+    """
+    header, arrays = read_arrays(LAYOUT, path)
+    try:
+        height, x0, z0, x1, z1 = (float(number) for number in header["ground"])
+        transfer = arrays["ground"].astype(np.float32)
+        parts = tuple(_part(original, number, arrays) for number, original in enumerate(mesh.parts))
+    except (ValueError, KeyError, TypeError, IndexError) as error:
+        raise FileError(path, f"does not fit the mesh ({error})") from error
+    return BakedMesh(parts, GroundLight(height, (x0, z0), (x1, z1), transfer))
+
+
+def _part(original: PartGeometry, number: int, arrays: Mapping[str, AnyArray]) -> BakedPart:
+    values = {name: getattr(original, name) for name in (*_CUT, "triangles")}
+    if f"{number}.triangles" in arrays:
+        values["triangles"] = arrays[f"{number}.triangles"]
+        for name in _CUT:
+            values[name] = np.concatenate([values[name], arrays[f"{number}.{name}"]])
+    light = arrays[f"{number}.light"]
+    if light.shape != (len(values["positions"]), 8):
+        raise ValueError(f"part {number} has {len(values['positions'])} vertices, not {len(light)}")
+    return BakedPart(**values, light=light)
+
 
 ENDING = ".occlusion"
 PACKAGED = "occlusion"

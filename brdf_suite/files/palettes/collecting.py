@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
+from typing import Any, ParamSpec, TypeVar
 
 from brdf_suite.documents.flat_colour import LONGEST_NAME, FlatColour, Model
 from brdf_suite.documents.paint import Paint
@@ -19,9 +20,11 @@ from brdf_suite.documents.palette import (
     Group,
     GroupPath,
     Palette,
-    Usage,
 )
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
+
+_Fields = ParamSpec("_Fields")
+_Made = TypeVar("_Made")
 
 _CHOICE = re.compile(r"\[([^\[\]|]*)\|([^\[\]|]*)\]")
 _CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
@@ -70,10 +73,8 @@ class Collector:
         """Refuse a file of more colours than are allowed in it, before any of them is made."""
         most = MOST_ENTRIES if _written_here.get() else MOST_COLOURS
         if count > most:
-            raise self.fail(
-                f"{count:,} colours are more than the {most:,} that a file of this kind may have",
-                place,
-            )
+            reason = f"{count:,} colours are more than the {most:,} that a file of this kind may have"
+            raise self.fail(reason, place)
 
     def name(self, text: str, longest: int = LONGEST_NAME) -> str:
         """Return a name as it can be kept."""
@@ -94,49 +95,33 @@ class Collector:
             self.note(f"{{n}} text[|s] [was|were] cut: there were more than {_LONGEST_NOTES:,} characters.")
         return cleaned[:_LONGEST_NOTES]
 
-    def colour(
-        self,
-        place: str,
-        name: str,
-        model: Model,
-        values: Sequence[float],
-        *,
-        space: str = "",
-        illuminant: str = "",
-        observer_deg: int = 0,
-        wavelengths_nm: tuple[float, ...] = (),
-        others: tuple[FlatColour, ...] = (),
-    ) -> FlatColour:
-        """Return a flat colour; :class:`FileError` at ``place`` where its numbers are none."""
+    def _make(
+        self, place: str, kind: Callable[_Fields, _Made], *values: _Fields.args, **fields: _Fields.kwargs
+    ) -> _Made:
         try:
-            return FlatColour(
-                name, model, tuple(values), space, illuminant, observer_deg, wavelengths_nm, others
-            )
+            return kind(*values, **fields)
         except ValueRangeError as error:
             raise self.fail(f"{error.place}: {error.reason}", place) from error
 
-    def add(
-        self,
-        place: str,
-        content: FlatColour | Paint,
-        *,
-        group: GroupPath = (),
-        code: str = "",
-        tags: tuple[str, ...] = (),
-        notes: str = "",
-        usage: Usage = "process",
-        date: str = "",
-        foreign: Foreign = (),
-    ) -> None:
-        """Add an entry; errors as :meth:`colour`."""
+    def colour(
+        self, place: str, name: str, model: Model, values: Sequence[float], **fields: Any
+    ) -> FlatColour:
+        """Return a :class:`FlatColour` with further ``fields``; :class:`FileError` where one is out of range."""
+        return self._make(place, FlatColour, name, model, tuple(values), **fields)
+
+    def add(self, place: str, content: FlatColour | Paint, **fields: Any) -> None:
+        """Add an :class:`Entry` with further ``fields``; errors as :meth:`colour`."""
         self.check_count(len(self.entries) + 1, place)
-        try:
-            # Its number is the id that it would get anyway.
-            self.entries.append(
-                Entry(content, str(len(self.entries) + 1), group, code, tags, notes, usage, date, foreign)
-            )
-        except ValueRangeError as error:
-            raise self.fail(f"{error.place}: {error.reason}", place) from error
+        # Its number is the id that it would get anyway.
+        self.entries.append(self._make(place, Entry, content, str(len(self.entries) + 1), **fields))
+
+    def declare(self, place: str, names: Sequence[str]) -> GroupPath:
+        """Begin the group of a path, and those around it, where they have not begun; return the path."""
+        path = tuple(self.name(name) for name in names)
+        for depth in range(len(path)):
+            if path[: depth + 1] not in self._groups:
+                self.group(place, path[:depth], path[depth])
+        return path
 
     def group(
         self,
@@ -162,25 +147,19 @@ class Collector:
             path = (*around, f"{clean[: LONGEST_NAME - 8]} ({number})")
         if number > 1:
             self.note("{n} group[|s] of a name that was there already [has|have] a number now.")
-        try:
-            self._groups[path] = Group(path, notes, colour, foreign)
-        except ValueRangeError as error:
-            raise self.fail(f"{error.place}: {error.reason}", place) from error
+        self._groups[path] = self._make(place, Group, path, notes, colour, foreign)
         return path
-
-    def has_group(self, path: GroupPath) -> bool:
-        """Whether a group has begun before."""
-        return path in self._groups
 
     def finish(
         self, name: str = "", *, notes: str = "", columns: int = 0, colour: str = "", foreign: Foreign = ()
     ) -> tuple[Palette, tuple[str, ...]]:
         """Return the palette and the notes; without a name it has that of the file."""
-        clean = self.name(name).strip() or default_name(self.path)
+        # A palette whose file says no name is called as the file is.
+        stem = _CONTROL.sub(" ", Path(self.path).stem)[:200].strip() or "Palette"
+        clean = self.name(name).strip() or stem
+        groups = tuple(self._groups.values())
         try:
-            palette = Palette(
-                clean, tuple(self.entries), tuple(self._groups.values()), notes, colour, columns, foreign
-            )
+            palette = Palette(clean, tuple(self.entries), groups, notes, colour, columns, foreign)
         except ValueRangeError as error:
             raise self.fail(error.reason, error.place) from error
         return palette, tuple(_counted(sentence, count) for sentence, count in self.notes.items())
@@ -191,11 +170,6 @@ def _counted(sentence: str, count: int) -> str:
         return sentence
     fitting = _CHOICE.sub(lambda found: found[1] if count == 1 else found[2], sentence)
     return fitting.replace("{n}", f"{count:,}")
-
-
-def default_name(path: PathLike) -> str:
-    """Return what a palette is called whose file says no name."""
-    return _CONTROL.sub(" ", Path(path).stem)[:200].strip() or "Palette"
 
 
 def decode_text(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
@@ -219,3 +193,8 @@ def decode_text(content: bytes, path: PathLike, collector: Collector | None = No
         if collector is not None:
             collector.note("The file is not in UTF-8; its letters are taken for those of Latin-1.")
         return content.decode("latin-1")
+
+
+def decode_lines(content: bytes, path: PathLike, collector: Collector) -> list[str]:
+    """Return the lines of a text file, however they end; as :func:`decode_text`."""
+    return decode_text(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")

@@ -1,10 +1,12 @@
-"""Conversion of entries for flat-colour formats: colour models, and one angle of a paint."""
+"""Conversion of entries for flat-colour formats: colour models, one angle of a paint, exact decimal text."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import replace
+from decimal import Context, Decimal
 from functools import lru_cache
+from itertools import takewhile
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,7 +24,7 @@ from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Lab, Paint
-from brdf_suite.documents.palette import Entry
+from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 
 _WITH_WHITE = ("Lab", "LCh", "XYZ")
 FACE_DEG = 45.0
@@ -133,6 +135,51 @@ def labs_d50(lab: ArrayLike) -> Floats:
     return xyz_to_lab(xyz, WHITES["D50", 2])
 
 
+def nested_sections(
+    palette: Palette,
+) -> Iterator[tuple[Group | None, tuple[Entry, ...], list[GroupPath], list[GroupPath]]]:
+    """Yield what a file of groups within groups holds: the sections of a palette, and the groups between them.
+
+    Before a section's group and entries there end the groups of the first list, innermost first, and those of the
+    second begin. The last one has no entries: what is open ends.
+    """
+    opened: GroupPath = ()
+    for group, entries in (*palette.sections(), (None, ())):
+        path = () if group is None else group.path
+        shared = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(opened, path, strict=False)))
+        ended = [opened[:depth] for depth in range(len(opened), shared, -1)]
+        yield group, entries, ended, [path[: depth + 1] for depth in range(shared, len(path))]
+        opened = path
+
+
 def is_icc(colour: FlatColour) -> bool:
     """Return whether a colour's white is that of colour profiles, or it says nothing else."""
     return colour.illuminant in ("", "D50") and colour.observer_deg in (0, 2)
+
+
+_EXACT = Context(prec=40)
+_LONGEST = 60
+"""Characters; a longer text is no number that a program wrote, and counts as the number that it is near."""
+
+
+def scale_text(value: float, up: int, down: int = 1) -> str:
+    """Return ``value * up / down``; :func:`unscale_text` of it is ``value``, to the last bit.
+
+    The text has as many digits as that takes, most often no more than the number itself.
+
+    >>> scale_text(0.07, 100), unscale_text("7.0", 100)
+    ('7.000000000000001', 0.07)
+    """
+    product = _EXACT.divide(_EXACT.multiply(Decimal(value), Decimal(up)), Decimal(down))
+    short = repr(float(product))
+    return short if unscale_text(short, up, down) == value else f"{product:.25g}"
+
+
+def unscale_text(text: str, up: int, down: int = 1) -> float:
+    """Return the number of which a text is ``up / down`` times as much; the text must be a finite number."""
+    if len(text) <= _LONGEST:
+        try:
+            return float(_EXACT.divide(_EXACT.multiply(Decimal(text), Decimal(down)), Decimal(up)))
+        except ArithmeticError:
+            pass  # an exponent of twenty digits: the number itself is 0
+    return float(text) / up * down

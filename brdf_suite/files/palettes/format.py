@@ -49,10 +49,6 @@ class PaletteFormat:
         Lower case, with the dot; the first is the usual one.
     models
         The models of flat colours that keep their own numbers.
-    groups
-        Whether there are groups, and groups within groups.
-    paints
-        Whether it holds the readings of a paint at several angles.
     holds
         What it carries, a sentence for the user.
     sniff
@@ -64,6 +60,10 @@ class PaletteFormat:
     write
         ``palette -> content``, or None where the format is only read. What it cannot hold is found by reading the
         content back (:mod:`brdf_suite.files.palettes.losses`).
+    groups
+        Whether there are groups, and groups within groups.
+    paints
+        Whether it holds the readings of a paint at several angles.
     order
         In which order entries are written: as they stand, by groups (:meth:`Palette.sections`), or by groups with those
         in none before all others.
@@ -73,10 +73,10 @@ class PaletteFormat:
     title: str
     endings: tuple[str, ...]
     models: tuple[str, ...]
-    groups: Groups
-    paints: bool
     holds: str
     sniff: Callable[[bytes, int], bool]
     read: Callable[[bytes, PathLike], tuple[Palette, tuple[str, ...]]]
     write: Callable[[Palette], bytes] | None = None
+    groups: Groups = "none"
+    paints: bool = False
     order: Order = "kept"

@@ -52,20 +52,17 @@ def find_losses(palette: Palette, known: PaletteFormat, content: bytes, path: Pa
         sections.sort(key=lambda section: section[0] is not None)
     entries = [entry for _, section in sections for entry in section]
     losses = _of_entries(entries, list(back))
-    if [e.id for e in entries] != [e.id for e in palette] and not _keeps_order(palette, back):
+    # The order as far as names and groups show it.
+    shown, there = ([(e.name, e.group) for e in one] for one in (palette, back))
+    if [e.id for e in entries] != [e.id for e in palette] and shown != there:
         losses.append("The entries of each group stand together there.")
     losses += _of_palette(palette, back)
     if many and known is not OWN:
-        most = f"{collecting.MOST_COLOURS:,}"
         losses.append(
-            f"BRDF Suite opens no file of this kind with more than {most} colours, so it cannot read this one back."
+            f"BRDF Suite opens no file of this kind with more than {collecting.MOST_COLOURS:,} colours, "
+            "so it cannot read this one back."
         )
     return tuple(losses)
-
-
-def _keeps_order(palette: Palette, back: Palette) -> bool:
-    """Whether the entries come back in the same order, as far as names and groups show."""
-    return [(e.name, e.group) for e in palette] == [(e.name, e.group) for e in back]
 
 
 def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
@@ -98,13 +95,9 @@ def _of_entries(entries: list[Entry], back: list[Entry]) -> list[str]:
         "foreign": "What other programs' files said further of {entry} is left out.",
     }
     for key, sentence in sentences.items():
-        count = counts[key]
-        if count:
+        if count := counts[key]:
             words = {word: _many(count, word) for word in ("paint", "colour", "entry")}
-            text = sentence.replace("{is}", "is" if count == 1 else "are")
-            for word, many in words.items():
-                text = text.replace("{" + word + "}", many)
-            losses.append(text)
+            losses.append(sentence.format_map({**words, "is": _were(count)}))
     return losses
 
 

@@ -17,8 +17,7 @@ from typing import TYPE_CHECKING, Literal
 from brdf_suite.documents.atomic import write_atomically
 
 if TYPE_CHECKING:  # the windows write figures, and only then measure
-    from brdf_suite.inspection.figures.errors import ErrorSet
-    from brdf_suite.inspection.figures.figures import AngleReading, ReflectanceFigures
+    from brdf_suite.inspection.figures.figures import AngleReading, ErrorSet, ReflectanceFigures
 
 _CHANNELS = ("red", "green", "blue")
 

@@ -1,4 +1,4 @@
-"""How the pictures of a palette look, and the key by which a picture is known again.
+"""How the pictures of a palette look, the key by which one is known again, and those of colours without a form.
 
 No OpenGL and no solver are imported here: a program asks for keys before it draws anything.
 """
@@ -10,18 +10,28 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from pathlib import Path
-from typing import Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias, cast, get_args
 
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
 from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.appearance.light.matrix import light_matrix
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import PARAMETERS, Paint
 from brdf_suite.documents.parameter import check_choice
+from brdf_suite.documents.store import AnyPaint
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import ILLUMINANTS, LightColour
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.file_stamp import file_stamp
+from brdf_suite.files.bounded_reading import file_stamp
+from brdf_suite.geometry.directions import aspecular_view, illumination
+from brdf_suite.reflectance.designed.build import build_reflectance
+from brdf_suite.reflectance.protocol import Reflectance
 
 Form = Literal["sphere", "panel", "flop_strip", "chips"]
 FORMS: tuple[str, ...] = get_args(Form)
@@ -145,3 +155,68 @@ def _shaders() -> str:
     for path in sorted(_SHADERS.glob("*.glsl")):
         found.update(path.name.encode() + path.read_bytes())
     return found.hexdigest()
+
+
+LIGHT_DEG = 45.0
+NEAREST_DEG, FARTHEST_DEG = 15.0, 110.0
+_SAME_DEG = 0.5
+
+
+def flat_picture(paint: AnyPaint, look: SwatchLook) -> NDArray[np.uint8]:
+    """Return the picture (size, size, 3) of the look's form, ``chips`` or ``flop_strip``; colours are clipped to sRGB.
+
+    A chip has the paint's reading at its angle, and where it has none what its reflectance gives.
+
+    Raises
+    ------
+    UnreachableError
+        A colour is wanted that only the reflectance knows, and no such paint can be.
+    """
+    if look.form == "chips":
+        bands = _chips(paint, look.angles_deg)
+        which = np.arange(look.size) * len(bands) // look.size
+        row = bands[which]
+    else:
+        row = colours_at(
+            build_reflectance(paint), np.linspace(NEAREST_DEG, FARTHEST_DEG, look.size), LIGHT_DEG
+        )
+    row = row @ light_matrix(look.light_colour.illuminant, look.light_colour.adapted).T
+    encoded = srgb_encode(np.clip(row @ WORKING_TO_SRGB.T, 0.0, 1.0))
+    codes = np.rint(255.0 * encoded).astype(np.uint8)
+    return np.ascontiguousarray(np.broadcast_to(codes, (look.size, *codes.shape)))
+
+
+def colours_at(
+    reflectance: Reflectance, aspecular_deg: Floats, illumination_deg: float = LIGHT_DEG
+) -> Floats:
+    """Return reflectance factors π·f_r (n, 3), working space, at aspecular angles (n,) in the plane of the light."""
+    light = illumination(np.full(len(aspecular_deg), illumination_deg))
+    return np.asarray(np.pi * reflectance.eval(light, aspecular_view(illumination_deg, aspecular_deg)))
+
+
+def _chips(paint: AnyPaint, angles_deg: tuple[float, ...]) -> Floats:
+    """Reflectance factors (n, 3) at the angles."""
+    measured = measured_labs(paint, angles_deg)
+    found = np.zeros((len(angles_deg), 3))
+    missing = [index for index, lab in enumerate(measured) if lab is None]
+    known = [index for index, lab in enumerate(measured) if lab is not None]
+    if known:
+        found[known] = lab_to_working(np.array([measured[index] for index in known]))
+    if missing:
+        angles = np.array([angles_deg[index] for index in missing])
+        found[missing] = colours_at(cast(Reflectance, build_reflectance(paint)), angles)
+    return found
+
+
+def measured_labs(paint: AnyPaint, angles_deg: tuple[float, ...]) -> list[tuple[float, float, float] | None]:
+    """Return the paint's own L*a*b* at each aspecular angle with the light at 45°, None where it was not read."""
+    found: list[tuple[float, float, float] | None] = []
+    readings = paint.measurements if isinstance(paint, Paint) else ()
+    for angle in angles_deg:
+        near = [
+            (abs(m.aspecular_deg - angle), m.lab)
+            for m in readings
+            if abs(m.illumination_deg - LIGHT_DEG) <= _SAME_DEG and abs(m.aspecular_deg - angle) <= _SAME_DEG
+        ]
+        found.append(min(near)[1] if near else None)
+    return found

@@ -20,8 +20,7 @@ from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import GraphicsError, SuiteError
-from brdf_suite.palettes.swatches.flat import flat_picture
-from brdf_suite.palettes.swatches.look import Content, SwatchLook, swatch_key
+from brdf_suite.palettes.swatches.look import Content, SwatchLook, flat_picture, swatch_key
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter, fit_material
 from brdf_suite.pipeline.material import material_of
 

@@ -1,8 +1,9 @@
-"""Draws a contact sheet that is one picture, strip by strip, so that no more than a line of cells is in memory."""
+"""Lays out and draws a contact sheet that is one picture, strip by strip, so that only a line of cells is in memory."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,9 +12,101 @@ from PIL import Image, ImageDraw
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
-from brdf_suite.reports.contact_sheet.layout import MARGIN, SheetLayout, wrapped
 from brdf_suite.reports.contact_sheet.pictures import ItemPictures, SheetItem
-from brdf_suite.reports.sheet_text import shortened
+from brdf_suite.reports.sheet_text import font_for, shortened
+
+Size = tuple[int, int]
+MARGIN = 16
+"""Between cells and around the sheet, in pixels."""
+_MOST_HEAD_LINES = 8
+_FIGURES = "flop L*a*b* 0123456789.,-+°: ()"
+
+
+@dataclass(frozen=True, eq=False)
+class SheetLayout:
+    """Where everything stands, in pixels; rows are headings and lines of cells."""
+
+    title: str
+    subtitle: str
+    cell: Size
+    columns: int
+    rows: tuple[str | tuple[SheetItem, ...], ...]
+    fonts: dict[str, Any]
+    missing: str
+
+    @staticmethod
+    def of(title: str, subtitle: str, items: Sequence[SheetItem], cell: Size, columns: int) -> SheetLayout:
+        """Return where items stand, so many in a row, group by group under their headings."""
+        text_px = int(min(22, max(10, cell[0] / 18)))
+        texts = [
+            title,
+            subtitle,
+            *(text for item in items for text in (item.name, item.group, item.problem)),
+            _FIGURES,
+        ]
+        font, missing = font_for(texts, text_px)
+        fonts = {
+            "text": font,
+            "name": font_for(texts, round(1.2 * text_px))[0],
+            "title": font_for(texts, round(1.8 * text_px))[0],
+        }
+        rows: list[str | tuple[SheetItem, ...]] = []
+        for group in dict.fromkeys(item.group for item in items):
+            members = [item for item in items if item.group == group]
+            if group:
+                rows.append(group)
+            rows += [tuple(members[i : i + columns]) for i in range(0, len(members), columns)]
+        return SheetLayout(title, subtitle, cell, columns, tuple(rows), fonts, missing)
+
+    def line(self, kind: str) -> int:
+        """Return the height of a line of text."""
+        return round(1.35 * float(self.fonts[kind].size))
+
+    @property
+    def head_lines(self) -> list[tuple[str, str, int]]:
+        """Title and subtitle, each on as many lines as it takes: text, kind and height from the top."""
+        width, y = self.width - 2 * MARGIN, MARGIN
+        found = []
+        for text, kind in ((self.title, "title"), (self.subtitle, "text")):
+            for line in wrapped(text, self.fonts[kind], width, _MOST_HEAD_LINES):
+                found.append((line, kind, y))
+                y += self.line(kind)
+        return found
+
+    @property
+    def head(self) -> int:
+        """Height of title and subtitle."""
+        _, kind, y = self.head_lines[-1]
+        return y + self.line(kind) + MARGIN
+
+    def height(self, row: str | tuple[SheetItem, ...]) -> int:
+        """Return the height of a heading or of a line of cells, with the room below."""
+        if isinstance(row, str):
+            return self.line("name") + MARGIN // 2
+        return self.cell[1] + 4 + self.line("name") + 4 * self.line("text") + MARGIN
+
+    @property
+    def width(self) -> int:
+        """Of the whole sheet."""
+        return MARGIN + self.columns * (self.cell[0] + MARGIN)
+
+    @property
+    def size(self) -> Size:
+        """Of the whole sheet."""
+        return self.width, self.head + sum(self.height(row) for row in self.rows)
+
+
+def wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
+    """Return a text broken into so many lines at most, the last one shortened."""
+    words, wrapped = text.split(), [""]
+    for word in words:
+        longer = f"{wrapped[-1]} {word}".strip()
+        if wrapped[-1] and font.getlength(longer) > width and len(wrapped) < lines:
+            wrapped.append(word)
+        else:
+            wrapped[-1] = longer
+    return [shortened(line, font, width) for line in wrapped]
+
 
 _GREY = 119
 """L* 50, the grey against which paint is judged."""

@@ -17,8 +17,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.output.still import LoadedScene, loaded_scene
-from brdf_suite.palettes.swatches.flat import flat_picture
-from brdf_suite.palettes.swatches.look import LARGEST, SMALLEST, Form, SwatchLook
+from brdf_suite.palettes.swatches.look import LARGEST, SMALLEST, Form, SwatchLook, flat_picture
 from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import material_of

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import io
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 import numpy as np
+from PIL import Image
 
 from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display, working_to_lab
+from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
@@ -18,20 +21,68 @@ from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Lab
-from brdf_suite.documents.view import View
+from brdf_suite.documents.view import Camera, View
 from brdf_suite.errors import PathLike, ValueRangeError
 from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.json_document import compute_flop
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.inspection.sparkle import sparkle
+from brdf_suite.output.still import loaded_scene
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_batch
-from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.exposure import metered
+from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material, refit_under
 from brdf_suite.pipeline.material import material_of
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reports.paint_report.pictures import ReportPicture, draw_pictures
+
+_HERO, _SMALL = (1040, 640), (520, 640)
+_SAMPLES = 4
+SECOND = View(camera=Camera(elevation_deg=14.0), environment="sunny", surface="sphere")
+"""The scene of the second picture: flakes show in the sun."""
+
+
+@dataclass(frozen=True, eq=False)
+class ReportPicture:
+    """A PNG and what it shows."""
+
+    title: str
+    png: bytes
+    width: int
+    height: int
+
+
+def draw_pictures(
+    fit: LobeFit, view: View | None, scale: float, progress: Progress | None = None
+) -> tuple[ReportPicture, ...]:
+    """Return the pictures of a fit; ``view`` is the scene of the first one, the default one where left out.
+
+    Errors as :func:`brdf_suite.output.still.render_to_file`.
+    """
+    scenes = ((view or View(), _HERO), (SECOND, _SMALL))
+    pictures = []
+    for index, (scene, (width, height)) in enumerate(scenes):
+        size = (max(16, round(width * scale)), max(16, round(height * scale)))
+        step = subrange(progress, index / len(scenes), (index + 1) / len(scenes))
+        pictures.append(_draw(fit, scene, size, step))
+    return tuple(pictures)
+
+
+def _draw(fit: LobeFit, view: View, size: tuple[int, int], progress: Progress | None) -> ReportPicture:
+    view = replace(view, clipping_marks=False, gamut_marks=False)
+    with loaded_scene(view, subrange(progress, 0.0, 0.8)) as loaded:
+        loaded.scene.set_material(refit_under(fit, view.light_colour))
+        report(progress, 0.8, "drawing")
+        renderer = loaded.scene.renderer
+        shown = metered(renderer, loaded.composed(view, size), size)
+        pixels = renderer.render_image(shown, size, _SAMPLES, display=Display(SRGB_SPACE))
+        title = f"{loaded.mesh.name.replace('_', ' ')}, {loaded.prepared.environment.name}"
+    packed = io.BytesIO()
+    Image.fromarray(pixels).save(packed, "PNG", optimize=False)
+    return ReportPicture(title, packed.getvalue(), size[0], size[1])
+
 
 _STEP_DEG = 1.0
 _SAME_DEG = 1e-6

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.errors import ReferenceUnavailableError, SuiteError
-from brdf_suite.files.file_stamp import file_stamp
+from brdf_suite.files.bounded_reading import file_stamp
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.exposure import ev_of, exposed

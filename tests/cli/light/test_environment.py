@@ -10,8 +10,7 @@ import pytest
 
 from brdf_suite.cli.light.info import bars
 from brdf_suite.cli.main import main
-from brdf_suite.documents.light_store import load_light
-from brdf_suite.documents.studio import Sky
+from brdf_suite.documents.studio import Sky, load_light
 from brdf_suite.files.images.environments import read_environment_image, write_exr
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.procedural import BOOTH

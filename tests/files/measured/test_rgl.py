@@ -13,8 +13,7 @@ from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
-from brdf_suite.files.measured.rgl import read_rgl
-from brdf_suite.files.measured.tensor_file import pack, unpack
+from brdf_suite.files.measured.rgl import pack, read_rgl, unpack
 from brdf_suite.geometry.directions import spherical
 
 _directions = load_module(Path(__file__).parent / "direction_pairs.py")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.meshes.baked_occlusion import encode_baked, read_baked
+from brdf_suite.files.meshes.occlusion_cache import encode_baked, read_baked
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
 

@@ -10,7 +10,7 @@ import pytest
 import trimesh
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.meshes.material_words import material_word
+from brdf_suite.files.meshes.gltf import material_word
 from brdf_suite.files.meshes.reading import read_mesh
 
 

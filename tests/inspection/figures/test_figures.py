@@ -12,10 +12,10 @@ import pytest
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.errors import Cancelled
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.inspection.figures.errors import errors_between
 from brdf_suite.inspection.figures.figures import (
     FiguresRequest,
     angle_readings,
+    errors_between,
     reflectance_figures,
     turned,
 )

@@ -9,8 +9,14 @@ from hypothesis import strategies as st
 
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.inspection.lobe_surface.colour import CHANNELS, light_codes, scalar_of
-from brdf_suite.inspection.lobe_surface.colour_maps import difference_map, uniform_steps, value_map
+from brdf_suite.inspection.lobe_surface.colour import (
+    CHANNELS,
+    difference_map,
+    light_codes,
+    scalar_of,
+    uniform_steps,
+    value_map,
+)
 from brdf_suite.inspection.lobe_surface.grid import HORIZON_Z, lobe_grid
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met, radius_along, value_along
 from brdf_suite.inspection.lobe_surface.parts import FitOnGrid, fit_lobes

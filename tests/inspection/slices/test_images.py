@@ -8,16 +8,19 @@ import pytest
 from brdf_suite.geometry.directions import half_angle_coordinates, mirror
 from brdf_suite.inspection.slices.cuts import light_at
 from brdf_suite.inspection.slices.images import (
+    colour_codes,
     half_angle_pairs,
     image_error,
     image_of,
+    mapped_codes,
     place_of,
+    share_of,
     share_of_theta_h,
     theta_h_at,
     unrolled_pairs,
+    value_at,
     view_of,
 )
-from brdf_suite.inspection.slices.tone import colour_codes, mapped_codes, share_of, value_at
 from brdf_suite.reflectance.models.lambertian import Lambertian
 
 SIZE = 32

@@ -7,7 +7,7 @@ import pytest
 
 from brdf_suite.geometry.directions import from_half_angle_coordinates, illumination, spherical
 from brdf_suite.inspection.slices.cuts import difference_slice, half_slice, light_at, plane_slice, view_at
-from brdf_suite.inspection.slices.samples import NEAR_DEG, points_near
+from brdf_suite.inspection.slices.values import NEAR_DEG, points_near
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 

@@ -16,8 +16,7 @@ from brdf_viewer.light.environment_section import LAYOUT_TITLES
 from brdf_viewer.scene import loading
 from PySide6.QtCore import QSettings
 
-from brdf_suite.documents.light_store import save_light
-from brdf_suite.documents.studio import Sky
+from brdf_suite.documents.studio import Sky, save_light
 from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS, View
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.environment import Environment

@@ -15,8 +15,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
 
-from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument
-from brdf_suite.documents.studio import Sky, Studio
+from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, Studio
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment

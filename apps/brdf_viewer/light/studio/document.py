@@ -9,7 +9,7 @@ from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.window.dialogs import Dialogs
 from PySide6.QtCore import QObject
 
-from brdf_suite.documents.light_store import (
+from brdf_suite.documents.studio import (
     STUDIO_ENDING,
     LightDocument,
     light_from_json,

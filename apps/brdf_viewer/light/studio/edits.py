@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
-from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import Backdrop, BoothRoom, Point, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import Backdrop, BoothRoom, LightDocument, Point, Sky, Studio, StudioLamp
 from brdf_viewer.light.studio.places import angle_of, held_in, moved, point_at, polar, size_at
 from brdf_viewer.light.studio.templates import NEW_LAMPS
 

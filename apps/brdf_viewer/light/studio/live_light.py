@@ -8,7 +8,7 @@ from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Qt, Signal
 
-from brdf_suite.documents.light_store import LightDocument
+from brdf_suite.documents.studio import LightDocument
 from brdf_suite.pipeline.scene import PreparedEnvironment, prepare_light
 from brdf_suite.progress import Progress
 

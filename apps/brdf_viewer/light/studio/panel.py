@@ -22,8 +22,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import MOST_LAMPS, Studio, StudioLamp
+from brdf_suite.documents.studio import MOST_LAMPS, LightDocument, Studio, StudioLamp
 from brdf_viewer.fields.note import note, set_note
 from brdf_viewer.light.studio.lamp_form import SHAPE_TITLES, LampForm
 from brdf_viewer.light.studio.places import polar

@@ -21,8 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, srgb_encode
-from brdf_suite.documents.light_store import LightDocument
-from brdf_suite.documents.studio import Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import LightDocument, Sky, Studio, StudioLamp
 from brdf_viewer.light.studio.places import (
     covers,
     outline,

@@ -14,12 +14,11 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Foreign, GroupPath, Palette
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.cxf_specification import number
-from brdf_suite.files.hardened_xml import Element
+from brdf_suite.files.hardened_xml import Element, attribute, read_root
 from brdf_suite.files.palettes.archive.zipped import in_part, is_zip, pack_zip, unpack
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.xml.writing import attribute, read_root
 
 _MIMETYPES = (b"krita/x-colorset", b"application/x-krita-palette")
 _COLOURS, _PROFILES = "colorset.xml", "profiles.xml"
@@ -256,7 +255,6 @@ FORMAT = PaletteFormat(
     endings=(".kpl",),
     models=("RGB", "CMYK", "Lab", "Gray"),
     groups="flat",
-    paints=False,
     holds="Names in any script, codes, groups, columns, RGB, CMYK, Lab and Gray with every digit, their profiles, "
     "inks of their own, comments.",
     sniff=_sniff,

@@ -14,13 +14,17 @@ from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.palette import Entry, Group, GroupPath, Palette
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.cxf_specification import number
-from brdf_suite.files.hardened_xml import Element
+from brdf_suite.files.hardened_xml import Element, attribute, read_root, text_content
 from brdf_suite.files.palettes.archive.zipped import in_part, is_zip, pack_zip, unpack
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
+from brdf_suite.files.palettes.conversions import (
+    convert_to_flat,
+    in_srgb,
+    nested_sections,
+    scale_text,
+    unscale_text,
+)
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.text.number_text import scale_text, unscale_text
-from brdf_suite.files.palettes.xml.writing import attribute, read_root, text_content
 
 _BOOK = "swatchbook.xml"
 _DC = "http://purl.org/dc/elements/1.1/"
@@ -40,8 +44,7 @@ _MODELS: dict[str, Model] = {
     "HSL": "HSL",
 }
 """Hue is stored as a fraction of the circle there, and the white's Y is 1."""
-_NAMES = {"RGB": "RGB", "CMYK": "CMYK", "CMY": "CMY", "Gray": "GRAY", "Lab": "Lab", "LCh": "LCH", "XYZ": "XYZ",
-          "HSB": "HSV", "HSL": "HSL"}  # fmt: skip
+_NAMES = {model: word for word, model in _MODELS.items() if word != "sRGB"}
 _USAGES = ("spot", "global")
 _SELDOM_READ, _SHOWN = ("HSB", "HSL", "CMY", "LCh"), "brdf-suite:shown"
 _TITLES = ("title", "identifier", "description", "format", "type")
@@ -124,7 +127,6 @@ class _Reader:
                 self._read_group(element, inner, before)
 
     def _mark(self, what: str, group: GroupPath, before: list[str]) -> None:
-
         entries = self._collector.entries
         if not entries or entries[-1].group != group:
             if not entries:
@@ -149,15 +151,14 @@ class _Reader:
             place, name, first.model, first.values, space=first.space,
             illuminant=first.illuminant, observer_deg=first.observer_deg, others=tuple(colours[1:17]),
         )  # fmt: skip
-        usage = element.attributes.get("usage", "")
-        word = usage.split(",")[0].strip() if usage else ""
+        word = element.attributes.get("usage", "").split(",")[0].strip()
         collector.add(
             place,
             colour,
             group=group,
             code="" if own or not title else collector.name(identifier, 200),
             notes=notes,
-            usage=word if word in _USAGES else "process",  # type: ignore[arg-type]  # one of two words
+            usage=word if word in _USAGES else "process",
             foreign=((_META, json.dumps(kept, ensure_ascii=False)),) if kept else (),
         )
 
@@ -191,9 +192,7 @@ def _described(metadata: Element | None, collector: Collector) -> tuple[str, str
         lang = child.attributes.get("lang", "")
         if child.name in found or child.name not in _TITLES or lang:
             if len(kept) < 100 and child.text:
-                kept.append(
-                    [child.name, child.text[:2000], lang] if lang else [child.name, child.text[:2000]]
-                )
+                kept.append([child.name, child.text[:2000], *([lang] if lang else [])])
             continue
         found[child.name] = child.text
     title, identifier = (collector.name(found.get(name, "")) for name in ("title", "identifier"))
@@ -306,25 +305,14 @@ def _marks(marks: str, indent: str) -> str:
 
 def _arranged(palette: Palette, identifiers: dict[str, str]) -> str:
     rows: list[str] = []
-    open_: GroupPath = ()
-
-    def close(depth: int) -> None:
-        for level in range(len(open_), depth, -1):
-            rows.append(f"{'  ' * (level + 1)}</group>\n")
-
-    for group, entries in palette.sections():
+    for group, entries, ended, begun in nested_sections(palette):
         path = () if group is None else group.path
-        pairs = enumerate(zip(open_, path, strict=False))
-        shared = next((i for i, (a, b) in pairs if a != b), min(len(open_), len(path)))
-        close(shared)
-        for depth in range(shared, len(path)):
-            rows.append(_opening(path[: depth + 1], group))
-        open_ = path
+        rows += [f"{'  ' * (len(one) + 1)}</group>\n" for one in ended]
+        rows += [_opening(one, group) for one in begun]
         indent = "  " * (len(path) + 2)
         for entry in entries:
             rows.append(f"{indent}<swatch material={attribute(identifiers[entry.id])} />\n")
             rows.append(_marks(dict(entry.foreign).get(_AFTER, ""), indent))
-    close(0)
     return "".join(rows)
 
 
@@ -344,7 +332,6 @@ FORMAT = PaletteFormat(
     endings=(".sbz",),
     models=tuple(_NAMES),
     groups="nested",
-    paints=False,
     holds="Names in any script, codes, notes, groups within groups, several models for one colour with every digit, "
     "spot and global colours, columns.",
     sniff=lambda head, _size: is_zip(head) and _BOOK.encode("ascii") in head,

@@ -56,17 +56,13 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
             colour = collector.colour(place, whole, "CMYK", [1.0 - ink / 255.0 for ink in channels])
         else:
             colour = collector.colour(place, whole, "RGB", [value / 255.0 for value in channels])
-        collector.add(place, colour, code=collector.name(code), usage=usage)  # type: ignore[arg-type]  # one of two words
+        collector.add(place, colour, code=collector.name(code), usage=usage)
     foreign: Foreign = (("acb.book", str(book)), ("acb.page", f"{per_page} {key}"))
     return collector.finish(title, notes=collector.lines(description), foreign=foreign)
 
 
 def _text(cursor: ByteCursor, what: str) -> str:
-    at = cursor.at
-    length = cursor.u32(f"the length of {what}")
-    if 2 * length > cursor.left:
-        raise cursor.fail(f"{what} of {length:,} characters goes beyond the end of the file", at)
-    text = cursor.utf16(length, what)
+    text = cursor.counted_utf16(what)
     if text.startswith("$$$") and "=" in text:
         text = text.partition("=")[2]
     return text.replace("^R", "®").replace("^C", "©")
@@ -77,8 +73,6 @@ FORMAT = PaletteFormat(
     title="Adobe colour book",
     endings=(".acb",),
     models=("RGB", "CMYK", "Lab"),
-    groups="none",
-    paints=False,
     holds="Read only. Names, codes, RGB, CMYK or Lab in 8 bits, spot or process.",
     sniff=lambda head, _size: head.startswith(b"8BCB"),
     read=read,

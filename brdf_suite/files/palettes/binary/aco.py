@@ -72,7 +72,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
                 start + 2,
             )
         sections[version] = [_record(cursor, named=version == 2) for _ in range(count)]
-    if 1 in sections and 2 in sections and _without_names(sections[1]) != _without_names(sections[2]):
+    if len({tuple(words for _, words, _ in records) for records in sections.values()}) > 1:
         collector.note("The colours of version 1 and 2 in the file differ; those of version 2 count.")
     for at, words, name in sections[max(sections)]:
         _add(collector, at, words, name)
@@ -80,22 +80,8 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     return collector.finish(foreign=() if versions == "1 2" else ((_VERSIONS, versions),))
 
 
-def _without_names(records: list[tuple[int, _Words, str]]) -> list[_Words]:
-    return [words for _, words, _ in records]
-
-
 def _record(cursor: ByteCursor, *, named: bool) -> tuple[int, _Words, str]:
-    start = cursor.at
-    words = cursor.words(5, "a colour")
-    name = ""
-    if named:
-        length = cursor.u32("the length of a name")
-        if 2 * length > cursor.left:
-            raise cursor.fail(
-                f"a name of {length:,} characters goes beyond the end of the file", cursor.at - 4
-            )
-        name = cursor.utf16(length, "a name")
-    return start, words, name
+    return cursor.at, cursor.words(5, "a colour"), cursor.counted_utf16("a name") if named else ""
 
 
 def _add(collector: Collector, at: int, words: _Words, name: str) -> None:
@@ -107,7 +93,7 @@ def _add(collector: Collector, at: int, words: _Words, name: str) -> None:
         )
     model, convert = _READ[space]
     white = {"illuminant": "D50", "observer_deg": 2} if model == "Lab" else {}
-    colour = collector.colour(f"byte {at}", collector.name(name), model, convert(words[1:]), **white)  # type: ignore[arg-type]  # the keywords of Lab
+    colour = collector.colour(f"byte {at}", collector.name(name), model, convert(words[1:]), **white)
     foreign: Foreign = ((_SPACE, str(space)),) if space == _WIDE_CMYK else ()
     collector.add(f"byte {at}", colour, foreign=foreign)
 
@@ -120,7 +106,6 @@ def write(palette: Palette) -> bytes:
     SuiteError
         It has more than 65,535 entries.
     """
-
     entries = palette.entries
     if len(entries) > 0xFFFF:
         raise SuiteError(f"An ACO file holds 65,535 colours, and the palette has {len(entries):,}.")
@@ -175,8 +160,6 @@ FORMAT = PaletteFormat(
     title="Photoshop colour swatches",
     endings=(".aco",),
     models=("RGB", "HSB", "CMYK", "Lab", "Gray"),
-    groups="none",
-    paints=False,
     holds="Names in any script, RGB, HSB, CMYK, Lab and Gray in 16 bits; no groups.",
     sniff=_sniff,
     read=read,

@@ -14,7 +14,7 @@ from brdf_suite.documents.palette import Palette, Usage
 from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.binary.byte_cursor import ByteCursor, packed_utf16
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import convert_to_plain
+from brdf_suite.files.palettes.conversions import convert_to_plain, nested_sections
 from brdf_suite.files.palettes.format import PaletteFormat
 
 _BEGIN, _END, _COLOUR = 0xC001, 0xC002, 0x0001
@@ -25,7 +25,7 @@ _MODELS: dict[bytes, tuple[Model, int]] = {
     b"Gray": ("Gray", 1),
     b"GRAY": ("Gray", 1),  # some writers shout
 }
-_TAGS: dict[str, bytes] = {"RGB": b"RGB ", "CMYK": b"CMYK", "Lab": b"LAB ", "Gray": b"Gray"}
+_TAGS: dict[str, bytes] = {model: tag for tag, (model, _) in _MODELS.items() if tag != b"GRAY"}
 _USAGES: tuple[Usage, ...] = ("global", "spot", "process")
 _LONGEST = 65_000
 """Units of UTF-16 in a name, so that its count of two bytes holds it."""
@@ -98,31 +98,16 @@ def _read_colour(block: ByteCursor, collector: Collector, group: tuple[str, ...]
 def write(palette: Palette) -> bytes:
     """Return the content of an ASE file; groups within groups go within each other."""
     blocks: list[bytes] = []
-    open_: tuple[str, ...] = ()
-    for group, entries in palette.sections():
-        path = () if group is None else group.path
-        shared = next(
-            (i for i, (a, b) in enumerate(zip(open_, path, strict=False)) if a != b),
-            min(len(open_), len(path)),
-        )
-        blocks += [_block(_END, b"")] * (len(open_) - shared)
-        blocks += [_block(_BEGIN, _packed(name)) for name in path[shared:]]
-        open_ = path
+    for _, entries, ended, begun in nested_sections(palette):
+        blocks += [_block(_END, b"") for _ in ended]
+        blocks += [_block(_BEGIN, _packed(path[-1])) for path in begun]
         for entry in entries:
             colour = convert_to_plain(entry, _TAGS)
             values = colour.values
             if colour.model == "Lab":
                 values = (values[0] / 100.0, *values[1:])
-            blocks.append(
-                _block(
-                    _COLOUR,
-                    _packed(entry.name)
-                    + _TAGS[colour.model]
-                    + struct.pack(f">{len(values)}f", *values)
-                    + struct.pack(">H", _USAGES.index(entry.usage)),
-                )
-            )
-    blocks += [_block(_END, b"")] * len(open_)
+            numbers = struct.pack(f">{len(values)}fH", *values, _USAGES.index(entry.usage))
+            blocks.append(_block(_COLOUR, _packed(entry.name) + _TAGS[colour.model] + numbers))
     return b"ASEF" + struct.pack(">HHI", 1, 0, len(blocks)) + b"".join(blocks)
 
 
@@ -141,7 +126,6 @@ FORMAT = PaletteFormat(
     endings=(".ase",),
     models=("RGB", "CMYK", "Lab", "Gray"),
     groups="nested",
-    paints=False,
     holds="Names in any script, groups, RGB, CMYK, Lab and Gray in 32-bit floats, global, spot and process colours.",
     sniff=lambda head, _size: head.startswith(b"ASEF"),
     read=read,

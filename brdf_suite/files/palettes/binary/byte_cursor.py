@@ -60,6 +60,14 @@ class ByteCursor:
         """
         return self.take(2 * characters, what).decode("utf-16-be", "replace").removesuffix("\0")
 
+    def counted_utf16(self, what: str) -> str:
+        """Return the next text, before which its length stands in four bytes."""
+        at = self.at
+        length = self.u32(f"the length of {what}")
+        if 2 * length > self.left:
+            raise self.fail(f"{what} of {length:,} characters goes beyond the end of the file", at)
+        return self.utf16(length, what)
+
 
 def packed_utf16(text: str) -> bytes:
     """Return a text as UTF-16 with its NUL; ``len(…) // 2`` is the count that goes before it."""

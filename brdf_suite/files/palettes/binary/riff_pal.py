@@ -63,7 +63,6 @@ def _read_data(chunk: ByteCursor, collector: Collector) -> None:
 
 def write(palette: Palette) -> bytes:
     """Return the content of a RIFF palette; :class:`SuiteError` where there are more than 65,535 entries."""
-
     if len(palette) > 0xFFFF:
         raise SuiteError(f"A RIFF palette holds 65,535 colours, and this one has {len(palette):,}.")
     rows = []
@@ -80,8 +79,6 @@ FORMAT = PaletteFormat(
     title="Windows palette (RIFF)",
     endings=(".pal",),
     models=("RGB",),
-    groups="none",
-    paints=False,
     holds="sRGB in 8 bits, without names.",
     sniff=lambda head, _size: head.startswith(b"RIFF") and head[8:12] == b"PAL ",
     read=read,

@@ -15,9 +15,8 @@ from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.errors import PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
-from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.text.css_colour import SPACES, format_css, parse_colour
+from brdf_suite.files.palettes.text.css_colour import convert_to_css, format_css, parse_colour
 
 # Every branch takes at least one character and none can be taken in two ways, so the time is that of the length.
 _TOKEN = re.compile(
@@ -62,7 +61,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
                 settle(said)
             elif isinstance(said, list):
                 settle(None)
-                group = _known_group(said, collector, place)
+                group = collector.declare(place, [word for word in said[:32] if isinstance(word, str)])
             elif isinstance(said, dict):
                 name = str(said.get("palette", ""))
                 notes.append(collector.lines(str(said.get("notes", ""))))
@@ -89,18 +88,9 @@ def _said(comment: str) -> object:
     if not text.startswith(('"', "[", "{")) or len(text) > 200_000:
         return None
     try:
-        said: object = json.loads(text)
+        return json.loads(text)
     except (ValueError, RecursionError):
         return None
-    return said
-
-
-def _known_group(said: list[object], collector: Collector, place: str) -> GroupPath:
-    path: GroupPath = tuple(collector.name(name) for name in said[:32] if isinstance(name, str))
-    for depth in range(1, len(path) + 1):
-        if not collector.has_group(path[:depth]):
-            collector.group(place, path[: depth - 1], path[depth - 1])
-    return path
 
 
 def write(palette: Palette) -> bytes:
@@ -109,17 +99,10 @@ def write(palette: Palette) -> bytes:
     taken: set[str] = set()
     for group, entries in palette.sections():
         rows.append(f"  /* {_json(list(group.path) if group else [])} */\n")
-        rows += [
-            f"  --{_property(entry, taken)}: {format_css(_colour(entry))}; /* {_json(entry.name)} */\n"
-            for entry in entries
-        ]
+        for entry in entries:
+            colour = format_css(convert_to_css(entry, _MODELS))
+            rows.append(f"  --{_property(entry, taken)}: {colour}; /* {_json(entry.name)} */\n")
     return "".join((*rows, "}\n")).encode("utf-8", "replace")
-
-
-def _colour(entry: Entry) -> FlatColour:
-    colour = convert_to_flat(entry, _MODELS)
-    # RGB of a space that CSS names is written in that one; everything else that is RGB there is sRGB.
-    return colour if colour.model == "RGB" and colour.space in SPACES.values() else in_srgb(colour)
 
 
 def _json(value: object) -> str:
@@ -152,7 +135,6 @@ FORMAT = PaletteFormat(
     endings=(".css",),
     models=_MODELS,
     groups="nested",
-    paints=False,
     holds="Names in any script, groups within groups, RGB of several spaces, HSL, CMYK, Lab, LCh and XYZ with every "
     "digit, notes of the palette.",
     sniff=_sniff,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 from functools import cache
 
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_PRIMARIES, primaries_to_xyz, srgb_encode
 from brdf_suite.documents.flat_colour import FlatColour
+from brdf_suite.documents.palette import Entry
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.files.palettes.text.number_text import scale_text, unscale_text
+from brdf_suite.files.palettes.conversions import convert_to_flat, in_srgb, scale_text, unscale_text
 
 _HEX = re.compile("#([0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})")
 _FUNCTION = re.compile(r"([a-z-]+)\(([^()]{1,200})\)")
@@ -38,7 +40,7 @@ _LMS_TO_RGB = (
 """Ottosson, A perceptual color space for image processing (2020)."""
 
 
-def parse_colour(text: str, name: str = "") -> tuple[FlatColour, float] | None:
+def parse_colour(text: str) -> tuple[FlatColour, float] | None:
     """Return the colour in a CSS value and its opacity, or None where it is none that is known here.
 
     >>> parse_colour("rgb(51 102 153)")[0].values == parse_colour("#336699")[0].values
@@ -48,23 +50,18 @@ def parse_colour(text: str, name: str = "") -> tuple[FlatColour, float] | None:
     if len(text) > 300:
         return None
     try:
-        return _hex(text, name) or _function(text, name) or _named(text, name)
+        return _hex(text) or _function(text) or _hex(_names().get(text, ""))
     except ValueRangeError:
         return None
 
 
-def _hex(text: str, name: str) -> tuple[FlatColour, float] | None:
+def _hex(text: str) -> tuple[FlatColour, float] | None:
     found = _HEX.fullmatch(text)
     if found is None:
         return None
     digits = found[1] if len(found[1]) > 4 else "".join(2 * digit for digit in found[1])
     values = [value / 255.0 for value in bytes.fromhex(digits)]
-    return FlatColour(name, "RGB", tuple(values[:3])), values[3] if len(values) == 4 else 1.0
-
-
-def _named(text: str, name: str) -> tuple[FlatColour, float] | None:
-    found = _names().get(text)
-    return None if found is None else _hex(found, name)
+    return FlatColour("", "RGB", tuple(values[:3])), values[3] if len(values) == 4 else 1.0
 
 
 @cache
@@ -75,7 +72,7 @@ def _names() -> dict[str, str]:
     return {key: value for key, value in ImageColor.colormap.items() if isinstance(value, str)}
 
 
-def _function(text: str, name: str) -> tuple[FlatColour, float] | None:
+def _function(text: str) -> tuple[FlatColour, float] | None:
     found = _FUNCTION.fullmatch(text)
     if found is None:
         return None
@@ -93,7 +90,7 @@ def _function(text: str, name: str) -> tuple[FlatColour, float] | None:
         alpha = values.pop()
     if len(values) != wanted:
         return None
-    colour = _built(kind, space, values, name)
+    colour = _built(kind, space, values)
     return None if colour is None else (colour, 1.0 if alpha is None else _plain(alpha, 1.0))
 
 
@@ -120,50 +117,59 @@ def _hue(number: _Number) -> float:
     return degrees if 0.0 <= degrees <= 360.0 else degrees % 360.0
 
 
-def _built(kind: str, space: str, v: list[_Number], name: str) -> FlatColour | None:
+def _built(kind: str, space: str, v: list[_Number]) -> FlatColour | None:
     if kind in ("rgb", "rgba"):
-        return FlatColour(
-            name, "RGB", tuple(unscale_text(text, 100 if unit == "%" else 255) for text, unit in v)
-        )
+        numbers = tuple(unscale_text(text, 100 if unit == "%" else 255) for text, unit in v)
+        return FlatColour("", "RGB", numbers)
     if kind in ("hsl", "hsla"):
-        return FlatColour(name, "HSL", (_hue(v[0]), unscale_text(v[1][0], 100), unscale_text(v[2][0], 100)))
+        return FlatColour("", "HSL", (_hue(v[0]), unscale_text(v[1][0], 100), unscale_text(v[2][0], 100)))
     if kind == "hwb":
         white, black = unscale_text(v[1][0], 100), unscale_text(v[2][0], 100)
         if white + black > 1.0:
             # CSS Color 4, section 8: a grey in their proportion.
-            return FlatColour(name, "HSB", (_hue(v[0]), 0.0, white / (white + black)))
+            return FlatColour("", "HSB", (_hue(v[0]), 0.0, white / (white + black)))
         bright = 1.0 - black
-        return FlatColour(
-            name, "HSB", (_hue(v[0]), 0.0 if bright <= 0.0 else max(0.0, 1.0 - white / bright), bright)
-        )
+        saturation = 0.0 if bright <= 0.0 else max(0.0, 1.0 - white / bright)
+        return FlatColour("", "HSB", (_hue(v[0]), saturation, bright))
     if kind == "lab":
         values = (_plain(v[0], 100.0), _plain(v[1], 125.0), _plain(v[2], 125.0))
-        return FlatColour(name, "Lab", values, "", "D50", 2)
+        return FlatColour("", "Lab", values, "", "D50", 2)
     if kind == "lch":
         values = (_plain(v[0], 100.0), _plain(v[1], 150.0), _hue(v[2]))
-        return FlatColour(name, "LCh", values, "", "D50", 2)
+        return FlatColour("", "LCh", values, "", "D50", 2)
     if kind == "device-cmyk":
-        return FlatColour(name, "CMYK", tuple(_plain(x, 1.0) for x in v))
+        return FlatColour("", "CMYK", tuple(_plain(x, 1.0) for x in v))
     if kind == "oklab":
-        return _oklab(_plain(v[0], 1.0), _plain(v[1], 0.4), _plain(v[2], 0.4), name)
+        return _oklab(_plain(v[0], 1.0), _plain(v[1], 0.4), _plain(v[2], 0.4))
     if kind == "oklch":
         chroma, hue = _plain(v[1], 0.4), np.radians(_hue(v[2]))
-        return _oklab(_plain(v[0], 1.0), chroma * float(np.cos(hue)), chroma * float(np.sin(hue)), name)
+        return _oklab(_plain(v[0], 1.0), chroma * float(np.cos(hue)), chroma * float(np.sin(hue)))
     if kind == "color" and space in SPACES:
-        return FlatColour(name, "RGB", tuple(_plain(x, 1.0) for x in v), SPACES[space])
+        return FlatColour("", "RGB", tuple(_plain(x, 1.0) for x in v), SPACES[space])
     if kind == "color" and space == "srgb-linear":
-        return FlatColour(name, "RGB", tuple(srgb_encode([_plain(x, 1.0) for x in v]).tolist()))
+        return FlatColour("", "RGB", tuple(srgb_encode([_plain(x, 1.0) for x in v]).tolist()))
     if kind == "color" and space in ("xyz", "xyz-d65", "xyz-d50"):
         xyz = tuple(100.0 * _plain(x, 1.0) if x[1] == "%" else unscale_text(x[0], 1, 100) for x in v)
-        return FlatColour(name, "XYZ", xyz, "", "D50" if space == "xyz-d50" else "D65", 2)
+        return FlatColour("", "XYZ", xyz, "", "D50" if space == "xyz-d50" else "D65", 2)
     return None
 
 
-def _oklab(lightness: float, a: float, b: float, name: str) -> FlatColour:
+def _oklab(lightness: float, a: float, b: float) -> FlatColour:
     """Convert Oklab to XYZ of D65, which includes colours beyond sRGB."""
     cubed = (np.array(_OKLAB_TO_LMS) @ (lightness, a, b)) ** 3
     xyz = 100.0 * primaries_to_xyz(REC709_PRIMARIES) @ (np.array(_LMS_TO_RGB) @ cubed)
-    return FlatColour(name, "XYZ", tuple(xyz.tolist()), "", "D65", 2)
+    return FlatColour("", "XYZ", tuple(xyz.tolist()), "", "D65", 2)
+
+
+def convert_to_css(entry: Entry, models: Collection[str]) -> FlatColour:
+    """Return :func:`convert_to_flat`, where RGB of a space that CSS does not name becomes sRGB."""
+    colour = convert_to_flat(entry, models)
+    return colour if colour.model == "RGB" and colour.space in SPACES.values() else in_srgb(colour)
+
+
+def space_word(colour: FlatColour) -> str:
+    """Return what CSS calls the space of a colour in RGB; the numbers of an unknown one go as sRGB."""
+    return next((word for word, name in SPACES.items() if name == colour.space), "srgb")
 
 
 def format_css(colour: FlatColour) -> str:
@@ -173,7 +179,7 @@ def format_css(colour: FlatColour) -> str:
     """
     v = [repr(value) for value in colour.values]
     if colour.model == "RGB":
-        word = next((word for word, name in SPACES.items() if name == colour.space), "srgb")
+        word = space_word(colour)
         whole = [round(255.0 * value) for value in colour.values]
         exact = all(
             x == byte / 255.0 and 0 <= byte <= 255 for x, byte in zip(colour.values, whole, strict=True)

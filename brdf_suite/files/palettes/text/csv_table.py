@@ -15,7 +15,7 @@ import re
 
 from brdf_suite.appearance.colour.flat_colours import flat_labs, within_paint
 from brdf_suite.documents.flat_colour import MODELS, FlatColour
-from brdf_suite.documents.palette import USAGES, Entry, GroupPath, Palette
+from brdf_suite.documents.palette import USAGES, Entry, Palette
 from brdf_suite.errors import PathLike
 from brdf_suite.files.bounded_reading import number_in
 from brdf_suite.files.exports.csv_table import (
@@ -67,19 +67,15 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
 class _Rows:
     def __init__(self, columns: list[str], collector: Collector, *, comma: bool) -> None:
         self._columns, self._collector = columns, collector
-        twice = (
-            sorted({name for name in columns if columns.count(name) > 1}) if len(columns) < 10_000 else [""]
-        )
+        twice = [""] if len(columns) >= 10_000 else sorted({c for c in columns if columns.count(c) > 1})
         if twice:
-            raise collector.fail(
-                f"the column {twice[0][:80]!r} is there twice, or there are too many", "line 1"
-            )
+            reason = f"the column {twice[0][:80]!r} is there twice, or there are too many"
+            raise collector.fail(reason, "line 1")
         angles = [name for name in columns if COLUMN.fullmatch(name)]
         if "name" not in columns or not (angles or "model" in columns):
             raise collector.fail("has no column 'name', or none of readings as 'L_45'", "line 1")
         self._angles = angles
         self._table = Table(collector.path, angles, comma=comma)
-        self._groups: set[GroupPath] = set()
 
     def report(self) -> None:
         """Record a notice about the unused columns."""
@@ -99,17 +95,16 @@ class _Rows:
         row = dict(zip(self._columns, cells, strict=False))
         usage = row.get("usage", "") or "process"
         if usage not in USAGES:
-            raise collector.fail(
-                f"expected one of {', '.join(USAGES)}, not {usage[:40]!r}", f"{place}, column usage"
-            )
+            reason = f"expected one of {', '.join(USAGES)}, not {usage[:40]!r}"
+            raise collector.fail(reason, f"{place}, column usage")
         collector.add(
             place,
             self._flat(row, line) if row.get("model") else self._paint(row, line),  # type: ignore[arg-type]  # paints too
-            group=self._group(row.get("group", ""), place),
+            group=collector.declare(place, _parts(row.get("group", ""), "/")),
             code=unguard_formula(row.get("code", "")),
             tags=self._tags(row.get("tags", "")),
             notes=collector.lines(unguard_formula(row.get("entry_notes", ""))),
-            usage=usage,  # type: ignore[arg-type]  # one of its words
+            usage=usage,
             date=row.get("date", "").strip(),
         )
 
@@ -121,28 +116,18 @@ class _Rows:
             self._collector.note("In {n} row[|s] empty or repeated tags were left out.")
         return kept
 
-    def _group(self, text: str, place: str) -> GroupPath:
-        path = tuple(self._collector.name(name) for name in _parts(text, "/"))
-        for depth in range(1, len(path) + 1):
-            if path[:depth] not in self._groups:
-                self._groups.add(path[:depth])
-                self._collector.group(place, path[: depth - 1], path[depth - 1])
-        return path
-
     def _flat(self, row: dict[str, str], line: int) -> FlatColour:
         collector, place = self._collector, f"line {line}"
         model = row["model"].strip()
         if model not in MODELS:
-            raise collector.fail(
-                f"expected one of {', '.join(MODELS)}, not {model[:40]!r}", f"{place}, column model"
-            )
+            reason = f"expected one of {', '.join(MODELS)}, not {model[:40]!r}"
+            raise collector.fail(reason, f"{place}, column model")
         # Spreadsheets make 10.0 or 10,0 of 10.
         degrees = row.get("observer_deg", "").strip().replace(",", ".")
         observer = number_in(collector.path, degrees or "0", line, "observer_deg")
         if observer not in (0.0, 2.0, 10.0):
-            raise collector.fail(
-                f"expected 2, 10 or nothing, not {observer:g}", f"{place}, column observer_deg"
-            )
+            reason = f"expected 2, 10 or nothing, not {observer:g}"
+            raise collector.fail(reason, f"{place}, column observer_deg")
         return collector.colour(
             place,
             collector.name(unguard_formula(row.get("name", ""))),
@@ -202,17 +187,15 @@ def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:
             "values": " ".join(map(repr, content.values)),
             **dict(zip(_FACE, map(repr, face), strict=True)),
         }
-        if content.space:
-            row["space"] = guard_formula(content.space)
-        if content.illuminant:
-            row["illuminant"] = content.illuminant
-        if content.observer_deg:
-            row["observer_deg"] = str(content.observer_deg)
-        if content.wavelengths_nm:
-            row["wavelengths"] = " ".join(map(repr, content.wavelengths_nm))
+        own = {
+            "space": guard_formula(content.space),
+            "illuminant": content.illuminant,
+            "observer_deg": str(content.observer_deg or ""),
+            "wavelengths": " ".join(map(repr, content.wavelengths_nm)),
+        }
     else:
-        row = format_row(as_readings(content))
-    own = {
+        row, own = format_row(as_readings(content)), {}
+    own |= {
         "group": _joined(entry.group, "/"),
         "code": guard_formula(entry.code),
         "tags": _joined(entry.tags, ";"),
@@ -243,10 +226,6 @@ def _parts(text: str, mark: str) -> tuple[str, ...]:
     return tuple(part.strip() for part in re.split(re.escape(mark), text))
 
 
-def _sniff(head: bytes, _size: int) -> bool:
-    return is_table(head)
-
-
 FORMAT = PaletteFormat(
     name="csv",
     title="CSV table with angles",
@@ -256,7 +235,7 @@ FORMAT = PaletteFormat(
     paints=True,
     holds="Paints with L*a*b* at every angle (D65, 10°), gloss, flakes and settings; flat colours in every model; "
     "groups, codes, tags, usage, dates and notes.",
-    sniff=_sniff,
+    sniff=lambda head, _size: is_table(head),
     read=read,
     write=write,
 )

@@ -10,7 +10,7 @@ import re
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
-from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.collecting import Collector, decode_lines
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat
 
@@ -22,7 +22,7 @@ _LONGEST_LINE = 1 << 20
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a GPL file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    lines = decode_text(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = decode_lines(content, path, collector)
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
     # Counted before any is made; the head may have three lines that are neither.
@@ -93,8 +93,6 @@ FORMAT = PaletteFormat(
     title="GIMP palette",
     endings=(".gpl",),
     models=("RGB",),
-    groups="none",
-    paints=False,
     holds="Names in any script, sRGB in 8 bits, columns, comments; no groups.",
     sniff=lambda head, _size: head.removeprefix(b"\xef\xbb\xbf").startswith(_HEAD.encode("ascii")),
     read=read,

@@ -6,7 +6,7 @@ import re
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
-from brdf_suite.files.palettes.collecting import Collector, decode_text
+from brdf_suite.files.palettes.collecting import Collector, decode_lines
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat
 
@@ -17,7 +17,7 @@ _COLOUR = re.compile(r"\s*(\d{1,3})\s+(\d{1,3})\s+(\d{1,3})(?:\s+(\d{1,3}))?\s*"
 def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     """Return the palette of a JASC file; see :class:`~brdf_suite.files.palettes.format.PaletteFormat`."""
     collector = Collector(path)
-    lines = decode_text(content, path, collector).replace("\r\n", "\n").replace("\r", "\n").split("\n")
+    lines = decode_lines(content, path, collector)
     if lines[0].strip() != _HEAD:
         raise collector.fail(f"does not begin with {_HEAD!r}", "line 1")
     if len(lines) < 3 or lines[1].strip() != "0100":
@@ -59,8 +59,6 @@ FORMAT = PaletteFormat(
     title="Paint Shop Pro palette (JASC)",
     endings=(".pal", ".psppalette"),
     models=("RGB",),
-    groups="none",
-    paints=False,
     holds="sRGB in 8 bits, without names.",
     sniff=lambda head, _size: head.removeprefix(b"\xef\xbb\xbf").startswith(_HEAD.encode("ascii")),
     read=read,

@@ -20,9 +20,9 @@ from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.documents.palette_store import entry_from_json, entry_to_json
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
-from brdf_suite.files.palettes.conversions import convert_to_flat, convert_to_rgb8, in_srgb
+from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.text.css_colour import SPACES, parse_colour
+from brdf_suite.files.palettes.text.css_colour import convert_to_css, parse_colour, space_word
 
 _OURS = "brdf-suite"
 _MODELS = ("RGB", "HSL", "Lab", "LCh", "XYZ")
@@ -45,8 +45,8 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         raise collector.fail(f"is not JSON that can be read ({str(error)[:80]})", "line 1") from error
     reader = _Reader(collector)
     reader.walk(value, (), "$")
-    about = reader.about
     reader.sort()
+    about = reader.about
     if not collector.entries and not about:
         raise collector.fail("holds no colour", "the top level")
     return collector.finish(
@@ -147,9 +147,8 @@ class _Reader:
         ours = _ours(item)
         if "entry" in ours:
             try:
-                entry = entry_from_json(
-                    ours["entry"], collector.path, f"{place[:200]}.$extensions.{_OURS}.entry"
-                )
+                where = f"{place[:200]}.$extensions.{_OURS}.entry"
+                entry = entry_from_json(ours["entry"], collector.path, where)
             except FileError as error:
                 raise collector.fail(error.reason, error.place or place) from error
             if json.loads(json.dumps(_value(entry))) == value:
@@ -242,9 +241,7 @@ def write(palette: Palette) -> bytes:
 def _key(name: str, target: dict[str, Any], id_: str = "") -> str:
     """A name that a token can have and that is free."""
     word = _FORBIDDEN.sub("_", name)
-    found = word
-    if found in target:
-        found = f"{word} ({id_})"
+    found = word if word not in target else f"{word} ({id_})"
     number = 1
     while found in target:
         number += 1
@@ -261,13 +258,10 @@ def _token(entry: Entry, place: int | None) -> dict[str, Any]:
 
 
 def _value(entry: Entry) -> dict[str, Any]:
-    colour = convert_to_flat(entry, _MODELS)
-    if colour.model != "RGB" or colour.space not in SPACES.values():
-        colour = in_srgb(colour)
+    colour = convert_to_css(entry, _MODELS)
     values = list(colour.values)
     if colour.model == "RGB":
-        # An unknown space: the numbers go as sRGB, and the extension knows better.
-        space = next((word for word, name in SPACES.items() if name == colour.space), "srgb")
+        space = space_word(colour)  # of an unknown one the extension knows better
     elif colour.model == "XYZ":
         space = "xyz-d65" if colour.illuminant == "D65" else "xyz-d50"
         values = [value / 100.0 for value in values]
@@ -297,5 +291,4 @@ FORMAT = PaletteFormat(
     sniff=_sniff,
     read=read,
     write=write,
-    order="kept",
 )

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 from datetime import UTC, datetime
-from xml.sax.saxutils import escape
 
 import numpy as np
 
@@ -23,14 +22,13 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.files.cxf import is_cxf
 from brdf_suite.files.exports.cxf3 import (
     any_specification,
-    attribute,
-    clean_text,
     fits,
     tag_collection,
     write_document,
     write_object,
 )
 from brdf_suite.files.exports.format import ExportItem, Spectra
+from brdf_suite.files.hardened_xml import attribute, text_content
 from brdf_suite.files.palettes.conversions import as_readings, convert_to_flat
 from brdf_suite.files.palettes.format import PaletteFormat
 from brdf_suite.files.palettes.xml.cxf3_reading import (
@@ -52,23 +50,8 @@ from brdf_suite.files.palettes.xml.cxf3_reading import (
 _SAME_DE = 0.5
 """How far a spectrum's own colour may lie from a reading for the two still to belong together, ΔE00."""
 _ILLUMINANTS = {
-    "A",
-    "B",
-    "C",
-    "D50",
-    "D55",
-    "D60",
-    "D65",
-    "D75",
-    "E",
-    "F2",
-    "F3",
-    "F7",
-    "F9",
-    "F10",
-    "F11",
-    "F12",
-}
+    "A", "B", "C", "D50", "D55", "D60", "D65", "D75", "E", "F2", "F3", "F7", "F9", "F10", "F11", "F12",
+}  # fmt: skip
 
 
 def _spectra_of(entry: Entry, paint: Paint) -> Spectra | None:
@@ -80,10 +63,8 @@ def _spectra_of(entry: Entry, paint: Paint) -> Spectra | None:
         labs = spectrum_to_lab(rows, bands)
     except (ValueError, TypeError, KeyError, SuiteError):
         return None
-    if len(rows) != len(paint.measurements):
-        return None
     own = np.array([m.lab for m in paint.measurements])
-    if float(np.max(delta_e_2000(labs, own))) > _SAME_DE:
+    if len(rows) != len(own) or float(np.max(delta_e_2000(labs, own))) > _SAME_DE:
         return None
     return Spectra(tuple(bands.tolist()), tuple(tuple(row) for row in rows.tolist()))
 
@@ -110,20 +91,11 @@ def write(palette: Palette) -> bytes:
         paths = [json.dumps(list(group.path), ensure_ascii=False) for group in palette.groups]
         about[GROUPS] = json.dumps(paths, ensure_ascii=False)
     rows = "".join(
-        f"    <cc:Tag Name={attribute(name)} Value={_multiline(value)}/>\n"
+        f"    <cc:Tag Name={attribute(name)} Value={attribute(value)}/>\n"
         for name, value in about.items()
         if value
     )
     return write_document(objects, specifications, now, palette.name, rows)
-
-
-def _multiline(text: str) -> str:
-    return attribute(text).replace("\n", "&#10;").replace("\t", "&#9;")
-
-
-def _text(text: str) -> str:
-
-    return escape(clean_text(text))
 
 
 def _tags(entry: Entry) -> dict[str, str]:
@@ -148,25 +120,21 @@ def _flat_object(
     # A changed colour is distinguished from an unchanged one by its Lab, so every object has it.
     lab = convert_to_flat(entry, ("Lab",))
     shown = [lab, *(c for c in (colour, *colour.others) if c.model != "Lab")]
-    values: list[str] = []
-    device: list[str] = []
+    values = device = ""
     for item in shown:
         element = _element(item, specifications)
-        if element:
-            (values if item.model not in ("CMYK", "RGB") or item.space == "sRGB" else device).append(
-                f"          {element}\n"
-            )
+        line = f"          {element}\n" if element else ""
+        if item.model not in ("CMYK", "RGB") or item.space == "sRGB":
+            values += line
+        else:
+            device += line
     tags = {FLAT: json.dumps(flat_to_json(colour), ensure_ascii=False), **tags}
     return (
         f'      <cc:Object ObjectType="Standard" Name={attribute(entry.name)} Id="{identity}">\n'
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
-        + (f"        <cc:Comment>{_text(entry.notes)}</cc:Comment>\n" if entry.notes else "")
-        + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
-        + (
-            f"        <cc:DeviceColorValues>\n{''.join(device)}        </cc:DeviceColorValues>\n"
-            if device
-            else ""
-        )
+        + (f"        <cc:Comment>{text_content(entry.notes)}</cc:Comment>\n" if entry.notes else "")
+        + f"        <cc:ColorValues>\n{values}        </cc:ColorValues>\n"
+        + (f"        <cc:DeviceColorValues>\n{device}        </cc:DeviceColorValues>\n" if device else "")
         + tag_collection(tags)
         + "      </cc:Object>\n"
     )

@@ -10,12 +10,11 @@ from datetime import datetime
 from brdf_suite.appearance.colour.flat_colours import flat_labs
 from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette import USAGES, GroupPath, Palette
+from brdf_suite.documents.palette import USAGES, Palette
 from brdf_suite.documents.palette_store import flat_from_json
 from brdf_suite.errors import FileError, PathLike, SuiteError
-from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, SampleReader
+from brdf_suite.files.cxf import NAMESPACE, TAGS, VERSION, CxfSample, SampleReader
 from brdf_suite.files.cxf_specification import Specification, child_number, number, read_specifications
-from brdf_suite.files.cxf_values import CxfSample
 from brdf_suite.files.hardened_xml import Element, parse_xml
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import is_icc, labs_d50
@@ -56,7 +55,7 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         collector.check_count(len(elements), f"line {objects.line}")
         reader = _Reader(read_specifications(resources, path), collector)
         for name in _list(about.get(GROUPS, "")):
-            reader.declare(tuple(_list(name)), f"line {root.line}")
+            collector.declare(f"line {root.line}", _list(name)[:32])
         for element in elements:
             reader.add(element)
         reader.settle()
@@ -99,14 +98,6 @@ class _Reader:
             if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, lab_read, strict=True)):
                 entries[index] = replace(entries[index], content=own)
 
-    def declare(self, path: GroupPath, place: str) -> GroupPath:
-        """Begin a group, and those around it, where they have not begun."""
-        clean = tuple(self._collector.name(name) for name in path[:32])
-        for depth in range(1, len(clean) + 1):
-            if not self._collector.has_group(clean[:depth]):
-                self._collector.group(place, clean[: depth - 1], clean[depth - 1])
-        return clean
-
     def add(self, element: Element) -> None:
         """Add a sample as an entry."""
         collector, place = self._collector, f"line {element.line}"
@@ -134,13 +125,13 @@ class _Reader:
         collector.add(
             place,
             content,
-            group=self.declare(tuple(_list(tags.get(GROUP, ""))), place),
+            group=collector.declare(place, _list(tags.get(GROUP, ""))[:32]),
             code=collector.name(tags.get(CODE, ""), 200),
             tags=tuple(_list(tags.get(LABELS, ""))),
             notes=collector.lines(
                 tags.get(NOTES, "") if paint is not None else comment.raw if comment is not None else ""
             ),
-            usage=tags[USAGE] if tags.get(USAGE) in USAGES else "process",  # type: ignore[arg-type]  # one of its words
+            usage=tags[USAGE] if tags.get(USAGE) in USAGES else "process",
             date=tags.get(DATE, "") if DATE in tags else _moment(date.text if date is not None else "", tags),
             foreign=foreign,
         )
@@ -188,13 +179,12 @@ class _Reader:
         if specification is not None and any(kind in specification.kind for kind in _NOT_READ):
             self._collector.note("{n} value[|s] that [is|are] of no reflectance [is|are] left out.")
             return None
-        illuminant = (specification.illuminant or "") if specification else ""
-        observer = {"2_Degree": 2, "10_Degree": 10}.get(
-            (specification.observer or "") if specification else "", 0
+        illuminant, observer = (
+            (specification.illuminant or "", specification.observer or "") if specification else ("", "")
         )
-        white: dict[str, object] = {
+        white = {
             "illuminant": self._collector.name(illuminant, 50),
-            "observer_deg": observer,
+            "observer_deg": {"2_Degree": 2, "10_Degree": 10}.get(observer, 0),
         }
         known: dict[str, tuple[Model, tuple[str, ...]]] = {
             "ColorCIELab": ("Lab", ("L", "A", "B")),
@@ -223,7 +213,7 @@ class _Reader:
             return self._collector.colour(place, "", model, [item / 100.0 for item in values])
         if model == "HSL":
             return self._collector.colour(place, "", model, [values[0], values[1] / 100.0, values[2] / 100.0])
-        return self._collector.colour(place, "", model, values, **white)  # type: ignore[arg-type]  # the keywords of a white
+        return self._collector.colour(place, "", model, values, **white)
 
     def _spectrum(self, value: Element, specification: Specification | None) -> FlatColour | None:
         path = self._collector.path
@@ -242,7 +232,6 @@ class _Reader:
 
 def _moment(text: str, tags: Mapping[str, str]) -> str:
     """When a sample was made, where it says so; what this program wrote says it as a tag."""
-
     if VERSION in tags or FLAT in tags:
         return ""
     try:

@@ -14,12 +14,10 @@ from brdf_suite.documents.flat_colour import FlatColour, Model
 from brdf_suite.documents.palette import Entry, Foreign, Palette, Usage
 from brdf_suite.errors import PathLike
 from brdf_suite.files.cxf_specification import number
-from brdf_suite.files.hardened_xml import Element
+from brdf_suite.files.hardened_xml import Element, attribute, mentions, read_root
 from brdf_suite.files.palettes.collecting import Collector
-from brdf_suite.files.palettes.conversions import convert_to_plain, convert_to_rgb8
+from brdf_suite.files.palettes.conversions import convert_to_plain, convert_to_rgb8, scale_text, unscale_text
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.text.number_text import scale_text, unscale_text
-from brdf_suite.files.palettes.xml.writing import attribute, mentions, read_root
 
 _ROOT = "SCRIBUSCOLORS"
 _HEX = re.compile("#?((?:[0-9a-fA-F]{2})+)")
@@ -89,32 +87,21 @@ def _attributes(entry: Entry) -> str:
     colour = convert_to_plain(entry, ("RGB", "CMYK", "Lab"))
     # In bytes for all readers, and with every digit for those that know how, where bytes are not enough.
     model = "CMYK" if colour.model == "CMYK" else "RGB"
-    if colour.model == "CMYK":
-        whole = [round(255.0 * value) for value in colour.values]
-    else:
-        whole = (
-            list(convert_to_rgb8(entry))
-            if colour.model == "Lab"
-            else [_byte(value) for value in colour.values]
-        )
+    whole = [round(255.0 * min(1.0, max(0.0, value))) for value in colour.values]
+    if colour.model == "Lab":
+        whole = list(convert_to_rgb8(entry))
     keys = f'{model}="#{bytes(whole).hex()}"'
     if colour.model == "Lab":
-        keys += ' SPACE="Lab" ' + " ".join(
-            f'{key}="{v!r}"' for key, v in zip("LAB", colour.values, strict=True)
-        )
+        numbers = " ".join(f'{key}="{v!r}"' for key, v in zip("LAB", colour.values, strict=True))
+        keys += f' SPACE="Lab" {numbers}'
     elif any(value != byte / 255.0 for value, byte in zip(colour.values, whole, strict=True)):
         scale = 100 if colour.model == "CMYK" else 255
-        numbers = zip(colour.model, colour.values, strict=True)
-        keys += f' SPACE="{colour.model}" ' + " ".join(
-            f'{key}="{scale_text(v, scale)}"' for key, v in numbers
-        )
+        pairs = zip(colour.model, colour.values, strict=True)
+        numbers = " ".join(f'{key}="{scale_text(v, scale)}"' for key, v in pairs)
+        keys += f' SPACE="{colour.model}" {numbers}'
     spot = int(entry.usage == "spot")
     register = int((_REGISTER, "1") in entry.foreign)
     return f'NAME={attribute(entry.name)} {keys} Spot="{spot}" Register="{register}"'
-
-
-def _byte(value: float) -> int:
-    return round(255.0 * min(1.0, max(0.0, value)))
 
 
 FORMAT = PaletteFormat(
@@ -122,8 +109,6 @@ FORMAT = PaletteFormat(
     title="Scribus colours (XML)",
     endings=(".xml",),
     models=("RGB", "CMYK", "Lab"),
-    groups="none",
-    paints=False,
     holds="Names in any script, RGB, CMYK and Lab with every digit, inks of their own, registration marks.",
     sniff=lambda head, _size: mentions(head, _ROOT),
     read=read,

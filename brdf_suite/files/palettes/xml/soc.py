@@ -9,10 +9,10 @@ import re
 
 from brdf_suite.documents.palette import Palette
 from brdf_suite.errors import PathLike
+from brdf_suite.files.hardened_xml import attribute, mentions, read_root
 from brdf_suite.files.palettes.collecting import Collector
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.xml.writing import attribute, mentions, read_root
 
 _HEX = re.compile("#?([0-9a-fA-F]{2})([0-9a-fA-F]{2})([0-9a-fA-F]{2})")
 _NAMESPACES = (
@@ -62,8 +62,6 @@ FORMAT = PaletteFormat(
     title="LibreOffice colour table",
     endings=(".soc",),
     models=("RGB",),
-    groups="none",
-    paints=False,
     holds="Names in any script, sRGB in 8 bits.",
     sniff=lambda head, _size: mentions(head, "color-table"),
     read=read,

@@ -24,8 +24,15 @@ from brdf_viewer.light.studio.templates import NEW_LAMPS, TEMPLATES
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.documents.light_store import light_from_json, light_to_json
-from brdf_suite.documents.studio import SHAPES, BoothRoom, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import (
+    SHAPES,
+    BoothRoom,
+    Sky,
+    Studio,
+    StudioLamp,
+    light_from_json,
+    light_to_json,
+)
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.procedural import BOOTH, studio
 from brdf_suite.lighting.procedural.panorama import centres, directions

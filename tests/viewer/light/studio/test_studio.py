@@ -19,8 +19,7 @@ from PySide6.QtGui import QKeySequence, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
-from brdf_suite.documents.light_store import load_light, save_light
-from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp, load_light, save_light
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.pipeline.environments import draw_light
 
