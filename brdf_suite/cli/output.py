@@ -9,9 +9,10 @@ import os
 import re
 import sys
 import threading
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
 from brdf_suite.errors import Cancelled
@@ -69,6 +70,12 @@ def print_json(value: Mapping[str, object]) -> None:
     print(json.dumps(value, indent=2, allow_nan=False, ensure_ascii=False))
 
 
+def print_notes(notes: Iterable[str], word: str = "note") -> None:
+    """Print notices, each on a line that begins with ``word``."""
+    for note in notes:
+        print(f"{word}: {note}")
+
+
 def print_written(made: Any, line: str, *, as_json: bool, **changed: object) -> None:
     """Print what was written: its fields, with ``changed`` ones, as JSON; or its notices and then a line."""
     if as_json:
@@ -76,8 +83,7 @@ def print_written(made: Any, line: str, *, as_json: bool, **changed: object) -> 
         facts["output"] = str(facts.pop("path"))
         print_json(facts)
         return
-    for notice in made.notices:
-        print(f"note: {notice}")
+    print_notes(made.notices)
     print(line)
 
 
@@ -92,6 +98,65 @@ def size(text: str) -> tuple[int, int]:
     if max(width, height) > _LARGEST:
         raise argparse.ArgumentTypeError(f"{text} is too large; each side is at most {_LARGEST} pixels")
     return width, height
+
+
+def whole_number(low: int, high: int) -> Callable[[str], int]:
+    """Return what parses a whole number from ``low`` to ``high`` (an argparse type)."""
+
+    def parse(text: str) -> int:
+        if not (text.isascii() and text.isdigit() and len(text) < 10 and low <= int(text) <= high):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from {low:,} to {high:,}")
+        return int(text)
+
+    return parse
+
+
+_KINDS: Mapping[str, Callable[[str], object]] = {
+    **dict.fromkeys(("K", "N"), int),
+    **dict.fromkeys(("A", "DEG", "E", "EV", "L", "M", "S", "T", "UNITS", "X"), float),
+    **dict.fromkeys(("DIR", "FILE", "FOLDER", "IN", "OUT", "OUT.exr", "OUT.png", "PATH"), Path),
+    "WxH": size,
+}
+"""What an argument is read as, by the word that stands for it; a text where its word is none of these."""
+
+
+def add_arguments(
+    command: argparse._ActionsContainer,
+    texts: Mapping[str, str],
+    **kinds: Callable[[str], object] | Sequence[str],
+) -> None:
+    """Declare arguments: how each is written, and its help text.
+
+    ``"paint PAINT"`` is given by place, ``"paint [PAINT]"`` may be left out, of ``"paint PAINT..."`` there are one or
+    more. ``"-n/--count N=16"`` is an option with a value, 16 where it is not given; ``"--at X Y"`` takes two,
+    ``"--form {png,pdf}"`` one of these words; ``"--fresh"`` takes none, ``"--[no-]fresh"`` can be denied.
+    ``kinds`` has, by the arguments' names, what reads a value, or the words that are allowed.
+    """
+    for written, text in texts.items():
+        left, _, default = written.removesuffix(" (required)").partition("=")
+        names, *words = left.split(" ")
+        flags = names.replace("[no-]", "").split("/")
+        name = next((flag for flag in flags if flag.startswith("--")), flags[0]).lstrip("-").replace("-", "_")
+        kind, word = kinds.get(name), words[0] if words else ""
+        more: dict[str, Any] = {"help": text}
+        if kind is None and not words:
+            more["action"] = argparse.BooleanOptionalAction if "[no-]" in names else "store_true"
+        else:
+            reader = kind if callable(kind) else _KINDS.get(word.strip("[.]"), str)
+            more |= {"type": reader, "default": default or None}
+            if word.startswith("{"):
+                more["choices"] = [reader(choice) for choice in word[1:-1].split(",")]
+            else:
+                more["metavar"] = tuple(words) if len(words) > 1 else word.strip("[.]") or None
+        if kind is not None and not callable(kind):
+            more["choices"] = kind
+        if len(words) > 1:
+            more["nargs"] = len(words)
+        elif word.endswith("...") or word.startswith("["):
+            more["nargs"] = "+" if word.endswith("...") else "?"
+        if written.endswith(" (required)"):
+            more["required"] = True
+        command.add_argument(*flags, **more)
 
 
 def add_export(command: argparse.ArgumentParser) -> None:

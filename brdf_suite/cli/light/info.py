@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 import dataclasses
 
-from brdf_suite.cli.output import print_json
-from brdf_suite.cli.picture.scene_options import add_layout
+from brdf_suite.cli.output import print_json, print_notes
+from brdf_suite.cli.picture.scene_options import add_environment
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram, environment_statistics
 from brdf_suite.pipeline.environments import read_environment_file
 from brdf_suite.pipeline.scene import find_environment
@@ -22,12 +22,7 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="its size and layout, how bright and uneven it is, where its sun stands, a histogram",
         description="Print what an environment is. Radiances are in the file's own units, colours linear Rec. 2020.",
     )
-    action.add_argument(
-        "environment",
-        metavar="FILE|NAME",
-        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
-    )
-    add_layout(action)
+    add_environment(action)
     action.add_argument("--json", action="store_true", help="print one JSON object")
     action.set_defaults(run=run)
 
@@ -56,8 +51,7 @@ def run(options: argparse.Namespace) -> int:
         return 0
     unfolded = f", as a map {columns:,} × {rows:,}" if read.layout not in ("latlong", "studio", "sky") else ""
     print(f"{name}: {read.image_width:,} × {read.image_height:,} pixels, layout {read.layout}{unfolded}")
-    for note in environment.notes:
-        print(f"note: {note}")
+    print_notes(environment.notes)
     for title, value in facts(statistics):
         print(f"  {title:<24}{value}")
     print("\nshare of the sphere by luminance (log2)")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from time import perf_counter
 
-from brdf_suite.cli.output import print_json, progress_bar
-from brdf_suite.cli.picture.scene_options import add_layout
+from brdf_suite.cli.output import print_json, print_notes, progress_bar
+from brdf_suite.cli.picture.scene_options import add_environment
 from brdf_suite.pipeline.scene import load_environment
 
 
@@ -16,12 +16,7 @@ def add(command: argparse.ArgumentParser) -> None:
         "Prefilter an environment map with every cosine lobe of the basis. The maps go to the cache, from "
         "which the Viewer and `render` take them."
     )
-    command.add_argument(
-        "environment",
-        metavar="ENV",
-        help="an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
-    )
-    add_layout(command)
+    add_environment(command)
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
@@ -36,8 +31,7 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json(facts)
         return 0
-    for note in prepared.environment.notes:
-        print(f"note: {note}")
+    print_notes(prepared.environment.notes)
     rows, columns = prepared.environment.radiance.shape[:2]
     sizes = ", ".join(
         f"{exponent:,.0f}: {lobe.faces.shape[1]}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.output import progress_bar
+from brdf_suite.cli.output import add_arguments, progress_bar
 from brdf_suite.documents.studio import SKY_MODELS, STUDIO_ENDING, LightDocument, Sky, load_light, save_light
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images.environments import write_exr
@@ -22,17 +22,14 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="A .brdfstudio file describes a room or a backdrop and lamps: boxes, strips and rings, with place, "
         "size, luminance and colour temperature. It opens wherever an environment does.",
     )
-    studio.add_argument(
-        "description", metavar="FILE", type=Path, help="a .brdfstudio file, to read or (--new) to write"
-    )
-    studio.add_argument(
-        "--new", action="store_true", help="write an example to FILE, which must not exist yet"
-    )
-    studio.add_argument(
-        "--booth", action="store_true", help="with --new: the shipped light booth instead of the example"
-    )
-    studio.add_argument(
-        "--render", metavar="OUT.exr", type=Path, help="write the map, 1024 × 512, as OpenEXR"
+    add_arguments(
+        studio,
+        {
+            "description FILE": "a .brdfstudio file, to read or (--new) to write",
+            "--new": "write an example to FILE, which must not exist yet",
+            "--booth": "with --new: the shipped light booth instead of the example",
+            "--render OUT.exr": "write the map, 1024 × 512, as OpenEXR",
+        },
     )
     studio.set_defaults(run=run_studio)
 
@@ -42,31 +39,19 @@ def add(actions: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="A sky over a plain ground: Hošek-Wilkie (2012), Preetham (1999), or the CIE overcast sky. "
         "OUT.brdfstudio is written as a description to edit, OUT.exr as a map of 1024 × 512.",
     )
-    sky.add_argument("output", metavar="OUT", type=Path, help="the .brdfstudio or .exr file to write")
-    sky.add_argument("--model", choices=SKY_MODELS, default=SKY_MODELS[0], help=f"(default: {SKY_MODELS[0]})")
-    sky.add_argument(
-        "--turbidity",
-        type=float,
-        default=3.0,
-        metavar="T",
-        help="haze: 2 very clear, 3 clear (default), 6 hazy",
+    add_arguments(
+        sky,
+        {
+            "output OUT": "the .brdfstudio or .exr file to write",
+            f"--model={SKY_MODELS[0]}": f"(default: {SKY_MODELS[0]})",
+            "--turbidity T=3.0": "haze: 2 very clear, 3 clear (default), 6 hazy",
+            "--elevation DEG=40.0": "of the sun above the horizon (default: 40)",
+            "--azimuth DEG=60.0": "of the sun, from +z towards +x (default: 60)",
+            "--albedo A=0.2": "of the ground (default: 0.2)",
+            "--no-disc": "leave the sun's disc out",
+        },
+        model=SKY_MODELS,
     )
-    sky.add_argument(
-        "--elevation",
-        type=float,
-        default=40.0,
-        metavar="DEG",
-        help="of the sun above the horizon (default: 40)",
-    )
-    sky.add_argument(
-        "--azimuth",
-        type=float,
-        default=60.0,
-        metavar="DEG",
-        help="of the sun, from +z towards +x (default: 60)",
-    )
-    sky.add_argument("--albedo", type=float, default=0.2, metavar="A", help="of the ground (default: 0.2)")
-    sky.add_argument("--no-disc", action="store_true", help="leave the sun's disc out")
     sky.set_defaults(run=run_sky)
 
 

@@ -6,13 +6,126 @@ import argparse
 import re
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.cli.measured import acquire_simulate
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.acquisition.session.template import write_template
+from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
+from brdf_suite.cli.output import add_arguments, print_json, progress_bar
 from brdf_suite.errors import SuiteError
+from brdf_suite.pipeline.material import load_material
+
+
+def add_simulated(command: argparse.ArgumentParser) -> None:
+    """Declare the options of a template and of a simulated rig on the command ``acquire``."""
+    command.add_argument(
+        "--template",
+        action="store_true",
+        help="write a session.json to fill in into the folder, for the photographs that lie there",
+    )
+    rig = command.add_argument_group("a simulated rig")
+    add_arguments(
+        rig,
+        {
+            "--simulate PAINT": "write the folder: photographs of a sphere of this paint (a name or a file), and "
+            "truth.json beside them",
+            "--size WxH": "of the photographs; default: 320x320",
+            "--positions N": "of the lamp, from 0° to 180°; default: 180",
+            "--exposures N": "at each position; default: 16",
+            "--shortest S": "exposure, seconds; default: 0.00025",
+            "--longest S": "exposure, seconds; default: 0.328",
+            "--bits N": "8 to 16; default: 12",
+            "--curve {film,linear,srgb}": "response of the camera; default: film",
+            "--no-noise": "a camera without noise and dark current",
+            "--seed N": "of the noise and of the board's poses; default: 0",
+            "--light-offset DEG": "the lamp stands off by this angle",
+            "--light-height-offset M": "and by this height, metres",
+            "--centre-offset X Y": "the sphere stands off, pixels right and down",
+            "--moved K X Y": "from position K on (the first is 0) the sphere stands off by X, Y pixels more",
+            "--arm": "with the lamp's post, and the turntable mirrored",
+            "--profile": "with a lamp that falls off to the sides",
+            "--colour-matrix": "with a camera of channels of its own",
+            "--stated": "state irradiance and intrinsics: no white, no board",
+            "--tiff": "write TIFF instead of PNG",
+        },
+        moved=float,
+    )
+
+
+def run_simulated(options: argparse.Namespace) -> int:
+    """Write the folder of a template or of a simulation and print a summary."""
+    if options.template and options.simulate:
+        raise SuiteError("Give either --template or --simulate, not both.")
+    return _template(options) if options.template else _simulate(options)
+
+
+def _template(options: argparse.Namespace) -> int:
+    written = write_template(Path(options.folder))
+    if options.json:
+        print_json(
+            {"file": str(written.path), "photographs": written.photographs, "notes": list(written.notes)}
+        )
+        return 0
+    print(f"{written.path}: written for {written.photographs:,} photographs")
+    for note in written.notes:
+        print(f"  {note}")
+    return 0
+
+
+def _simulate(options: argparse.Namespace) -> int:
+    given: dict[str, Any] = {
+        "size": options.size,
+        "positions": options.positions,
+        "exposures": options.exposures,
+        "shortest_s": options.shortest,
+        "longest_s": options.longest,
+        "bit_depth": options.bits,
+        "curve": options.curve,
+        "seed": options.seed,
+        "light_offset_deg": options.light_offset,
+        "light_height_offset_m": options.light_height_offset,
+        "centre_offset_px": options.centre_offset and tuple(options.centre_offset),
+        "moved": options.moved and _moved(options.moved),
+        "noise": False if options.no_noise else None,
+        "arm": options.arm or None,
+        "profile": options.profile or None,
+        "colour_matrix": options.colour_matrix or None,
+        "white": False if options.stated else None,
+        "board": False if options.stated else None,
+        "file_kind": "tiff" if options.tiff else None,
+    }
+    settings = SimulatorSettings(**{name: value for name, value in given.items() if value is not None})
+    paint = load_material(options.simulate)
+    with progress_bar("simulating", quiet=options.json) as progress:
+        session = simulate(paint.reflectance, options.folder, settings, paint.name, progress)
+    count = len(session.files())
+    if options.json:
+        print_json(
+            {
+                "folder": str(options.folder),
+                "paint": paint.name,
+                "photographs": count,
+                "positions": len(session.positions),
+                "exposures_s": list(session.exposures_s),
+            }
+        )
+        return 0
+    print(
+        f"{options.folder}: {count:,} photographs of {paint.name} at {len(session.positions)} positions of the lamp, "
+        f"{len(session.exposures_s)} exposures each; what is true stands in truth.json"
+    )
+    return 0
+
+
+def _moved(given: list[float]) -> tuple[int, float, float]:
+    """Return the position, which must be a whole number, and the shift."""
+    position, right, down = given
+    if not position.is_integer():
+        raise SuiteError(f"--moved: a position is a whole number, the first is 0; {position:g} is none.")
+    return int(position), right, down
+
 
 _MOST_ALIKE = 6
 """Return one notice for each kind of finding, where findings differ in names and numbers alone."""
@@ -26,43 +139,29 @@ def add(command: argparse.ArgumentParser) -> None:
         "is done is kept in OUT.work: stopped or killed, the same command resumes where it stopped, with the same "
         "table. docs/use/acquisition.md describes the folder."
     )
-    command.add_argument("folder", metavar="DIR", type=Path, help="the session's folder, or its session.json")
-    command.add_argument(
-        "-o",
-        "--output",
-        metavar="OUT",
-        type=Path,
-        help="the .brdftable (with coverage) or .binary (MERL) to write",
+    add_arguments(
+        command,
+        {
+            "folder DIR": "the session's folder, or its session.json",
+            "-o/--output OUT": "the .brdftable (with coverage) or .binary (MERL) to write",
+            "--check": "only report what is wrong with the files",
+            "--overwrite": "replace OUT where it exists",
+            "--restart": "forget what an earlier run left in OUT.work",
+            "--partial": "write what is done so far in OUT.work as it is, and read no more",
+            "--linear": "the camera is linear: recover no response",
+            "--no-refine": "take light and sphere as stated; the outline alone corrects",
+            "--grazing DEG=80.0": "leave readings out whose light or view is further from the normal; default: 80",
+            "--json": "print one JSON object",
+        },
     )
-    command.add_argument("--check", action="store_true", help="only report what is wrong with the files")
-    command.add_argument("--overwrite", action="store_true", help="replace OUT where it exists")
-    command.add_argument("--restart", action="store_true", help="forget what an earlier run left in OUT.work")
-    command.add_argument(
-        "--partial",
-        action="store_true",
-        help="write what is done so far in OUT.work as it is, and read no more",
-    )
-    command.add_argument("--linear", action="store_true", help="the camera is linear: recover no response")
-    command.add_argument(
-        "--no-refine", action="store_true", help="take light and sphere as stated; the outline alone corrects"
-    )
-    command.add_argument(
-        "--grazing",
-        metavar="DEG",
-        type=float,
-        default=80.0,
-        help="leave readings out whose light or view is further from the normal; default: 80",
-    )
-    command.add_argument("--json", action="store_true", help="print one JSON object")
-    acquire_simulate.add_arguments(command)
+    add_simulated(command)
     command.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Reconstruct, write the table and print a summary."""
-    if acquire_simulate.is_requested(options):
-        return acquire_simulate.run(options)
-
+    if options.template or options.simulate:
+        return run_simulated(options)
     chosen = AcquireOptions(
         grazing_deg=options.grazing,
         refine=not options.no_refine,

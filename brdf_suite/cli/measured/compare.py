@@ -7,7 +7,7 @@ import argparse
 from brdf_suite.appearance.difference.tolerance import difference_title
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.cli.measured.measure import ANYTHING, add_instrument
-from brdf_suite.cli.output import print_json
+from brdf_suite.cli.output import add_arguments, print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
 from brdf_suite.inspection.measuring import compare
 from brdf_suite.pipeline.material import load_material
@@ -19,8 +19,7 @@ def add(command: argparse.ArgumentParser) -> None:
     command.description = (
         "Compare B with the reference A. With tolerances the exit status is 1 where B fails."
     )
-    command.add_argument("a", metavar="A", help=f"the reference: {ANYTHING}")
-    command.add_argument("b", metavar="B", help="the sample, likewise")
+    add_arguments(command, {"a A": f"the reference: {ANYTHING}", "b B": "the sample, likewise"}, a=str)
     add_instrument(command)
     add_tolerances(command)
     command.add_argument("--json", action="store_true", help="print one JSON object")

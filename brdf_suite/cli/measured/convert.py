@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Mapping
-from pathlib import Path
 
-from brdf_suite.cli.output import print_json
+from brdf_suite.cli.output import add_arguments, print_json
 from brdf_suite.inspection.measuring import convert
 
 
@@ -16,28 +15,20 @@ def add(command: argparse.ArgumentParser) -> None:
         "Read a measured file by its content and write it in the format that the ending of OUT names. "
         "What a format cannot hold is refused, and OUT is left as it was."
     )
-    command.add_argument(
-        "source", metavar="IN", type=Path, help="a measured file, a .brdfpaint, or a paint's name"
+    add_arguments(
+        command,
+        {
+            "source IN": "a measured file, a .brdfpaint, or a paint's name",
+            "target OUT": "the file to write",
+            "--observer {2,10}=10": "the observer through which spectra become colour, where OUT holds no spectra "
+            "(default: 10)",
+            "--scale-factors {yes,no}": "whether a MERL table carries its scale factors (default: found by its "
+            "energy, and said)",
+            "--average-reciprocal": "average a pair and its swap, where a MERL table holds both (φd over 360°)",
+            "--json": "print what was done as one JSON object",
+        },
+        observer=int,
     )
-    command.add_argument("target", metavar="OUT", type=Path, help="the file to write")
-    command.add_argument(
-        "--observer",
-        type=int,
-        choices=(2, 10),
-        default=10,
-        help="the observer through which spectra become colour, where OUT holds no spectra (default: 10)",
-    )
-    command.add_argument(
-        "--scale-factors",
-        choices=("yes", "no"),
-        help="whether a MERL table carries its scale factors (default: found by its energy, and said)",
-    )
-    command.add_argument(
-        "--average-reciprocal",
-        action="store_true",
-        help="average a pair and its swap, where a MERL table holds both (φd over 360°)",
-    )
-    command.add_argument("--json", action="store_true", help="print what was done as one JSON object")
     command.set_defaults(run=run)
 
 

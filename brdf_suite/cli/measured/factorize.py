@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.output import add_arguments, print_json, progress_bar
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
@@ -36,68 +36,30 @@ def add(command: argparse.ArgumentParser) -> None:
     )
     command.epilog = _EXAMPLES
     command.formatter_class = argparse.RawDescriptionHelpFormatter
-    command.add_argument(
-        "reflectance", metavar="FILE|PAINT", help="a measured file, a .brdfpaint file, or the name of a paint"
+    add_arguments(
+        command,
+        {
+            "reflectance FILE|PAINT": "a measured file, a .brdfpaint file, or the name of a paint",
+            "-o/--output OUT (required)": "the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable",
+            "--factors WORDS": 'the maps and what each is read by, "map:projection ...", a map twice if it is read '
+            'twice, "@n" behind it for its texels; projections: wi, wo, h, |wi|, |wo|, |h|, sqrt|h|, w.h, wi.wo, '
+            'w.h,h.n and wi.n,wo.n; default: "p:|wo| q:sqrt|h| p:|wi| d:w.h@16" of what is isotropic, else "p:wo '
+            'q:h p:wi"',
+            "--resolution N=32": "texels along a map, 2 to 512; default: 32",
+            "--smoothness L": "weight of the maps' Laplacian beside a sample's; default: 4 of measured files, 1 of "
+            "paints",
+            "--bias E": "what is added to each value, over their mean, as an error of measurement; default: 1e-2 of "
+            "measured files, 1e-5 of paints",
+            "--peak {auto,off,radial,map}=auto": "keep the specular peak apart, over the half vector's radius or as "
+            "a map; default: auto, radial of what is isotropic",
+            "--keep-mean {auto,on,off}=auto": "scale the product so that it reflects as much as the samples do; "
+            "default: auto, where that brings it no farther from them",
+            "--radial": "keep maps of two axes that are radially symmetric within 2 %% as their radius alone",
+            "--pairs N=57600": "pairs of directions that are drawn of a paint; default: 57600",
+            "--overwrite": "replace OUT where it is there",
+            "--json": "print one JSON object",
+        },
     )
-    command.add_argument(
-        "-o",
-        "--output",
-        metavar="OUT",
-        type=Path,
-        required=True,
-        help="the .brdfpaint to write, its textures in an .exr beside it, or a .brdftable",
-    )
-    command.add_argument(
-        "--factors",
-        metavar="WORDS",
-        help='the maps and what each is read by, "map:projection ...", a map twice if it is read twice, "@n" behind '
-        "it for its texels; projections: wi, wo, h, |wi|, |wo|, |h|, sqrt|h|, w.h, wi.wo, w.h,h.n and wi.n,wo.n; "
-        'default: "p:|wo| q:sqrt|h| p:|wi| d:w.h@16" of what is isotropic, else "p:wo q:h p:wi"',
-    )
-    command.add_argument(
-        "--resolution", metavar="N", type=int, default=32, help="texels along a map, 2 to 512; default: 32"
-    )
-    command.add_argument(
-        "--smoothness",
-        metavar="L",
-        type=float,
-        help="weight of the maps' Laplacian beside a sample's; default: 4 of measured files, 1 of paints",
-    )
-    command.add_argument(
-        "--bias",
-        metavar="E",
-        type=float,
-        help="what is added to each value, over their mean, as an error of measurement; default: 1e-2 of measured "
-        "files, 1e-5 of paints",
-    )
-    command.add_argument(
-        "--peak",
-        choices=("auto", "off", "radial", "map"),
-        default="auto",
-        help="keep the specular peak apart, over the half vector's radius or as a map; default: auto, radial of what "
-        "is isotropic",
-    )
-    command.add_argument(
-        "--keep-mean",
-        choices=("auto", "on", "off"),
-        default="auto",
-        help="scale the product so that it reflects as much as the samples do; default: auto, where that brings it "
-        "no farther from them",
-    )
-    command.add_argument(
-        "--radial",
-        action="store_true",
-        help="keep maps of two axes that are radially symmetric within 2 %% as their radius alone",
-    )
-    command.add_argument(
-        "--pairs",
-        metavar="N",
-        type=int,
-        default=57_600,
-        help="pairs of directions that are drawn of a paint; default: 57600",
-    )
-    command.add_argument("--overwrite", action="store_true", help="replace OUT where it is there")
-    command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
 

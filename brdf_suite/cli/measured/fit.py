@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
 from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
 from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
 from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
@@ -22,19 +22,15 @@ def add(command: argparse.ArgumentParser) -> None:
         "Weights are linear Rec. 2020, f_r·cosθ at the stated incidence: KD and KDD times N·L, KG without. Errors are "
         "those of the fit (L1) and those where the fit did not look."
     )
-    command.add_argument(
-        "paint",
-        metavar="FILE|PAINT",
-        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+    add_arguments(
+        command,
+        {
+            "paint FILE|PAINT": "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+            "--angles K": "fit a designed or Cook-Torrance paint at K incidences (3 or more; 16 is usual) with "
+            "weights that change calmly between them, and report the errors at other incidences",
+            "--json": "print one JSON object",
+        },
     )
-    command.add_argument(
-        "--angles",
-        metavar="K",
-        type=int,
-        help="fit a designed or Cook-Torrance paint at K incidences (3 or more; 16 is usual) with weights that change "
-        "calmly between them, and report the errors at other incidences",
-    )
-    command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
 
@@ -66,8 +62,7 @@ def run(options: argparse.Namespace) -> int:
         print(f"L1 error, {part}: " + ", ".join(f"{100.0 * error:.1f} %" for error in errors) + " (R, G, B)")
     if found.held_out is not None:
         _print_held_out(found.held_out)
-    for notice in found.notices:
-        print(f"note: {notice}")
+    print_notes(found.notices)
     return 0
 
 
@@ -91,8 +86,7 @@ def _at_angles(options: argparse.Namespace) -> int:
     for theta in dict.fromkeys(theta for theta, _ in rows):
         values = (rows.get((theta, gamma)) for gamma in gammas)
         print(f"{theta:15.0f}      " + "".join(f"{'':8}" if v is None else f"{v:8.2f}" for v in values))
-    for notice in found.notices:
-        print(f"note: {notice}")
+    print_notes(found.notices)
     return 0
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from numpy import asarray
 
-from brdf_suite.cli.output import print_json, progress_bar
+from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.files.measured.brdftable import write_brdftable
@@ -30,57 +30,27 @@ def add(command: argparse.ArgumentParser) -> None:
         "|log(fit/measured)| (Günther et al. 2005, section 4.2), report the errors and each parameter's uncertainty, "
         "and write a paint that every program opens."
     )
-    command.add_argument(
-        "reflectance", metavar="FILE", help="a measured file; also a .brdfpaint file or the name of a paint"
+    add_arguments(
+        command,
+        {
+            "reflectance FILE": "a measured file; also a .brdfpaint file or the name of a paint",
+            "-o/--output OUT": "the .brdfpaint to write; a .brdftable takes any model, tabulated",
+            "--overwrite": "write over OUT where it exists",
+            "--lobes N=3": "1 to 6; default: 3",
+            "--model MODEL=cook-torrance": "cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a "
+            "coat over the rest",
+            "--compare": "fit the other models too, and print the errors side by side",
+            "--loss LOSS=l1": "l1 (default): |log(fit/measured)|; l2: its square; robust: Cauchy's, deaf to outliers",
+            "--starts N=8": "from how many places to search; default: 8",
+            "--samples N=6000": "the most to look at; default: 6000",
+            "--grazing DEG=80.0": "leave out light or view beyond this angle from the normal; default: 80",
+            "--seed N=0": "of the choice of samples and starts",
+            "--state FILE": "where finished starts are kept, so that a fit that was broken off goes on; default: "
+            "OUT with .starts added, removed when the fit is done",
+            "--json": "print one JSON object",
+        },
+        reflectance=str,
     )
-    command.add_argument(
-        "-o",
-        "--output",
-        metavar="OUT",
-        type=Path,
-        help="the .brdfpaint to write; a .brdftable takes any model, tabulated",
-    )
-    command.add_argument("--overwrite", action="store_true", help="write over OUT where it exists")
-    command.add_argument("--lobes", metavar="N", type=int, default=3, help="1 to 6; default: 3")
-    command.add_argument(
-        "--model",
-        metavar="MODEL",
-        default="cook-torrance",
-        help="cook-torrance (default), ggx, or ggx-clearcoat, whose last lobe is a coat over the rest",
-    )
-    command.add_argument(
-        "--compare", action="store_true", help="fit the other models too, and print the errors side by side"
-    )
-    command.add_argument(
-        "--loss",
-        metavar="LOSS",
-        default="l1",
-        help="l1 (default): |log(fit/measured)|; l2: its square; robust: Cauchy's, deaf to outliers",
-    )
-    command.add_argument(
-        "--starts", metavar="N", type=int, default=8, help="from how many places to search; default: 8"
-    )
-    command.add_argument(
-        "--samples", metavar="N", type=int, default=6000, help="the most to look at; default: 6000"
-    )
-    command.add_argument(
-        "--grazing",
-        metavar="DEG",
-        type=float,
-        default=80.0,
-        help="leave out light or view beyond this angle from the normal; default: 80",
-    )
-    command.add_argument(
-        "--seed", metavar="N", type=int, default=0, help="of the choice of samples and starts"
-    )
-    command.add_argument(
-        "--state",
-        metavar="FILE",
-        type=Path,
-        help="where finished starts are kept, so that a fit that was broken off goes on; default: OUT with .starts "
-        "added, removed when the fit is done",
-    )
-    command.add_argument("--json", action="store_true", help="print one JSON object")
     command.set_defaults(run=run)
 
 
@@ -190,8 +160,7 @@ def _print_summary(found: FileFit) -> None:
     print(f"energy (mean |ln(fit/measured)|) {fit.energy_mean:.4f} where the solver looked")
     print(f"within {fit.settings.grazing_deg:g}° of the normal: {_errors(found.errors_within)}")
     print(f"over everything: {_errors(found.errors)}")
-    for notice in found.notices:
-        print(f"note: {notice}")
+    print_notes(found.notices)
 
 
 def _errors(errors: FitErrors) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from brdf_suite.appearance.geometries import geometry_set
 from brdf_suite.appearance.light.colour import ColourUnderLight
-from brdf_suite.cli.output import print_json
+from brdf_suite.cli.output import print_json, print_notes
 from brdf_suite.inspection.measuring import measurement_json
 from brdf_suite.pipeline.material import Material, load_material
 from brdf_suite.reflectance.instruments.aperture import aperture
@@ -123,8 +123,7 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
         print(f"  {colours[0].label}")
         for reading, colour in zip(report.readings, colours, strict=True):
             print(f"{reading.geometry.name:>10}" + "".join(f" {value:8.2f}" for value in colour.lab.tolist()))
-    for notice in (*item.notices, *report.notices):
-        print(f"note: {notice}")
+    print_notes((*item.notices, *report.notices))
 
 
 def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: str) -> None:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
 from brdf_suite.appearance.difference.tolerance import Tolerances
-from brdf_suite.cli.output import add_export, export_progress, print_json
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_json, print_notes
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances
 from brdf_suite.documents.store import load_view
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -25,31 +24,21 @@ def add(command: argparse.ArgumentParser) -> None:
         "paint, MaterialX OpenPBR, glTF clearcoat and RGL .bsdf for renderers; a one-page report as HTML or PDF. What "
         "a format cannot hold is reported. L*a*b* are of D65 and the 10° observer."
     )
-    command.add_argument(
-        "paints",
-        nargs="+",
-        metavar="PAINT",
-        help="a .brdfpaint or measured file, or a paint's name; several go into one CSV, CxF3, JSON, .scn or .mtlx",
+    add_arguments(
+        command,
+        {
+            "paints PAINT...": "a .brdfpaint or measured file, or a paint's name; several go into one CSV, CxF3, "
+            "JSON, .scn or .mtlx",
+            "-o/--output/--out FILE": "the file to write",
+            "--format": "the format (default: what the ending of FILE names)",
+            "--list-losses": "list what each format (or the one of --format) cannot hold of the paints, and write "
+            "nothing",
+            "--standard PAINT": "in reports: the paint that this one is compared with",
+            "--view FILE": "in reports: the .brdfview of the picture",
+            "--no-pictures": "in reports: leave the pictures out",
+        },
+        format=_NAMES,
     )
-    command.add_argument("-o", "--output", "--out", type=Path, metavar="FILE", help="the file to write")
-    command.add_argument(
-        "--format", choices=_NAMES, default=None, help="the format (default: what the ending of FILE names)"
-    )
-    command.add_argument(
-        "--list-losses",
-        action="store_true",
-        help="list what each format (or the one of --format) cannot hold of the paints, and write nothing",
-    )
-    command.add_argument(
-        "--standard",
-        default=None,
-        metavar="PAINT",
-        help="in reports: the paint that this one is compared with",
-    )
-    command.add_argument(
-        "--view", type=Path, default=None, metavar="FILE", help="in reports: the .brdfview of the picture"
-    )
-    command.add_argument("--no-pictures", action="store_true", help="in reports: leave the pictures out")
     add_tolerances(command)
     add_export(command)
     command.set_defaults(run=run)
@@ -88,10 +77,8 @@ def run(options: argparse.Namespace) -> int:
             }
         )
         return 0
-    for loss in done.losses:
-        print(f"lost: {loss}")
-    for note in done.notes:
-        print(f"note: {note}")
+    print_notes(done.losses, "lost")
+    print_notes(done.notes)
     names = items[0].name if len(items) == 1 else f"{len(items)} paints"
     print(f"{done.path}: {names}, {known.title}, {size:,} bytes")
     return 0

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from brdf_suite.appearance.difference.tolerance import AngleVerdict, Limits, Tolerances, find_difference
+from brdf_suite.cli.output import add_arguments
 from brdf_suite.errors import SuiteError
 
 _PARTS = {"E": "difference", "L": "lightness", "C": "chroma", "H": "hue"}
@@ -23,17 +24,13 @@ def add_tolerances(command: argparse.ArgumentParser) -> None:
         help="what passes at one aspecular angle (15=1.2) or at all others (0.8): a number for the difference, or "
         "limits of its parts, as in 15=E1.2,L0.8,C0.5,H0.5 (E the difference, L ΔL*, C ΔC*, H ΔH*); repeatable",
     )
-    command.add_argument(
-        "--ellipsoid",
-        action="store_true",
-        help="judge the limits of ΔL*, ΔC* and ΔH* together, as half axes of an ellipsoid",
-    )
-    command.add_argument(
-        "--difference",
-        default="2000",
-        metavar="NAME",
-        help="the formula that tolerances are for: 2000 (CIEDE2000, the default), 76, cmc21, cmc11, cam02ucs, or "
-        "cmc:l:c with weights of your own",
+    add_arguments(
+        command,
+        {
+            "--ellipsoid": "judge the limits of ΔL*, ΔC* and ΔH* together, as half axes of an ellipsoid",
+            "--difference NAME=2000": "the formula that tolerances are for: 2000 (CIEDE2000, the default), 76, "
+            "cmc21, cmc11, cam02ucs, or cmc:l:c with weights of your own",
+        },
     )
 
 

@@ -6,7 +6,7 @@ import argparse
 import math
 from collections.abc import Mapping, Sequence
 
-from brdf_suite.cli.output import export_progress, print_written, progress_bar
+from brdf_suite.cli.output import add_arguments, export_progress, print_written, progress_bar, whole_number
 from brdf_suite.cli.picture.scene_options import parse_settings
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
@@ -23,53 +23,36 @@ _INSTEAD = {"samples": "; its samples are --spp", "spp": "; its samples are --sa
 
 def add_reference(command: argparse.ArgumentParser) -> None:
     """Declare the choice of renderer and the budgets of those that trace."""
-    command.add_argument(
-        "--renderer",
-        choices=RENDERERS,
-        default=RENDERERS[0],
-        help="realtime (the default): lobes in prefiltered light; reference: path tracing with Mitsuba, an optional "
-        "extra; an EXR then holds its variance too; raytraced: directional lights and sampled reflections, Mitsuba too",
-    )
-    command.add_argument(
-        "--spp",
-        type=samples,
-        default=None,
-        metavar="N",
-        help="samples a pixel (default: reference 256; raytraced as the quality has them)",
-    )
-    command.add_argument(
-        "--time",
-        type=_seconds,
-        default=None,
-        metavar="S",
-        help="reference and raytraced: seconds to trace at most",
-    )
-    command.add_argument(
-        "--denoise",
-        action="store_true",
-        help="reference: take the noise out with OptiX, on an NVIDIA graphics card; an EXR keeps the noisy light too",
+    add_arguments(
+        command,
+        {
+            f"--renderer={RENDERERS[0]}": "realtime (the default): lobes in prefiltered light; reference: path "
+            "tracing with Mitsuba, an optional extra; an EXR then holds its variance too; raytraced: directional "
+            "lights and sampled reflections, Mitsuba too",
+            "--spp N": "samples a pixel (default: reference 256; raytraced as the quality has them)",
+            "--time S": "reference and raytraced: seconds to trace at most",
+            "--denoise": "reference: take the noise out with OptiX, on an NVIDIA graphics card; an EXR keeps the "
+            "noisy light too",
+        },
+        renderer=RENDERERS,
+        spp=samples,
+        time=_seconds,
     )
     add_raytraced(command)
 
 
 def add_raytraced(command: argparse.ArgumentParser) -> None:
     """Declare the options of the ray tracer, and the restart of a traced picture."""
-    command.add_argument(
-        "--quality",
-        choices=QUALITIES,
-        default=None,
-        help="raytraced: 16 lights and one mirrored ray; 128, 16 rays and 16 samples (the default); 1,024, 256 and 64",
-    )
-    command.add_argument(
-        "--table-split",
-        choices=("clamp", "subtract"),
-        default=None,
-        help="raytraced: how the peak is cut off a measured table (default: clamp)",
-    )
-    command.add_argument(
-        "--fresh",
-        action="store_true",
-        help="reference and raytraced: start again; else the same command resumes from what an interrupted one kept",
+    add_arguments(
+        command,
+        {
+            "--quality": "raytraced: 16 lights and one mirrored ray; 128, 16 rays and 16 samples (the default); "
+            "1,024, 256 and 64",
+            "--table-split {clamp,subtract}": "raytraced: how the peak is cut off a measured table (default: clamp)",
+            "--fresh": "reference and raytraced: start again; else the same command resumes from what an "
+            "interrupted one kept",
+        },
+        quality=QUALITIES,
     )
 
 
@@ -150,11 +133,8 @@ def run_raytraced(options: argparse.Namespace, view: View) -> int:
     return 0
 
 
-def samples(text: str) -> int:
-    """Parse a number of samples a pixel (an argparse type)."""
-    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 1_000_000):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of samples from 1 to 1,000,000")
-    return int(text)
+samples = whole_number(1, 1_000_000)
+"""Parses a number of samples a pixel (an argparse type)."""
 
 
 def _seconds(text: str) -> float:

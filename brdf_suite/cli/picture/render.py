@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 import os
-from pathlib import Path
 
-from brdf_suite.cli.output import add_export, export_progress, print_written
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.reference_options import (
     add_reference,
     check_renderer,
@@ -23,13 +22,13 @@ def add(command: argparse.ArgumentParser) -> None:
         "screen shows it, or to an EXR as radiance before exposure and tone curve. Pictures of any size are drawn in "
         "tiles. The environment is prefiltered once and kept in the cache."
     )
-    command.add_argument(
-        "paint",
-        metavar="FILE|PAINT",
-        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint (blue, table1_white, …)",
-    )
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="FILE", help="the picture to write (.png or .exr)"
+    add_arguments(
+        command,
+        {
+            "paint FILE|PAINT": "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint (blue, "
+            "table1_white, …)",
+            "-o/--output FILE (required)": "the picture to write (.png or .exr)",
+        },
     )
     add_scene(command)
     add_picture(command)

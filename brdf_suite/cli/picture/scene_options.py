@@ -4,131 +4,71 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from brdf_suite.cli.output import size
+from brdf_suite.cli.output import add_arguments
 from brdf_suite.documents.view import BACKGROUNDS, ENVIRONMENT_LAYOUTS, FRESNEL_MODES, TONE_CURVES, View
-from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp, LightColour
+from brdf_suite.documents.view_settings import ILLUMINANTS, SPARKLE_MODES, Lamp
 from brdf_suite.errors import ValueRangeError
 
 if TYPE_CHECKING:
     from brdf_suite.output.picture_file import PictureSettings
 
+_LAYOUT = {
+    "--layout LAYOUT=auto": "how the image is laid out, where its shape misleads: "
+    f"{', '.join(ENVIRONMENT_LAYOUTS[1:])} (default: auto)"
+}
 _COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
 
 
 def add_scene(command: argparse.ArgumentParser, default_size: tuple[int, int] = (1280, 720)) -> None:
     """Declare the options read by :func:`parse_view`, and ``--size``."""
-    command.add_argument(
-        "--view", type=Path, default=None, metavar="FILE", help="a .brdfview file; other options change it"
-    )
-    command.add_argument(
-        "--environment",
-        default=None,
-        metavar="FILE|NAME",
-        help="an .exr or .hdr map, a .brdfstudio file, or booth, sunny, overcast (default: booth)",
-    )
-    add_layout(command)
-    command.add_argument(
-        "--mesh",
-        default=None,
-        metavar="FILE|NAME",
-        help="a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
-        "(default: speed_form)",
-    )
     width, height = default_size
-    command.add_argument(
-        "--ground",
-        action=argparse.BooleanOptionalAction,
-        default=None,
-        help="put the mesh on a ground that takes its shadow (default: no ground)",
-    )
-    command.add_argument(
-        "--occlusion",
-        action=argparse.BooleanOptionalAction,
-        default=None,
-        help="darken what the light does not reach; baked once for each mesh (default: on)",
-    )
-    command.add_argument(
-        "--size", type=size, default=default_size, metavar="WxH", help=f"pixels (default: {width}x{height})"
-    )
-    command.add_argument(
-        "--exposure",
-        type=float,
-        default=None,
-        metavar="EV",
-        help="exposure in EV; +1 doubles the light (default: 0)",
-    )
-    command.add_argument(
-        "--automatic-exposure",
-        action="store_true",
-        help="bring the object's median luminance to 0.18; --exposure counts from there",
-    )
-    command.add_argument(
-        "--lamp",
-        choices=ILLUMINANTS,
-        default=None,
-        help="take the environment's white for that of a light booth's lamp (default: environment, as it is)",
-    )
-    command.add_argument(
-        "--unadapted",
-        action="store_true",
-        help="show the lamp's tint, as an eye used to daylight sees it at first",
-    )
-    command.add_argument(
-        "--brightness",
-        type=float,
-        default=None,
-        metavar="X",
-        help="factor on the environment's light; 0: the view's lamps alone (default: 1)",
+    add_arguments(
+        command,
+        {
+            "--view FILE": "a .brdfview file; other options change it",
+            "--environment FILE|NAME": "an .exr or .hdr map, a .brdfstudio file, or booth, sunny, overcast "
+            "(default: booth)",
+            **_LAYOUT,
+            "--mesh FILE|NAME": "a .glb, .gltf, .obj, .stl or .ply mesh in metres, or speed_form, sphere, panel, car "
+            "(default: speed_form)",
+            "--[no-]ground": "put the mesh on a ground that takes its shadow (default: no ground)",
+            "--[no-]occlusion": "darken what the light does not reach; baked once for each mesh (default: on)",
+            f"--size WxH={width}x{height}": f"pixels (default: {width}x{height})",
+            "--exposure EV": "exposure in EV; +1 doubles the light (default: 0)",
+            "--automatic-exposure": "bring the object's median luminance to 0.18; --exposure counts from there",
+            "--lamp": "take the environment's white for that of a light booth's lamp (default: environment, as it is)",
+            "--unadapted": "show the lamp's tint, as an eye used to daylight sees it at first",
+            "--brightness X": "factor on the environment's light; 0: the view's lamps alone (default: 1)",
+        },
+        layout=ENVIRONMENT_LAYOUTS,
+        lamp=ILLUMINANTS,
     )
     command.add_argument(
         "--point-light",
         type=_point_light,
         action="append",
-        default=None,
         metavar="X,Y,Z,STRENGTH[,KELVIN]",
         help="a small lamp at a place in metres, y up, of a strength: illuminance at 1 m over pi; up to eight, in "
         "place of the view's. Before a number below 0 write an equals sign: --point-light=-1,2,1,4",
     )
-    command.add_argument(
-        "--rotation",
-        type=float,
-        default=None,
-        metavar="DEG",
-        help="turn the light by degrees about the vertical, counter-clockwise seen from above",
-    )
-    command.add_argument(
-        "--azimuth", type=float, default=None, metavar="DEG", help="camera azimuth in degrees"
-    )
-    command.add_argument(
-        "--elevation", type=float, default=None, metavar="DEG", help="camera elevation in degrees, -90 to 90"
-    )
-    command.add_argument(
-        "--tone",
-        choices=TONE_CURVES,
-        default=None,
-        help="tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
-        "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
-    )
-    command.add_argument(
-        "--fresnel",
-        choices=FRESNEL_MODES,
-        default=None,
-        help=f"the coat's rise towards grazing (default: {View().fresnel})",
-    )
-    command.add_argument(
-        "--background",
-        choices=BACKGROUNDS,
-        default=None,
-        help="what is seen behind the object (default: environment)",
-    )
-    command.add_argument(
-        "--sparkle",
-        choices=SPARKLE_MODES,
-        default=None,
-        help=f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/method/sparkle.md)",
+    add_arguments(
+        command,
+        {
+            "--rotation DEG": "turn the light by degrees about the vertical, counter-clockwise seen from above",
+            "--azimuth DEG": "camera azimuth in degrees",
+            "--elevation DEG": "camera elevation in degrees, -90 to 90",
+            "--tone": "tone curve: faithful (one to one up to 0.8, then a shoulder; the default), "
+            "neutral (Khronos PBR Neutral), characteristic (film), aces, agx, linear (clipped)",
+            "--fresnel": f"the coat's rise towards grazing (default: {View().fresnel})",
+            "--background": "what is seen behind the object (default: environment)",
+            "--sparkle": f"how the paint's flakes are drawn (default: {View().sparkle.mode}; docs/method/sparkle.md)",
+        },
+        tone=TONE_CURVES,
+        fresnel=FRESNEL_MODES,
+        background=BACKGROUNDS,
+        sparkle=SPARKLE_MODES,
     )
     command.add_argument(
         "--no-fresnel", action="store_const", const="off", dest="fresnel", help="the same as --fresnel off"
@@ -171,42 +111,29 @@ def parse_view(options: argparse.Namespace) -> View:
     )
 
     view = default_view() if options.view is None else load_view(options.view)
-    camera = {
-        name: value
-        for name, value in (("azimuth_deg", options.azimuth), ("elevation_deg", options.elevation))
-        if value is not None
-    }
-    changed: dict[str, object] = {
-        name: value
-        for name, value in (
-            ("rotation_deg", options.rotation),
-            ("exposure_ev", options.exposure),
-            ("tone_curve", options.tone),
-            ("fresnel", options.fresnel),
-            ("background", options.background),
-        )
-        if value is not None
-    }
-    if options.automatic_exposure:
-        changed["exposure_mode"] = "automatic"
-    if options.lamp is not None:
-        changed["light_colour"] = replace(
-            view.light_colour, illuminant=options.lamp, adapted=not options.unadapted
-        )
-    elif options.unadapted:
-        changed["light_colour"] = replace(view.light_colour, adapted=False)
-    if options.brightness is not None:
-        colour = changed.get("light_colour", view.light_colour)
-        assert isinstance(colour, LightColour)
-        changed["light_colour"] = replace(colour, brightness=options.brightness)
-    if options.point_light is not None:
-        changed["lamps"] = tuple(options.point_light)
-    if options.sparkle is not None:
-        changed["sparkle"] = replace(view.sparkle, mode=options.sparkle)
-    look = {name: getattr(options, name) for name in ("ground", "occlusion")}
-    look = {name: on for name, on in look.items() if on is not None}
-    if look:
-        changed["surface_look"] = replace(view.surface_look, **look)
+
+    def given(**values: Any) -> dict[str, Any]:
+        return {name: value for name, value in values.items() if value is not None}
+
+    light = given(illuminant=options.lamp, brightness=options.brightness)
+    if options.lamp is not None or options.unadapted:
+        light["adapted"] = not options.unadapted
+    changed = given(
+        rotation_deg=options.rotation,
+        exposure_ev=options.exposure,
+        exposure_mode="automatic" if options.automatic_exposure else None,
+        tone_curve=options.tone,
+        fresnel=options.fresnel,
+        background=options.background,
+        lamps=None if options.point_light is None else tuple(options.point_light),
+    )
+    changed["camera"] = replace(
+        view.camera, **given(azimuth_deg=options.azimuth, elevation_deg=options.elevation)
+    )
+    changed["light_colour"] = replace(view.light_colour, **light)
+    changed["sparkle"] = replace(view.sparkle, **given(mode=options.sparkle))
+    look = given(ground=options.ground, occlusion=options.occlusion)
+    changed["surface_look"] = replace(view.surface_look, **look)
     if options.environment is not None:
         check_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())
@@ -216,22 +143,21 @@ def parse_view(options: argparse.Namespace) -> View:
     if options.mesh is not None:
         check_surface(options.mesh)
         changed["surface"] = name_in_view(options.mesh, surface_names())
-    view = replace(view, camera=replace(view.camera, **camera), **changed)  # type: ignore[arg-type]  # View checks them
+    view = replace(view, **changed)
     check_environment(view.environment)
     check_surface(view.surface)
     return view
 
 
-def add_layout(command: argparse.ArgumentParser) -> None:
-    """Declare ``--layout``."""
-    command.add_argument(
-        "--layout",
-        choices=ENVIRONMENT_LAYOUTS,
-        default="auto",
-        metavar="LAYOUT",
-        help="how the image is laid out, where its shape misleads: "
-        + ", ".join(ENVIRONMENT_LAYOUTS[1:])
-        + " (default: auto)",
+def add_environment(command: argparse.ArgumentParser) -> None:
+    """Declare an environment, given by place, and its ``--layout``."""
+    add_arguments(
+        command,
+        {
+            "environment FILE|NAME": "an .exr, .hdr or .brdfstudio environment, or booth, sunny, overcast",
+            **_LAYOUT,
+        },
+        layout=ENVIRONMENT_LAYOUTS,
     )
 
 
@@ -241,31 +167,18 @@ def add_picture(command: argparse.ArgumentParser, *, radiance: bool = True, shee
     exr = "; 16 or 32 of an EXR (default: 32)" if radiance else ""
     command.set_defaults(bits=None, transparent=False)
     if not sheet:
-        command.add_argument(
-            "--bits",
-            type=int,
-            choices=(8, 16, 32) if radiance else (8, 16),
-            help=f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
-        )
-        command.add_argument(
-            "--transparent",
-            action="store_true",
-            help="the object alone, with its share of each pixel as alpha",
-        )
+        bits = "{8,16,32}" if radiance else "{8,16}"
+        texts = {
+            f"--bits {bits}": f"bits a channel: 8 or 16 of a PNG (default: 8){exr}",
+            "--transparent": "the object alone, with its share of each pixel as alpha",
+        }
+        add_arguments(command, texts, bits=int)
     rest = ", linear; rec2020 for EXR" if radiance else ""
-    command.add_argument(
-        "--colour-space",
-        choices=spaces,
-        default=None,
-        help=f"colours of the file, its ICC profile within (default: srgb{rest})",
-    )
-    command.add_argument(
-        "--samples",
-        type=int,
-        default=None,
-        metavar="N",
-        help="real time: samples per pixel, where the GPU has them (default: 4)",
-    )
+    texts = {
+        "--colour-space": f"colours of the file, its ICC profile within (default: srgb{rest})",
+        "--samples N": "real time: samples per pixel, where the GPU has them (default: 4)",
+    }
+    add_arguments(command, texts, colour_space=spaces)
 
 
 def parse_settings(options: argparse.Namespace) -> PictureSettings:

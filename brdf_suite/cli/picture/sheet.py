@@ -6,7 +6,7 @@ import argparse
 from dataclasses import asdict
 from pathlib import Path
 
-from brdf_suite.cli.output import add_export, export_progress, print_json
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_json, print_notes
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.reports.contact_sheet.document import write_sheet
 
@@ -17,24 +17,17 @@ def add(command: argparse.ArgumentParser) -> None:
         "Render every paint of a palette (of any format that palette info reads) or of a folder on the "
         "same surface in the same light, each with its name, flop index and L*a*b* at 15, 45 and 110°."
     )
-    command.add_argument(
-        "source",
-        type=Path,
-        metavar="PALETTE|FOLDER|PAINT",
-        help="a palette, a folder of .brdfpaint files, or a single paint, measured file or name",
-    )
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="FILE", help="the sheet (.png or .pdf)"
-    )
-    command.add_argument(
-        "--columns", type=int, default=None, metavar="N", help="in a row (default: a sheet of 4 to 3)"
-    )
-    command.add_argument(
-        "--form",
-        choices=("surface", "chips", "flop_strip"),
-        default="surface",
-        help="the picture of a paint: the surface, bands of its colours at 15, 45 and 110°, or the strip of its flop "
-        "(default: surface)",
+    add_arguments(
+        command,
+        {
+            "source PALETTE|FOLDER|PAINT": "a palette, a folder of .brdfpaint files, or a single paint, measured "
+            "file or name",
+            "-o/--output FILE (required)": "the sheet (.png or .pdf)",
+            "--columns N": "in a row (default: a sheet of 4 to 3)",
+            "--form {surface,chips,flop_strip}=surface": "the picture of a paint: the surface, bands of its colours "
+            "at 15, 45 and 110°, or the strip of its flop (default: surface)",
+        },
+        source=Path,
     )
     add_scene(command, (360, 240))
     add_picture(command, radiance=False, sheet=True)
@@ -61,10 +54,8 @@ def run(options: argparse.Namespace) -> int:
         facts["output"] = str(facts.pop("path"))
         print_json(facts)
     else:
-        for notice in made.notices:
-            print(f"note: {notice}")
-        for problem in made.problems:
-            print(f"not drawn: {problem}")
+        print_notes(made.notices)
+        print_notes(made.problems, "not drawn")
         size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"
         print(f"{made.path}: {made.paints} paints, {size}")
     return 1 if made.problems else 0

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 
-from brdf_suite.cli.output import add_export, export_progress, print_written
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.reference_options import RENDERERS, add_raytraced, check_renderer, samples
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.output.turntable import Turn, write_turntable
@@ -18,32 +17,22 @@ def add(command: argparse.ArgumentParser) -> None:
         "Render one turn of the object before a camera and a light that stand still: to an .mp4 or .webm "
         "(needs the extra “video”), or to a new folder of PNG pictures."
     )
-    command.add_argument(
-        "paint",
-        metavar="FILE|PAINT",
-        help="a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
-    )
-    command.add_argument(
-        "-o", "--output", type=Path, required=True, metavar="PATH", help="an .mp4, a .webm, or a new folder"
-    )
-    command.add_argument("--frames", type=int, default=120, metavar="N", help="of the turn (default: 120)")
-    command.add_argument(
-        "--fps", type=float, default=30.0, metavar="N", help="frames a second of a video (default: 30)"
-    )
-    command.add_argument("--clockwise", action="store_true", help="seen from above")
-    command.add_argument(
-        "--renderer",
-        choices=RENDERERS,
-        default=RENDERERS[0],
-        help="realtime (the default), reference (path tracing) or raytraced; the last two with Mitsuba, an optional "
-        "extra; their finished frames are kept in PATH.part, and the same command resumes from there",
-    )
-    command.add_argument(
-        "--spp",
-        type=samples,
-        default=None,
-        metavar="N",
-        help="samples a pixel of each frame (default: reference 64; raytraced as the quality has them)",
+    add_arguments(
+        command,
+        {
+            "paint FILE|PAINT": "a .brdfpaint or measured file, or the name of a shipped or Table 1 paint",
+            "-o/--output PATH (required)": "an .mp4, a .webm, or a new folder",
+            "--frames N=120": "of the turn (default: 120)",
+            "--fps N=30.0": "frames a second of a video (default: 30)",
+            "--clockwise": "seen from above",
+            f"--renderer={RENDERERS[0]}": "realtime (the default), reference (path tracing) or raytraced; the last "
+            "two with Mitsuba, an optional extra; their finished frames are kept in PATH.part, and the same command "
+            "resumes from there",
+            "--spp N": "samples a pixel of each frame (default: reference 64; raytraced as the quality has them)",
+        },
+        fps=float,
+        renderer=RENDERERS,
+        spp=samples,
     )
     add_raytraced(command)
     add_scene(command)

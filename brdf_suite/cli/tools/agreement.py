@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 from dataclasses import replace
-from pathlib import Path
 
-from brdf_suite.cli.output import print_json, progress_bar, size
+from brdf_suite.cli.output import add_arguments, print_json, progress_bar
 from brdf_suite.cli.picture.reference_options import samples
 from brdf_suite.extras import import_extra
 from brdf_suite.pipeline.material import paint_names
@@ -21,77 +20,39 @@ def add(command: argparse.ArgumentParser) -> None:
         "Render paints in environments on a sphere with both renderers; print ΔE00 and FLIP by effect, and "
         "with -o write a page with pictures. What is path-traced can be kept, and is then not traced again."
     )
-    command.add_argument(
-        "--paints",
-        nargs="+",
-        metavar="FILE|PAINT",
-        default=None,
-        help="default: all shipped designed paints",
+    add_arguments(
+        command,
+        {
+            "--paints FILE|PAINT...": "default: all shipped designed paints",
+            "--environments FILE|NAME...": "default: all shipped environments",
+            "--mesh FILE|NAME...": "the surfaces, each reported separately (default: sphere); all but the first in the "
+            "shipped environments, where one is among those given",
+            "--forms FORM...": f"ways to draw, of {', '.join(FORMS)} (default: all; of further surfaces "
+            f"{DEFAULT_FORM} alone)",
+            "--size WxH=128x128": "pixels (default: 128x128)",
+            "--spp N=512": "samples a pixel of the path tracer (default: 512)",
+            "--lobes": "trace the fitted lobes too: separates the fit's error from the look-up's",
+            "--keep FOLDER": "keep what is traced in this folder",
+            "-o/--output FILE": "a page (.md) to write; its pictures go into images/ beside it",
+            "--json": "print every figure as one JSON object",
+        },
+        forms=tuple(FORMS),
+        spp=samples,
     )
-    command.add_argument(
-        "--environments",
-        nargs="+",
-        metavar="FILE|NAME",
-        default=None,
-        help="default: all shipped environments",
-    )
-    command.add_argument(
-        "--mesh",
-        nargs="+",
-        default=["sphere"],
-        metavar="FILE|NAME",
-        help="the surfaces, each reported separately (default: sphere); all but the first in the shipped environments, "
-        "where one is among those given",
-    )
-    command.add_argument(
-        "--forms",
-        nargs="+",
-        choices=tuple(FORMS),
-        metavar="FORM",
-        default=None,
-        help=f"ways to draw, of {', '.join(FORMS)} (default: all; of further surfaces {DEFAULT_FORM} alone)",
-    )
-    command.add_argument(
-        "--size", type=size, default=(128, 128), metavar="WxH", help="pixels (default: 128x128)"
-    )
-    command.add_argument(
-        "--spp",
-        type=samples,
-        default=512,
-        metavar="N",
-        help="samples a pixel of the path tracer (default: 512)",
-    )
-    command.add_argument(
-        "--lobes",
-        action="store_true",
-        help="trace the fitted lobes too: separates the fit's error from the look-up's",
-    )
-    command.add_argument(
-        "--keep", type=Path, default=None, metavar="FOLDER", help="keep what is traced in this folder"
-    )
-    command.add_argument(
-        "-o",
-        "--output",
-        type=Path,
-        default=None,
-        metavar="FILE",
-        help="a page (.md) to write; its pictures go into images/ beside it",
-    )
-    command.add_argument("--json", action="store_true", help="print every figure as one JSON object")
     command.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Compare; print a table or a JSON object, and write the page."""
-    import_extra(
-        "flip_evaluator", purpose="the comparison of pictures"
-    )  # named first: it is found out sooner
+    # Named first: it is found out sooner.
+    import_extra("flip_evaluator", purpose="the comparison of pictures")
     from brdf_suite.tracing.agreement.comparison import Case, Order, compare, summary
     from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
     if options.output is not None:
         check_page(options.output)
     given = options.environments or environment_names()
+    surfaces = options.mesh or ["sphere"]
     first = Order(
         paints=options.paints or paint_names(),
         environments=given,
@@ -99,14 +60,14 @@ def run(options: argparse.Namespace) -> int:
         samples=options.spp,
         forms=options.forms or tuple(FORMS),
         lobes=options.lobes,
-        surface=options.mesh[0],
+        surface=surfaces[0],
         keep=options.keep,
     )
     shipped = [name for name in given if name in environment_names()]
     further = replace(
         first, environments=shipped or given, forms=options.forms or (DEFAULT_FORM,), lobes=False
     )
-    orders = [first, *(replace(further, surface=mesh) for mesh in options.mesh[1:])]
+    orders = [first, *(replace(further, surface=mesh) for mesh in surfaces[1:])]
     cases: list[Case] = []
     with progress_bar("comparing", quiet=options.json) as progress:
         for number, order in enumerate(orders):

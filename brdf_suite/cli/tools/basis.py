@@ -5,12 +5,11 @@ from __future__ import annotations
 import argparse
 import shlex
 import sys
-from collections.abc import Callable
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
 
-from brdf_suite.cli.output import add_export, export_progress, print_json
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_json, whole_number
 from brdf_suite.cli.tools.measurements import describe_machine
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
@@ -32,35 +31,22 @@ def add(command: argparse.ArgumentParser) -> None:
         "command on the same machine gives the same file. What is found is kept in FILE.part after each count; the "
         "same command resumes from there."
     )
-    command.add_argument(
-        "-o", "--output", metavar="FILE", type=Path, default=_OUTPUT, help=f"default: {_OUTPUT}"
+    add_arguments(
+        command,
+        {
+            f"-o/--output FILE={_OUTPUT}": f"default: {_OUTPUT}",
+            "--database DIR": "a folder of .brdfpaint files; default: the shipped paints",
+            "--lobes N=11": "the largest count, 1 to 12; default: 11",
+            "--starts N=4": "starts per count; default: 4",
+            "--workers N": "processes; default: one per core",
+            "--default N": "the count to be the default; left out, the rule of docs/method/basis.md chooses",
+            "--fresh": "forget what an interrupted search found",
+        },
+        lobes=whole_number(1, 12),
+        starts=whole_number(2, _MOST_STARTS),
+        workers=whole_number(1, _MOST_WORKERS),
+        default=whole_number(1, 12),
     )
-    command.add_argument(
-        "--database",
-        metavar="DIR",
-        type=Path,
-        help="a folder of .brdfpaint files; default: the shipped paints",
-    )
-    command.add_argument(
-        "--lobes",
-        metavar="N",
-        type=_number(1, 12),
-        default=11,
-        help="the largest count, 1 to 12; default: 11",
-    )
-    command.add_argument(
-        "--starts", metavar="N", type=_number(2, _MOST_STARTS), default=4, help="starts per count; default: 4"
-    )
-    command.add_argument(
-        "--workers", metavar="N", type=_number(1, _MOST_WORKERS), help="processes; default: one per core"
-    )
-    command.add_argument(
-        "--default",
-        metavar="N",
-        type=_number(1, 12),
-        help="the count to be the default; left out, the rule of docs/method/basis.md chooses",
-    )
-    command.add_argument("--fresh", action="store_true", help="forget what an interrupted search found")
     add_export(command)
     command.set_defaults(run=run)
 
@@ -117,15 +103,6 @@ def run(options: argparse.Namespace) -> int:
     else:
         _print(options.output, answer["default_count"], results)
     return 0
-
-
-def _number(low: int, high: int) -> Callable[[str], int]:
-    def parse(text: str) -> int:
-        if not (text.isascii() and text.isdigit() and low <= int(text) <= high):
-            raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from {low} to {high}")
-        return int(text)
-
-    return parse
 
 
 def command_line(options: argparse.Namespace, workers: int) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.cli.palette import find as palette_find
+from brdf_suite.cli.palette.palette import add_find
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.documents.palette_store import save_palette
@@ -28,7 +28,7 @@ def palette(tmp_path: Path) -> Path:
 
 def find(*arguments: str) -> int:
     parser = argparse.ArgumentParser()
-    palette_find.add(parser.add_subparsers())
+    add_find(parser.add_subparsers())
     options = parser.parse_args(["find", *arguments])
     return int(options.run(options))
 
