@@ -12,7 +12,7 @@ from brdf_qt.program.settings import settings
 from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.inspection.lobe_surface.parts import FitPart
-from brdf_suite.inspection.lobe_surface.scale import RadiusKind
+from brdf_suite.inspection.lobe_surface.surface import RadiusKind
 from brdf_suite.inspection.slices.values import Channel, Cosine
 
 if TYPE_CHECKING:

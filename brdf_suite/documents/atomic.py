@@ -68,6 +68,11 @@ def encode(value: Mapping[str, object]) -> bytes:
     return (json.dumps(value, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode("utf-8")
 
 
+def with_lists(pairs: list[tuple[str, object]]) -> dict[str, object]:
+    """Return fields with lists for tuples, which JSON does not know: what is saved is compared with what is read."""
+    return {name: list(value) if isinstance(value, tuple) else value for name, value in pairs}
+
+
 def _mode_of(target: Path) -> int | None:
     """Return the mode of the old file, or None where there is none yet."""
     try:

@@ -8,11 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 from typing import Literal, get_args
 
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe, set_numbers
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_choices,
+    check_items,
+    check_labels,
+    check_parts,
+    describe,
+    set_numbers,
+)
 from brdf_suite.errors import ValueRangeError
 
 DistributionNorm = Literal["full", "quarter"]
@@ -22,16 +29,14 @@ Rgb = tuple[float, float, float]
 # The paper uses three; a fit with more than a dozen is a damaged file.
 _MOST_LOBES = 16
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "kd": Parameter("Diffuse", "", 0.0, 10.0, 0.1, "Diffuse reflectance, linear Rec. 2020"),
-        "lobes[].ks": Parameter("Specular", "", 0.0, 100.0, 0.1, "Weight of the lobe, linear Rec. 2020"),
-        "lobes[].m": Parameter("Slope", "", 1e-4, 10.0, 0.2, "Root-mean-square slope of the facets"),
-        "lobes[].r": Parameter("Reflectance", "", 0.0, 1.0, 0.04, "Fresnel reflectance along the normal"),
-        "clearcoat.ior": Parameter("Index", "", 1.0, 3.0, 1.5, "Index of refraction of the clearcoat"),
-        "clearcoat.roughness": Parameter("Roughness", "", 0.001, 1.0, 0.002, "Beckmann α of the clearcoat"),
-    }
-)
+PARAMETERS: Mapping[str, Parameter] = {
+    "kd": Parameter("Diffuse", "", 0.0, 10.0, 0.1, "Diffuse reflectance, linear Rec. 2020"),
+    "lobes[].ks": Parameter("Specular", "", 0.0, 100.0, 0.1, "Weight of the lobe, linear Rec. 2020"),
+    "lobes[].m": Parameter("Slope", "", 1e-4, 10.0, 0.2, "Root-mean-square slope of the facets"),
+    "lobes[].r": Parameter("Reflectance", "", 0.0, 1.0, 0.04, "Fresnel reflectance along the normal"),
+    "clearcoat.ior": Parameter("Index", "", 1.0, 3.0, 1.5, "Index of refraction of the clearcoat"),
+    "clearcoat.roughness": Parameter("Roughness", "", 0.001, 1.0, 0.002, "Beckmann α of the clearcoat"),
+}
 
 
 @dataclass(frozen=True)
@@ -79,25 +84,11 @@ class CookTorrancePaint:
     source: str = ""
 
     def __post_init__(self) -> None:
-        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_labels(self)
         object.__setattr__(self, "kd", check_rgb(self.kd, "kd", PARAMETERS["kd"]))
-        if not isinstance(self.lobes, (tuple, list)):
-            raise ValueRangeError("lobes", f"expected a list, not {describe(self.lobes)}")
-        if len(self.lobes) > _MOST_LOBES:
-            raise ValueRangeError("lobes", f"expected at most {_MOST_LOBES}, found {len(self.lobes)}")
-        for index, lobe in enumerate(self.lobes):
-            if not isinstance(lobe, CookTorranceLobe):
-                raise ValueRangeError(f"lobes[{index}]", f"expected a lobe, not {describe(lobe)}")
-        object.__setattr__(self, "lobes", tuple(self.lobes))
-        check_choice(self.d_norm, "d_norm", DISTRIBUTION_NORMS)
-        if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
-            raise ValueRangeError(
-                "clearcoat", f"expected a clearcoat or nothing, not {describe(self.clearcoat)}"
-            )
-        if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
-        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
-        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
+        object.__setattr__(self, "lobes", check_items(self.lobes, "lobes", CookTorranceLobe, _MOST_LOBES))
+        check_choices(self, d_norm=DISTRIBUTION_NORMS)
+        check_parts(self, clearcoat=(Clearcoat, "a clearcoat"), flakes=(Flakes, "flakes"))
 
 
 def check_rgb(value: object, place: str, parameter: Parameter) -> Rgb:

@@ -10,19 +10,26 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 from brdf_suite.documents.cook_torrance import Clearcoat, Rgb, check_rgb
 from brdf_suite.documents.paint import Flakes
-from brdf_suite.documents.parameter import Parameter, check_text, describe, set_number
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_flags,
+    check_labels,
+    check_parts,
+    check_text,
+    describe,
+    set_number,
+)
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import Factor, parse_factors
 
 _HASH = re.compile(r"[0-9a-f]{64}")
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {"alpha": Parameter("Scale", "1/sr", 0.0, 1e6, 1.0, "What the product of the maps is multiplied by")}
-)
+PARAMETERS: Mapping[str, Parameter] = {
+    "alpha": Parameter("Scale", "1/sr", 0.0, 1e6, 1.0, "What the product of the maps is multiplied by")
+}
 
 
 @dataclass(frozen=True)
@@ -60,28 +67,20 @@ class FactoredPaint:
     source: str = ""
 
     def __post_init__(self) -> None:
-        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_labels(self)
         if not isinstance(self.textures, TextureFile):
             raise ValueRangeError("textures", f"expected a texture file, not {describe(self.textures)}")
-        words = (("factors", self.factors), *((("peak", self.peak),) if self.peak != "" else ()))
-        for place, text in words:
+        for place in ("factors", "peak") if self.peak != "" else ("factors",):
+            text = getattr(self, place)
             check_text(text, place, longest=1000, lines=False, empty=False)
             try:
                 parse_factors(text)
             except ValueRangeError as error:
                 raise ValueRangeError(place, error.reason) from error
         object.__setattr__(self, "alpha", check_rgb(self.alpha, "alpha", PARAMETERS["alpha"]))
-        if not isinstance(self.logarithmic, bool):
-            raise ValueRangeError("logarithmic", f"expected true or false, not {describe(self.logarithmic)}")
+        check_flags(self, "logarithmic")
         set_number(self, Parameter("Largest", "1/sr", 0.0, 1e12, 0.0, ""), "largest")
-        if self.clearcoat is not None and not isinstance(self.clearcoat, Clearcoat):
-            raise ValueRangeError(
-                "clearcoat", f"expected a clearcoat or nothing, not {describe(self.clearcoat)}"
-            )
-        if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
-        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
-        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
+        check_parts(self, clearcoat=(Clearcoat, "a clearcoat"), flakes=(Flakes, "flakes"))
 
     @property
     def terms(self) -> tuple[tuple[Factor, ...], tuple[Factor, ...]]:

@@ -9,10 +9,16 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from types import MappingProxyType
 from typing import Literal, get_args
 
-from brdf_suite.documents.parameter import Parameter, check_choice, check_text, describe, set_numbers
+from brdf_suite.documents.parameter import (
+    Parameter,
+    check_choices,
+    check_labels,
+    check_parts,
+    describe,
+    set_numbers,
+)
 from brdf_suite.errors import ValueRangeError
 
 Interpolation = Literal["flake", "monotone", "polynomial"]
@@ -28,48 +34,37 @@ _SAME_ANGLE_DEG = 1e-9
 STEEPEST_PEEL_DEG = 5.0
 """The steepest orange peel, root mean square; a bad coat has half a degree."""
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "illumination_deg": Parameter(
-            "Illumination", "°", 0.0, 85.0, 45.0, "Polar angle of the instrument's light"
-        ),
-        "aspecular_deg": Parameter(
-            "Aspecular angle",
-            "°",
-            -45.0,
-            170.0,
-            45.0,
-            "From the mirror direction to the view, past the normal",
-        ),
-        # Metallic paints reach L* 130 at 15°; nothing known passes 250.
-        "lab[0]": Parameter("L*", "", 0.0, 250.0, 50.0, "Lightness"),
-        "lab[1]": Parameter("a*", "", -250.0, 250.0, 0.0, "Green to red"),
-        "lab[2]": Parameter("b*", "", -250.0, 250.0, 0.0, "Blue to yellow"),
-        "gloss.gu_20": Parameter(
-            "Gloss 20°", "GU", 0.0, 200.0, 90.0, "Reading at 20°, coat and base together"
-        ),
-        "gloss.gu_60": Parameter(
-            "Gloss 60°", "GU", 0.0, 200.0, 95.0, "Reading at 60°, coat and base together"
-        ),
-        "orange_peel.amplitude_um": Parameter(
-            "Orange peel", "µm", 0.0, 20.0, 0.5, "Root mean square height of the coat's waviness"
-        ),
-        "orange_peel.wavelength_mm": Parameter(
-            "Peel wavelength", "mm", 0.5, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
-        ),
-        "flakes.density_per_mm2": Parameter(
-            "Flake density", "1/mm²", 0.0, 100_000.0, 120.0, "Flakes that can be seen per area"
-        ),
-        "flakes.size_um": Parameter("Flake size", "µm", 0.1, 2000.0, 20.0, "Mean diameter of a flake"),
-        "flakes.roughness": Parameter("Flake roughness", "", 0.001, 1.0, 0.17, "Spread of the flake tilts"),
-        "flakes.colour_spread": Parameter(
-            "Flake colour spread", "", 0.0, 1.0, 0.0, "0: all flakes of one colour; 1: every hue"
-        ),
-        "near_specular": Parameter(
-            "Near-specular", "", 0.0, 10.0, 1.0, "Scales the base in the mirror direction; not measured"
-        ),
-    }
-)
+PARAMETERS: Mapping[str, Parameter] = {
+    "illumination_deg": Parameter(
+        "Illumination", "°", 0.0, 85.0, 45.0, "Polar angle of the instrument's light"
+    ),
+    "aspecular_deg": Parameter(
+        "Aspecular angle", "°", -45.0, 170.0, 45.0, "From the mirror direction to the view, past the normal"
+    ),
+    # Metallic paints reach L* 130 at 15°; nothing known passes 250.
+    "lab[0]": Parameter("L*", "", 0.0, 250.0, 50.0, "Lightness"),
+    "lab[1]": Parameter("a*", "", -250.0, 250.0, 0.0, "Green to red"),
+    "lab[2]": Parameter("b*", "", -250.0, 250.0, 0.0, "Blue to yellow"),
+    "gloss.gu_20": Parameter("Gloss 20°", "GU", 0.0, 200.0, 90.0, "Reading at 20°, coat and base together"),
+    "gloss.gu_60": Parameter("Gloss 60°", "GU", 0.0, 200.0, 95.0, "Reading at 60°, coat and base together"),
+    "orange_peel.amplitude_um": Parameter(
+        "Orange peel", "µm", 0.0, 20.0, 0.5, "Root mean square height of the coat's waviness"
+    ),
+    "orange_peel.wavelength_mm": Parameter(
+        "Peel wavelength", "mm", 0.5, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
+    ),
+    "flakes.density_per_mm2": Parameter(
+        "Flake density", "1/mm²", 0.0, 100_000.0, 120.0, "Flakes that can be seen per area"
+    ),
+    "flakes.size_um": Parameter("Flake size", "µm", 0.1, 2000.0, 20.0, "Mean diameter of a flake"),
+    "flakes.roughness": Parameter("Flake roughness", "", 0.001, 1.0, 0.17, "Spread of the flake tilts"),
+    "flakes.colour_spread": Parameter(
+        "Flake colour spread", "", 0.0, 1.0, 0.0, "0: all flakes of one colour; 1: every hue"
+    ),
+    "near_specular": Parameter(
+        "Near-specular", "", 0.0, 10.0, 1.0, "Scales the base in the mirror direction; not measured"
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -92,7 +87,10 @@ class Measurement:
                 f"with the light at {self.illumination_deg:g}°, {self.aspecular_deg:g}° would look from "
                 f"below the surface (polar angle {view_deg:g}°)",
             )
-        object.__setattr__(self, "lab", _checked_lab(self.lab))
+        if not isinstance(self.lab, (tuple, list)) or len(self.lab) != 3:
+            raise ValueRangeError("lab", f"expected three numbers L*, a*, b*, not {describe(self.lab)}")
+        lab = tuple(PARAMETERS[f"lab[{i}]"].check(self.lab[i], f"lab[{i}]") for i in range(3))
+        object.__setattr__(self, "lab", lab)
 
 
 @dataclass(frozen=True)
@@ -180,27 +178,18 @@ class Paint:
     orange_peel: OrangePeel | None = None
 
     def __post_init__(self) -> None:
-        check_text(self.name, "name", longest=200, lines=False, empty=False)
+        check_labels(self)
         object.__setattr__(self, "measurements", _checked_measurements(self.measurements))
         if not isinstance(self.gloss, Gloss):
             raise ValueRangeError("gloss", f"expected gloss readings, not {describe(self.gloss)}")
-        if self.flakes is not None and not isinstance(self.flakes, Flakes):
-            raise ValueRangeError("flakes", f"expected flakes or nothing, not {describe(self.flakes)}")
-        if self.orange_peel is not None and not isinstance(self.orange_peel, OrangePeel):
-            raise ValueRangeError(
-                "orange_peel", f"expected orange peel or nothing, not {describe(self.orange_peel)}"
-            )
-        check_choice(self.interpolation, "interpolation", INTERPOLATIONS)
-        check_choice(self.out_of_plane, "out_of_plane", OUT_OF_PLANE)
+        check_parts(self, flakes=(Flakes, "flakes"), orange_peel=(OrangePeel, "orange peel"))
+        check_choices(self, interpolation=INTERPOLATIONS, out_of_plane=OUT_OF_PLANE, illuminant=("D65",))
         set_numbers(self, PARAMETERS, "near_specular")
-        check_choice(self.illuminant, "illuminant", ("D65",))
         if self.observer_deg != 10 or isinstance(self.observer_deg, bool):
             raise ValueRangeError(
                 "observer_deg", f"only the 10° observer is known, not {self.observer_deg!r}"
             )
         object.__setattr__(self, "observer_deg", 10)
-        check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
-        check_text(self.source, "source", longest=10_000, lines=True, empty=True)
 
     @property
     def main_light_deg(self) -> float:
@@ -233,18 +222,15 @@ class Paint:
             known = ", ".join(
                 f"{light:g}" for light in sorted({m.illumination_deg for m in self.measurements})
             )
-            raise ValueRangeError(
-                "illumination_deg",
-                f"nothing is measured with the light at {illumination_deg:g}°; there are {known}°",
-            )
+            reason = f"nothing is measured with the light at {illumination_deg:g}°; there are {known}°"
+            raise ValueRangeError("illumination_deg", reason)
         for index, measurement in used:
             if abs(measurement.aspecular_deg - aspecular_deg) <= _SAME_ANGLE_DEG:
                 return index
         known = ", ".join(f"{m.aspecular_deg:g}" for _, m in used)
         under = "" if illumination_deg is None else f" with the light at {illumination_deg:g}°"
-        raise ValueRangeError(
-            "aspecular_deg", f"{aspecular_deg:g}° is not measured{under}; there are {known}°"
-        )
+        reason = f"{aspecular_deg:g}° is not measured{under}; there are {known}°"
+        raise ValueRangeError("aspecular_deg", reason)
 
 
 def solid_paint(name: str, lab: Lab, gloss: Gloss | None = None) -> Paint:
@@ -253,21 +239,12 @@ def solid_paint(name: str, lab: Lab, gloss: Gloss | None = None) -> Paint:
     return Paint(name=name, measurements=measurements, gloss=gloss or Gloss(90.0))
 
 
-def _checked_lab(lab: object) -> Lab:
-    if not isinstance(lab, (tuple, list)) or len(lab) != 3:
-        raise ValueRangeError("lab", f"expected three numbers L*, a*, b*, not {describe(lab)}")
-    lightness, a, b = (PARAMETERS[f"lab[{i}]"].check(lab[i], f"lab[{i}]") for i in range(3))
-    return (lightness, a, b)
-
-
 def _checked_measurements(measurements: object) -> tuple[Measurement, ...]:
     if not isinstance(measurements, (tuple, list)):
         raise ValueRangeError("measurements", f"expected a list, not {describe(measurements)}")
     if not 3 <= len(measurements) <= _MOST_MEASUREMENTS:
-        raise ValueRangeError(
-            "measurements",
-            f"expected 3 to {_MOST_MEASUREMENTS} measurements, found {len(measurements)}",
-        )
+        reason = f"expected 3 to {_MOST_MEASUREMENTS} measurements, found {len(measurements)}"
+        raise ValueRangeError("measurements", reason)
     for index, item in enumerate(measurements):
         if not isinstance(item, Measurement):
             raise ValueRangeError(f"measurements[{index}]", f"expected a measurement, not {describe(item)}")
@@ -276,7 +253,6 @@ def _checked_measurements(measurements: object) -> tuple[Measurement, ...]:
                 abs(other.illumination_deg - item.illumination_deg) <= _SAME_ANGLE_DEG
                 and abs(other.aspecular_deg - item.aspecular_deg) <= _SAME_ANGLE_DEG
             ):
-                raise ValueRangeError(
-                    f"measurements[{index}]", f"has the same angles as measurements[{earlier}]"
-                )
+                reason = f"has the same angles as measurements[{earlier}]"
+                raise ValueRangeError(f"measurements[{index}]", reason)
     return tuple(measurements)

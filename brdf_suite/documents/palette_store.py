@@ -16,12 +16,17 @@ from typing import Any
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.flat_colour import FlatColour
-from brdf_suite.documents.migrations import VERSIONS, open_envelope
 from brdf_suite.documents.palette import MOST_ENTRIES, Entry, Group, Palette
 from brdf_suite.documents.parameter import describe
-from brdf_suite.documents.quick_paint import quick_paint
-from brdf_suite.documents.reading import FieldReader, fill, json_from_bytes, read_json
-from brdf_suite.documents.store import any_paint_from_json, paint_to_json
+from brdf_suite.documents.reading import (
+    VERSIONS,
+    FieldReader,
+    fill,
+    json_from_bytes,
+    open_envelope,
+    read_json,
+)
+from brdf_suite.documents.store import any_paint_from_json, paint_to_json, quick_paint
 from brdf_suite.errors import DocumentError, PathLike, ValueRangeError
 
 PALETTE_ENDING = ".brdfpalette"

@@ -66,6 +66,34 @@ def check_numbers(value: object, place: str, parameter: Parameter, count: int) -
     return tuple(parameter.check(item, f"{place}[{i}]") for i, item in enumerate(value))
 
 
+def check_flags(owner: object, *names: str) -> None:
+    """Raise :class:`ValueRangeError` where a field is neither true nor false."""
+    for name in names:
+        value = getattr(owner, name)
+        if not isinstance(value, bool):
+            raise ValueRangeError(name, f"expected true or false, not {describe(value)}")
+
+
+def check_choices(owner: object, **choices: tuple[str, ...]) -> None:
+    """Raise :class:`ValueRangeError` where a field is none of its choices."""
+    for name, known in choices.items():
+        check_choice(getattr(owner, name), name, known)
+
+
+def check_parts(owner: object, **kinds: tuple[type, str]) -> None:
+    """Raise :class:`ValueRangeError` where a field is neither None nor of its kind, which the word names."""
+    for name, (kind, word) in kinds.items():
+        value = getattr(owner, name)
+        if value is not None and not isinstance(value, kind):
+            raise ValueRangeError(name, f"expected {word} or nothing, not {describe(value)}")
+
+
+def check_labels(owner: object) -> None:
+    """Check the name, the notes and the source of a paint."""
+    for name, longest, long in (("name", 200, False), ("notes", 100_000, True), ("source", 10_000, True)):
+        check_text(getattr(owner, name), name, longest=longest, lines=long, empty=long)
+
+
 def check_items(value: object, place: str, kind: type | tuple[type, ...], most: int) -> tuple[Any, ...]:
     """Return a list's items as a tuple where each is of ``kind`` and they are not more than ``most``."""
     if not isinstance(value, (tuple, list)):

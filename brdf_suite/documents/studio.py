@@ -9,22 +9,21 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
-from dataclasses import dataclass, field
-from types import MappingProxyType
+from dataclasses import dataclass
 from typing import Literal, get_args
 
-from brdf_suite.documents.atomic import encode, write_atomically
-from brdf_suite.documents.migrations import VERSIONS, open_envelope
+from brdf_suite.documents.atomic import encode, with_lists, write_atomically
 from brdf_suite.documents.parameter import (
     Parameter,
     check_choice,
+    check_flags,
     check_numbers,
     check_text,
     describe,
     set_number,
     set_numbers,
 )
-from brdf_suite.documents.reading import FieldReader, fill, read_json
+from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envelope, read_json
 from brdf_suite.errors import PathLike, ValueRangeError
 
 Shape = Literal["box", "strip", "ring"]
@@ -38,33 +37,22 @@ MOST_LAMPS = 64
 _NEAREST_M = 0.1
 Point = tuple[float, float, float]
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "size": Parameter("Size", "m", 0.5, 100.0, 4.0, "Of the room, from wall to wall"),
-        "eye_height_m": Parameter("Eye height", "m", 0.01, 99.0, 0.9, "Of the middle of the scene"),
-        "albedo": Parameter("Albedo", "", 0.0, 0.95, 0.4, "Share of the light that is given back"),
-        "position_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "Of the lamp's middle"),
-        "facing": Parameter("Facing", "", -1e3, 1e3, 0.0, "Where the lamp shines, a vector of any length"),
-        "size_m": Parameter("Size", "m", 0.005, 50.0, 1.0, "Both sides; outer diameter and width of a ring"),
-        "roll_deg": Parameter(
-            "Roll", "°", -360.0, 360.0, 0.0, "About the direction in which the lamp shines"
-        ),
-        "luminance": Parameter("Luminance", "", 0.0, 1e6, 5.0, "In the unit of the studio"),
-        "colour_temperature_k": Parameter("Colour", "K", 1000.0, 25000.0, 6504.0, "Of the lamp's white"),
-        "softness_m": Parameter("Softness", "m", 1e-4, 10.0, 0.06, "Over which the lamp's edge fades in"),
-        "turbidity": Parameter("Turbidity", "", 1.7, 10.0, 3.0, "Haze: 2 very clear, 3 clear, 6 hazy"),
-        "sun_elevation_deg": Parameter("Elevation", "°", 1.0, 89.9, 40.0, "Of the sun above the horizon"),
-        "sun_azimuth_deg": Parameter("Azimuth", "°", -360.0, 360.0, 60.0, "Of the sun, from +z towards +x"),
-        "ground_albedo": Parameter(
-            "Ground", "", 0.0, 1.0, 0.2, "Share of the light that the ground gives back"
-        ),
-    }
-)
-
-
-def _temperature(owner: object, name: str = "colour_temperature_k") -> None:
-    if getattr(owner, name) is not None:
-        set_numbers(owner, PARAMETERS, name)
+PARAMETERS: Mapping[str, Parameter] = {
+    "size": Parameter("Size", "m", 0.5, 100.0, 4.0, "Of the room, from wall to wall"),
+    "eye_height_m": Parameter("Eye height", "m", 0.01, 99.0, 0.9, "Of the middle of the scene"),
+    "albedo": Parameter("Albedo", "", 0.0, 0.95, 0.4, "Share of the light that is given back"),
+    "position_m": Parameter("Position", "m", -100.0, 100.0, 0.0, "Of the lamp's middle"),
+    "facing": Parameter("Facing", "", -1e3, 1e3, 0.0, "Where the lamp shines, a vector of any length"),
+    "size_m": Parameter("Size", "m", 0.005, 50.0, 1.0, "Both sides; outer diameter and width of a ring"),
+    "roll_deg": Parameter("Roll", "°", -360.0, 360.0, 0.0, "About the direction in which the lamp shines"),
+    "luminance": Parameter("Luminance", "", 0.0, 1e6, 5.0, "In the unit of the studio"),
+    "colour_temperature_k": Parameter("Colour", "K", 1000.0, 25000.0, 6504.0, "Of the lamp's white"),
+    "softness_m": Parameter("Softness", "m", 1e-4, 10.0, 0.06, "Over which the lamp's edge fades in"),
+    "turbidity": Parameter("Turbidity", "", 1.7, 10.0, 3.0, "Haze: 2 very clear, 3 clear, 6 hazy"),
+    "sun_elevation_deg": Parameter("Elevation", "°", 1.0, 89.9, 40.0, "Of the sun above the horizon"),
+    "sun_azimuth_deg": Parameter("Azimuth", "°", -360.0, 360.0, 60.0, "Of the sun, from +z towards +x"),
+    "ground_albedo": Parameter("Ground", "", 0.0, 1.0, 0.2, "Share of the light that the ground gives back"),
+}
 
 
 def _vector(owner: object, name: str, count: int) -> None:
@@ -84,10 +72,8 @@ class BoothRoom:
     ceiling_albedo: float = 0.30
 
     def __post_init__(self) -> None:
-        for name in ("width_m", "length_m", "height_m"):
-            set_number(self, PARAMETERS["size"], name)
-        for name in ("floor_albedo", "wall_albedo", "ceiling_albedo"):
-            set_number(self, PARAMETERS["albedo"], name)
+        set_number(self, PARAMETERS["size"], "width_m", "length_m", "height_m")
+        set_number(self, PARAMETERS["albedo"], "floor_albedo", "wall_albedo", "ceiling_albedo")
         set_numbers(self, PARAMETERS, "eye_height_m")
         if self.eye_height_m >= self.height_m:
             raise ValueRangeError("eye_height_m", f"must lie below the ceiling, {self.height_m:g} m")
@@ -108,7 +94,8 @@ class Backdrop:
 
     def __post_init__(self) -> None:
         set_numbers(self, PARAMETERS, "luminance")
-        _temperature(self)
+        if self.colour_temperature_k is not None:
+            set_numbers(self, PARAMETERS, "colour_temperature_k")
 
 
 @dataclass(frozen=True)
@@ -149,9 +136,9 @@ class StudioLamp:
         check_choice(self.shape, "shape", SHAPES)
         _vector(self, "position_m", 3)
         _vector(self, "size_m", 2)
-        for name in ("roll_deg", "luminance", "softness_m"):
-            set_numbers(self, PARAMETERS, name)
-        _temperature(self)
+        set_numbers(self, PARAMETERS, "roll_deg", "luminance", "softness_m")
+        if self.colour_temperature_k is not None:
+            set_numbers(self, PARAMETERS, "colour_temperature_k")
         if self.facing is not None:
             _vector(self, "facing", 3)
             if sum(value * value for value in self.facing) < 1e-12:
@@ -220,21 +207,19 @@ class Sky:
 
     name: str
     model: SkyModel = "hosek_wilkie"
-    turbidity: float = field(default=PARAMETERS["turbidity"].default)
-    sun_elevation_deg: float = field(default=PARAMETERS["sun_elevation_deg"].default)
-    sun_azimuth_deg: float = field(default=PARAMETERS["sun_azimuth_deg"].default)
-    ground_albedo: float = field(default=PARAMETERS["ground_albedo"].default)
+    turbidity: float = PARAMETERS["turbidity"].default
+    sun_elevation_deg: float = PARAMETERS["sun_elevation_deg"].default
+    sun_azimuth_deg: float = PARAMETERS["sun_azimuth_deg"].default
+    ground_albedo: float = PARAMETERS["ground_albedo"].default
     sun_disc: bool = True
 
     def __post_init__(self) -> None:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         check_choice(self.model, "model", SKY_MODELS)
-        for name in ("turbidity", "sun_elevation_deg", "sun_azimuth_deg", "ground_albedo"):
-            set_numbers(self, PARAMETERS, name)
+        set_numbers(self, PARAMETERS, "turbidity", "sun_elevation_deg", "sun_azimuth_deg", "ground_albedo")
         if self.model == "preetham" and self.turbidity < 1.9:
             raise ValueRangeError("turbidity", "Preetham's model holds from 1.9 on; take hosek_wilkie below")
-        if not isinstance(self.sun_disc, bool):
-            raise ValueRangeError("sun_disc", f"expected true or false, not {describe(self.sun_disc)}")
+        check_flags(self, "sun_disc")
 
 
 STUDIO_ENDING = ".brdfstudio"
@@ -253,12 +238,11 @@ def save_light(light: LightDocument, path: PathLike) -> None:
 
 def light_to_json(light: LightDocument) -> dict[str, object]:
     """Return the JSON object of a studio or a sky; :func:`light_from_json` is its inverse."""
-    fields = dataclasses.asdict(light)
+    fields = dataclasses.asdict(light, dict_factory=with_lists)
     kind = "sky" if isinstance(light, Sky) else "studio"
     if kind == "studio":
-        fields = {
-            name: fields[name] for name in ("name", "unit", "room", "backdrop") if fields[name] is not None
-        } | {"lamps": [_lamp_to_json(lamp) for lamp in fields["lamps"]]}
+        order = ("name", "unit", "room", "backdrop", "lamps")
+        fields = {name: fields[name] for name in order if fields[name] is not None}
     return {"format": "brdfstudio", "version": VERSIONS["brdfstudio"], "kind": kind, **fields}
 
 
@@ -289,7 +273,3 @@ def light_from_json(value: object, path: PathLike = "the message") -> LightDocum
         "backdrop": None if backdrop is None else fill(FieldReader(backdrop, path, "backdrop"), Backdrop),
     }
     return fill(reader, Studio, taken=taken)
-
-
-def _lamp_to_json(lamp: dict[str, object]) -> dict[str, object]:
-    return {name: list(value) if isinstance(value, tuple) else value for name, value in lamp.items()}

@@ -6,18 +6,20 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath, PureWindowsPath
-from types import MappingProxyType
 from typing import Literal, get_args
 
 from brdf_suite.documents.parameter import (
     Parameter,
-    check_choice,
+    check_choices,
+    check_flags,
+    check_items,
     check_numbers,
     check_text,
     describe,
     set_numbers,
 )
 from brdf_suite.documents.view_settings import (
+    MOST_LAMPS,
     Compare,
     Lamp,
     LightColour,
@@ -25,8 +27,6 @@ from brdf_suite.documents.view_settings import (
     Sparkle,
     SurfaceLook,
     TwoTone,
-    check_colour,
-    check_lamps,
 )
 from brdf_suite.errors import ValueRangeError
 
@@ -63,28 +63,22 @@ ENVIRONMENT_LAYOUTS: tuple[str, ...] = ("auto", *get_args(ImageLayout))
 SENSOR_WIDTH_MM = 36.0
 """The width of the picture that ``focal_length_mm`` refers to: a full-frame camera."""
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "camera.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 35.0, "Around the y axis, 0 on +z"),
-        "camera.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 7.0, "Above the horizontal plane"),
-        "camera.distance": Parameter("Distance", "m", 1e-4, 1e6, 1.0, "From the target to the camera"),
-        "camera.target": Parameter("Target", "m", -1e6, 1e6, 0.0, "The point in the middle of the picture"),
-        "camera.focal_length_mm": Parameter("Focal length", "mm", 8.0, 1200.0, 50.0, "On a 36 mm sensor"),
-        "rotation_deg": Parameter(
-            "Rotation", "°", -3600.0, 3600.0, 0.0, "Turns the light counter-clockwise, seen from above"
-        ),
-        "turntable_deg_s": Parameter(
-            "Turntable",
-            "°/s",
-            -360.0,
-            360.0,
-            24.0,
-            "Speed of the turntable, counter-clockwise seen from above",
-        ),
-        "exposure_ev": Parameter("Exposure", "EV", -24.0, 24.0, 0.0, "Each step doubles the light"),
-    }
-)
+PARAMETERS: Mapping[str, Parameter] = {
+    "camera.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 35.0, "Around the y axis, 0 on +z"),
+    "camera.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 7.0, "Above the horizontal plane"),
+    "camera.distance": Parameter("Distance", "m", 1e-4, 1e6, 1.0, "From the target to the camera"),
+    "camera.target": Parameter("Target", "m", -1e6, 1e6, 0.0, "The point in the middle of the picture"),
+    "camera.focal_length_mm": Parameter("Focal length", "mm", 8.0, 1200.0, 50.0, "On a 36 mm sensor"),
+    "rotation_deg": Parameter(
+        "Rotation", "°", -3600.0, 3600.0, 0.0, "Turns the light counter-clockwise, seen from above"
+    ),
+    "turntable_deg_s": Parameter(
+        "Turntable", "°/s", -360.0, 360.0, 24.0, "Speed of the turntable, counter-clockwise seen from above"
+    ),
+    "exposure_ev": Parameter("Exposure", "EV", -24.0, 24.0, 0.0, "Each step doubles the light"),
+}
 
+_ENCODED = Parameter("Colour", "", 0.0, 1.0, 0.5, "Encoded sRGB")
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_\-]{0,99}\Z")
 
 
@@ -156,34 +150,32 @@ class View:
         for name in ("environment", "surface"):
             _check_name_or_path(getattr(self, name), name)
         set_numbers(self, PARAMETERS, "rotation_deg", "exposure_ev", "turntable_deg_s")
-        check_choice(self.tone_curve, "tone_curve", TONE_CURVES)
-        check_choice(self.background, "background", BACKGROUNDS)
-        check_choice(self.environment_layout, "environment_layout", ENVIRONMENT_LAYOUTS)
-        check_choice(self.fresnel, "fresnel", FRESNEL_MODES)
-        check_choice(self.look_up, "look_up", LOOK_UPS)
-        check_choice(self.mark_style, "mark_style", MARK_STYLES)
-        check_choice(self.exposure_mode, "exposure_mode", EXPOSURE_MODES)
-        check_choice(self.lamp_shading, "lamp_shading", LAMP_SHADINGS)
-        for name in ("clipping_marks", "gamut_marks"):
-            if not isinstance(getattr(self, name), bool):
-                raise ValueRangeError(name, f"expected true or false, not {describe(getattr(self, name))}")
-        object.__setattr__(
-            self, "background_colour", check_colour(self.background_colour, "background_colour")
+        check_choices(
+            self,
+            tone_curve=TONE_CURVES,
+            background=BACKGROUNDS,
+            environment_layout=ENVIRONMENT_LAYOUTS,
+            fresnel=FRESNEL_MODES,
+            look_up=LOOK_UPS,
+            mark_style=MARK_STYLES,
+            exposure_mode=EXPOSURE_MODES,
+            lamp_shading=LAMP_SHADINGS,
         )
-        object.__setattr__(self, "lamps", check_lamps(self.lamps, "lamps"))
+        check_flags(self, "clipping_marks", "gamut_marks")
+        colour = check_numbers(self.background_colour, "background_colour", _ENCODED, 3)
+        object.__setattr__(self, "background_colour", colour)
+        object.__setattr__(self, "lamps", check_items(self.lamps, "lamps", Lamp, MOST_LAMPS))
 
 
-PARTS: Mapping[str, type] = MappingProxyType(
-    {
-        "camera": Camera,
-        "light_colour": LightColour,
-        "sparkle": Sparkle,
-        "surface_look": SurfaceLook,
-        "relief": Relief,
-        "two_tone": TwoTone,
-        "compare": Compare,
-    }
-)
+PARTS: Mapping[str, type] = {
+    "camera": Camera,
+    "light_colour": LightColour,
+    "sparkle": Sparkle,
+    "surface_look": SurfaceLook,
+    "relief": Relief,
+    "two_tone": TwoTone,
+    "compare": Compare,
+}
 """The fields of a view that are values with fields of their own."""
 
 

@@ -8,12 +8,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath, PureWindowsPath
-from types import MappingProxyType
 from typing import Literal, TypeAlias, get_args
 
 from brdf_suite.documents.parameter import (
     Parameter,
     check_choice,
+    check_choices,
+    check_flags,
     check_items,
     check_numbers,
     check_text,
@@ -46,60 +47,47 @@ MATERIALS: tuple[str, ...] = get_args(Material)
 
 MOST_LAMPS = 8
 
-PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
-    {
-        "lamp.position": Parameter("Position", "m", -1e4, 1e4, 0.0, "Where a point lamp is, y up"),
-        "lamp.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 30.0, "Around the y axis, 0 on +z"),
-        "lamp.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 45.0, "Above the horizontal plane"),
-        "lamp.strength": Parameter(
-            "Strength",
-            "",
-            0.0,
-            1e6,
-            1.0,
-            "Illuminance over π, in the units of the environment: a white surface that faces the lamp, "
-            "at 1 m from a point lamp, gets this radiance",
-        ),
-        "lamp.temperature_k": Parameter(
-            "Colour temperature",
-            "K",
-            1000.0,
-            25000.0,
-            6500.0,
-            "Of the lamp's light, on the locus of daylight",
-        ),
-        "light_colour.brightness": Parameter(
-            "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
-        ),
-        "sparkle.light_count": Parameter(
-            "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
-        ),
-        "sparkle.strength": Parameter(
-            "Strength", "×", 0.0, 8.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
-        ),
-        "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
-        "relief.normal_strength": Parameter(
-            "Strength", "", 0.0, 4.0, 1.0, "Factor on the normal map's slopes"
-        ),
-        "relief.normal_width_mm": Parameter(
-            "Width", "mm", 0.1, 1e5, 100.0, "What one tile of the map covers"
-        ),
-        "relief.orange_peel": Parameter(
-            "Orange peel", "°", 0.0, 5.0, 0.0, "Root mean square slope of the coat's waviness"
-        ),
-        "relief.orange_peel_mm": Parameter(
-            "Wavelength", "mm", 0.2, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
-        ),
-        "two_tone.mask_width_mm": Parameter(
-            "Width", "mm", 0.1, 1e5, 1000.0, "What one tile of the mask covers"
-        ),
-        "compare.divider": Parameter("Divider", "", 0.0, 1.0, 0.5, "Share of the width that shows the first"),
-        "compare.rate_hz": Parameter("Rate", "/s", 0.2, 10.0, 1.5, "How often a second a blink changes over"),
-        "compare.scale_delta_e": Parameter(
-            "Scale to", "ΔE00", 0.1, 100.0, 5.0, "The colour difference at the end of the colour scale"
-        ),
-    }
-)
+PARAMETERS: Mapping[str, Parameter] = {
+    "lamp.position": Parameter("Position", "m", -1e4, 1e4, 0.0, "Where a point lamp is, y up"),
+    "lamp.azimuth_deg": Parameter("Azimuth", "°", -3600.0, 3600.0, 30.0, "Around the y axis, 0 on +z"),
+    "lamp.elevation_deg": Parameter("Elevation", "°", -90.0, 90.0, 45.0, "Above the horizontal plane"),
+    "lamp.strength": Parameter(
+        "Strength",
+        "",
+        0.0,
+        1e6,
+        1.0,
+        "Illuminance over π, in the units of the environment: a white surface that faces the lamp, "
+        "at 1 m from a point lamp, gets this radiance",
+    ),
+    "lamp.temperature_k": Parameter(
+        "Colour temperature", "K", 1000.0, 25000.0, 6500.0, "Of the lamp's light, on the locus of daylight"
+    ),
+    "light_colour.brightness": Parameter(
+        "Brightness", "×", 0.0, 16.0, 1.0, "Factor on the environment's light; 0: the lamps alone"
+    ),
+    "sparkle.light_count": Parameter(
+        "Lights", "", 1.0, 16.0, 8.0, "The brightest lights of the environment, in which flakes glint"
+    ),
+    "sparkle.strength": Parameter(
+        "Strength", "×", 0.0, 8.0, 1.0, "Factor on the light of single flakes; 1: as density and size say"
+    ),
+    "surface.scale": Parameter("Scale", "", 1e-4, 1e4, 1.0, "Factor on all lengths of the mesh"),
+    "relief.normal_strength": Parameter("Strength", "", 0.0, 4.0, 1.0, "Factor on the normal map's slopes"),
+    "relief.normal_width_mm": Parameter("Width", "mm", 0.1, 1e5, 100.0, "What one tile of the map covers"),
+    "relief.orange_peel": Parameter(
+        "Orange peel", "°", 0.0, 5.0, 0.0, "Root mean square slope of the coat's waviness"
+    ),
+    "relief.orange_peel_mm": Parameter(
+        "Wavelength", "mm", 0.2, 50.0, 4.0, "Typical distance from crest to crest of the orange peel"
+    ),
+    "two_tone.mask_width_mm": Parameter("Width", "mm", 0.1, 1e5, 1000.0, "What one tile of the mask covers"),
+    "compare.divider": Parameter("Divider", "", 0.0, 1.0, 0.5, "Share of the width that shows the first"),
+    "compare.rate_hz": Parameter("Rate", "/s", 0.2, 10.0, 1.5, "How often a second a blink changes over"),
+    "compare.scale_delta_e": Parameter(
+        "Scale to", "ΔE00", 0.1, 100.0, 5.0, "The colour difference at the end of the colour scale"
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -117,7 +105,7 @@ class LightColour:
 
     def __post_init__(self) -> None:
         check_choice(self.illuminant, "illuminant", ILLUMINANTS)
-        _check_flag(self.adapted, "adapted")
+        check_flags(self, "adapted")
         set_numbers(self, PARAMETERS, "brightness", group="light_colour.")
 
 
@@ -191,10 +179,8 @@ class SurfaceLook:
     ground: bool = False
 
     def __post_init__(self) -> None:
-        check_choice(self.unit, "unit", LENGTH_UNITS)
-        check_choice(self.normals, "normals", NORMALS_MODES)
-        for name in ("recentre", "flip_normals", "occlusion", "ground"):
-            _check_flag(getattr(self, name), name)
+        check_choices(self, unit=LENGTH_UNITS, normals=NORMALS_MODES)
+        check_flags(self, "recentre", "flip_normals", "occlusion", "ground")
         set_numbers(self, PARAMETERS, "scale", group="surface.")
         object.__setattr__(self, "materials", check_items(self.materials, "materials", PartMaterial, 10_000))
         names = [item.part for item in self.materials]
@@ -261,9 +247,8 @@ class Compare:
     basis: CompareBasis = "light"
 
     def __post_init__(self) -> None:
-        check_choice(self.mode, "mode", COMPARE_MODES)
+        check_choices(self, mode=COMPARE_MODES, basis=COMPARE_BASES)
         _check_paint(self.paint, "paint")
-        check_choice(self.basis, "basis", COMPARE_BASES)
         set_numbers(self, PARAMETERS, "divider", "rate_hz", "scale_delta_e", group="compare.")
 
 
@@ -280,19 +265,3 @@ def check_path(value: object, place: str) -> None:
 def _check_paint(value: object, place: str) -> None:
     if value is not None:
         check_text(value, place, longest=4096, lines=False, empty=False)
-
-
-def _check_flag(value: object, place: str) -> None:
-    if not isinstance(value, bool):
-        raise ValueRangeError(place, f"expected true or false, not {describe(value)}")
-
-
-def check_lamps(value: object, place: str) -> tuple[Lamp, ...]:
-    """Return lamps as a tuple, or raise :class:`ValueRangeError`."""
-    return check_items(value, place, Lamp, MOST_LAMPS)
-
-
-def check_colour(value: object, place: str) -> tuple[float, float, float]:
-    """Return three numbers of 0 to 1, encoded sRGB, or raise :class:`ValueRangeError`."""
-    red, green, blue = check_numbers(value, place, Parameter("Colour", "", 0.0, 1.0, 0.5, "Encoded sRGB"), 3)
-    return red, green, blue

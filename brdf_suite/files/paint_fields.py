@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from brdf_suite.documents.migrations import VERSIONS
 from brdf_suite.documents.paint import Gloss, Lab, Paint
-from brdf_suite.documents.quick_paint import quick_paint
-from brdf_suite.documents.store import paint_from_json, paint_to_json
+from brdf_suite.documents.reading import VERSIONS
+from brdf_suite.documents.store import paint_from_json, paint_to_json, quick_paint
 from brdf_suite.errors import DocumentError
 
 Setting = str | float | bool

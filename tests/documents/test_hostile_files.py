@@ -11,9 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.documents.migrations import MIGRATIONS, VERSIONS
 from brdf_suite.documents.paint import Flakes, Gloss, solid_paint
-from brdf_suite.documents.reading import LARGEST_FILE
+from brdf_suite.documents.reading import LARGEST_FILE, MIGRATIONS, VERSIONS
 from brdf_suite.documents.store import (
     load_paint,
     load_view,

@@ -27,8 +27,7 @@ from brdf_suite.documents.palette_store import (
     palette_to_json,
     save_palette,
 )
-from brdf_suite.documents.quick_paint import quick_paint
-from brdf_suite.documents.store import any_paint_from_json, paint_to_json
+from brdf_suite.documents.store import any_paint_from_json, paint_to_json, quick_paint
 from brdf_suite.errors import DocumentError, FileError, ValueRangeError
 
 WHITE = Entry(

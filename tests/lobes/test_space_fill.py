@@ -9,7 +9,7 @@ from brdf_lobe_visualizer.view3d.options import SpaceOptions
 
 from brdf_suite.geometry.directions import illumination, mirror
 from brdf_suite.inspection.lobe_surface.grid import lobe_grid
-from brdf_suite.inspection.lobe_surface.scale import RADIUS_KINDS, RadiusScale
+from brdf_suite.inspection.lobe_surface.surface import RADIUS_KINDS, RadiusScale
 
 
 @pytest.mark.parametrize("kind", RADIUS_KINDS)

@@ -11,7 +11,7 @@ from brdf_qt.gl.segments import Rgba, Segments, polyline, segments
 from brdf_lobe_visualizer.view3d.scene import FrameOptions
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import mirror, spherical
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+from brdf_suite.inspection.lobe_surface.surface import RadiusScale
 
 LIGHT_REACH = 1.18
 """How far from the middle the arrow's handle for the light is; the hemisphere's radius is 1."""

@@ -20,10 +20,11 @@ from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.colour import difference_map, scalar_of, value_map
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
-from brdf_suite.inspection.lobe_surface.scale import RadiusKind, RadiusScale
 from brdf_suite.inspection.lobe_surface.surface import (
     Colouring,
     LobeSurface,
+    RadiusKind,
+    RadiusScale,
     difference_surface,
     greatest,
     lobe_surface,

@@ -8,8 +8,7 @@ from typing import Literal, get_args
 from PySide6.QtCore import QObject
 
 from brdf_lobe_visualizer.options import OptionState
-from brdf_suite.inspection.lobe_surface.scale import LEAST_DECADES, MOST_DECADES
-from brdf_suite.inspection.lobe_surface.surface import COLOURINGS, Colouring
+from brdf_suite.inspection.lobe_surface.surface import COLOURINGS, LEAST_DECADES, MOST_DECADES, Colouring
 
 FitStyle = Literal["lines", "glass", "solid"]
 Arrangement = Literal["overlay", "panels"]

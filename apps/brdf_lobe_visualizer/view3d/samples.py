@@ -12,7 +12,7 @@ from brdf_lobe_visualizer.view3d.scene import CUT, Points
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.colour import light_codes, scalar_of
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
+from brdf_suite.inspection.lobe_surface.surface import RadiusScale
 from brdf_suite.inspection.slices.values import cosine_of
 
 

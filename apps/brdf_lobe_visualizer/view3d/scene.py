@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
-from brdf_suite.inspection.lobe_surface.surface import LobeSurface
+from brdf_suite.inspection.lobe_surface.surface import LobeSurface, RadiusScale
 
 Style = Literal["solid", "glass", "lines"]
 

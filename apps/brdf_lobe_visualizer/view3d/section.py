@@ -11,7 +11,7 @@ from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import FULL_RANGE, SpaceOptions, SpaceState
-from brdf_suite.inspection.lobe_surface.scale import LEAST_DECADES, MOST_DECADES
+from brdf_suite.inspection.lobe_surface.surface import LEAST_DECADES, MOST_DECADES
 
 _RADII = {"linear": mark("Linear"), "cbrt": mark("Cube root"), "log": mark("Logarithm")}
 _COSINES = {

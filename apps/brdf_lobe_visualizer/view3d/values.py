@@ -18,8 +18,7 @@ from brdf_lobe_visualizer.subjects.subjects import Measured, PlottedMaterial
 from brdf_suite.arrays import Singles
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid, lobe_grid
-from brdf_suite.inspection.lobe_surface.parts import FitLobe, FitOnGrid
-from brdf_suite.inspection.lobe_surface.values import LobeSource
+from brdf_suite.inspection.lobe_surface.parts import FitLobe, FitOnGrid, LobeSource
 from brdf_suite.inspection.slices.values import Cosine, cosine_of
 from brdf_suite.reflectance.protocol import Reflectance
 

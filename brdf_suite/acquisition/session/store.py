@@ -21,8 +21,7 @@ from brdf_suite.acquisition.session.session import (
     WhiteReference,
 )
 from brdf_suite.documents.atomic import encode, write_atomically
-from brdf_suite.documents.migrations import VERSIONS, open_envelope
-from brdf_suite.documents.reading import FieldReader, fill, read_json
+from brdf_suite.documents.reading import VERSIONS, FieldReader, fill, open_envelope, read_json
 from brdf_suite.errors import FileError, PathLike
 
 _T = TypeVar("_T")

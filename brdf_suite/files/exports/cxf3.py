@@ -18,7 +18,7 @@ import numpy as np
 from brdf_suite.appearance.colour.spectra import DEFAULT_WAVELENGTHS_NM
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.documents.atomic import write_atomically
-from brdf_suite.documents.migrations import VERSIONS
+from brdf_suite.documents.reading import VERSIONS
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.cxf import NAMESPACE, SETTING, SOURCE, TAGS, VERSION, is_cxf, read_cxf
 from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, readings_loss

@@ -60,7 +60,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
     for k, geometry in enumerate(g.name for g in figures[0].geometry_set.geometries):
         readings = [f.readings[k] for f in figures]
         for c, quantity in enumerate(("L*", "a*", "b*")):
-            add("colours", f"{quantity} {geometry}", "", [_lab(reading, c) for reading in readings])
+            add("colours", f"{quantity} {geometry}", "", [_lab_value(reading, c) for reading in readings])
         add("colours", f"ΔE00 of the fit {geometry}", "", [reading.delta_e_fit for reading in readings])
         add(
             "colours",
@@ -117,7 +117,7 @@ def _error(errors: ErrorSet | None, field: str) -> float | None:
     return None if errors is None else float(getattr(errors, field))
 
 
-def _lab(reading: AngleReading, channel: int) -> float | None:
+def _lab_value(reading: AngleReading, channel: int) -> float | None:
     return None if reading.lab is None else reading.lab[channel]
 
 

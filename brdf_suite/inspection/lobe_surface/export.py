@@ -10,8 +10,7 @@ import numpy.typing as npt
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.files.meshes.writing import PointMesh, write_obj, write_ply
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
-from brdf_suite.inspection.lobe_surface.surface import LobeSurface, grid_faces
+from brdf_suite.inspection.lobe_surface.surface import LobeSurface, RadiusScale, grid_faces
 
 MESH_ENDINGS = (".obj", ".ply")
 

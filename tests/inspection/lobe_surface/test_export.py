@@ -13,9 +13,8 @@ from brdf_suite.errors import FileError, ValueRangeError
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.export import surface_mesh, write_surface
 from brdf_suite.inspection.lobe_surface.grid import lobe_grid
-from brdf_suite.inspection.lobe_surface.scale import RadiusScale
-from brdf_suite.inspection.lobe_surface.surface import greatest, lobe_surface
-from brdf_suite.inspection.lobe_surface.values import LobeSource
+from brdf_suite.inspection.lobe_surface.parts import LobeSource
+from brdf_suite.inspection.lobe_surface.surface import RadiusScale, greatest, lobe_surface
 from brdf_suite.reflectance.registry import MODELS
 
 ROWS, COLUMNS = 16, 24

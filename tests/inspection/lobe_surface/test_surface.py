@@ -19,16 +19,17 @@ from brdf_suite.inspection.lobe_surface.colour import (
 )
 from brdf_suite.inspection.lobe_surface.grid import HORIZON_Z, lobe_grid
 from brdf_suite.inspection.lobe_surface.occlusion import hidden, met, radius_along, value_along
-from brdf_suite.inspection.lobe_surface.parts import FitOnGrid, fit_lobes
-from brdf_suite.inspection.lobe_surface.scale import RADIUS_KINDS, RadiusScale, nice_ceiling
+from brdf_suite.inspection.lobe_surface.parts import FitOnGrid, LobeSource, fit_lobes
 from brdf_suite.inspection.lobe_surface.surface import (
     COLOURINGS,
+    RADIUS_KINDS,
+    RadiusScale,
     difference_surface,
     greatest,
     grid_faces,
     lobe_surface,
+    nice_ceiling,
 )
-from brdf_suite.inspection.lobe_surface.values import LobeSource
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.registry import MODELS
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
