@@ -3,8 +3,8 @@
 Each file is ``{"format": ..., "version": ..., fields}`` with the fields named as in the values. Fields with a
 default may be left out; unknown ones are refused. The same JSON travels between the programs.
 
-The usual reader names the place of whatever is wrong, and takes half a millisecond a paint. For palettes of thousands of
-entries :func:`quick_paint` builds a paint of the present version whose every field is as it should be at once; of
+The usual reader names the place of whatever is wrong, and takes half a millisecond a paint. For large palettes
+:func:`quick_paint` builds a paint of the present version whose every field is as it should be at once; of
 anything else nothing is said but that the usual reader must look at it.
 """
 
