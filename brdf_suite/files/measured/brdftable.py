@@ -38,8 +38,7 @@ from brdf_suite.files.measured.tabulation import tabulation_notes
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
-from brdf_suite.reflectance.tabulated.coverage import Coverage
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 VERSION = 1
