@@ -55,7 +55,7 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/blocks.py": "concurrent.futures loads logging, and small calls need no threads",
-    "brdf_suite/reflectance/factored/build.py": "OpenEXR is loaded for the textures of factored paints alone",
+    "brdf_suite/reflectance/factored/model.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/reflectance/tabulated/scattered.py": "scipy.spatial takes 0.5 s, and only scattered data need it",
     "brdf_suite/reports/contact_sheet/document.py": "reportlab takes 120 ms, and only PDF needs it",
     "brdf_suite/reports/paint_report/formats.py": "reportlab takes 120 ms, and only PDF needs it",

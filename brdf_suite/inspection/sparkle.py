@@ -25,9 +25,9 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.realtime.material.flake_share import visible_flake_lobe
-from brdf_suite.reflectance.flakes.spots import Spots, spots
+from brdf_suite.reflectance.flakes.glints import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
 ANGLES_DEG = (15.0, 45.0, 75.0)
 """Aspecular angles at which the figure is reported."""

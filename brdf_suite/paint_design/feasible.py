@@ -34,7 +34,7 @@ from brdf_suite.paint_design.feasible_colours import nearest_in_cone
 from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.designed.build import DarkerThanCoatError, build_paint, gloss_of_coat
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
 TOLERANCE_DELTA_E = 1.0
 """ΔE00 at the readings within which a fit gives what is asked: more is seen, patch beside patch."""

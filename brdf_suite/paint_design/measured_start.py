@@ -22,8 +22,7 @@ from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.material import Material, load_document, load_material
 from brdf_suite.progress import Progress, report, subrange
-from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.designed.misses import interpolation_notices
+from brdf_suite.reflectance.designed.build import build_paint, interpolation_notices
 from brdf_suite.reflectance.instruments.glossmeter import gloss_reading
 from brdf_suite.reflectance.instruments.spectrophotometer import measure
 from brdf_suite.reflectance.protocol import Reflectance

@@ -33,8 +33,8 @@ from brdf_suite.fitting.metrics import AngleError, HeldOut, as_rgb_tuple
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.designed.several_lights import SeveralLights
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Layered, Reflectance
 

@@ -20,8 +20,7 @@ from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FileError, UnreachableError
-from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
-from brdf_suite.reflectance.designed.misses import interpolation_notices
+from brdf_suite.reflectance.designed.build import build_paint, build_reflectance, interpolation_notices
 from brdf_suite.reflectance.instruments.through_aperture import build_through
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.models.table_1 import TABLE_1
@@ -213,7 +212,7 @@ def under_illuminant(material: Material, colour: LightColour) -> Material:
         return material
     if not has_spectra(material.reflectance):
         return material
-    from brdf_suite.reflectance.instruments.relit import relit  # 15 ms at the start of each program
+    from brdf_suite.reflectance.instruments.under_light import relit  # 15 ms at the start of each program
 
     return replace(material, reflectance=relit(material.reflectance, illuminant))
 

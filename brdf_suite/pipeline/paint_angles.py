@@ -24,8 +24,8 @@ from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.pipeline.seen_weights import SeenQueue, SeenWeights
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES
 from brdf_suite.realtime.values import MaterialWeights, WeightsOverAngle
+from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.designed.several_lights import SeveralLights
 
 if TYPE_CHECKING:
     from concurrent.futures import Future

@@ -22,7 +22,7 @@ from brdf_suite.errors import ReferenceUnavailableError, ValueRangeError
 from brdf_suite.files.measured.rgl import write_rgl
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reference.mitsuba_modules import mi
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tensor.tabulate import tabulate
 from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance

@@ -29,8 +29,8 @@ def normal_albedo(reflectance: Reflectance) -> Floats:
 
     2π ∫ f_r cosθ sinθ dθ by 16 Gauss-Legendre points in sin²θ; for smooth reflectances, not for mirror lobes.
     """
-    wo, weights = _half_circle()
-    return np.asarray(weights @ reflectance.eval(_NORMAL, wo))
+    wo, shares = _half_circle(16)
+    return np.asarray(math.pi * shares @ reflectance.eval(_NORMAL, wo))
 
 
 def directional_albedo(
@@ -67,10 +67,8 @@ def hemispherical_albedo(reflectance: Reflectance, azimuths: int = 32) -> Floats
 
     For isotropic reflectances, by 6 Gauss-Legendre points.
     """
-    nodes, shares = np.polynomial.legendre.leggauss(6)
-    s = 0.5 * (nodes + 1.0)
-    wi = np.stack((np.sqrt(s), np.zeros_like(s), np.sqrt(1.0 - s)), axis=-1)
-    return np.asarray(0.5 * shares @ directional_albedo(reflectance, wi, azimuths))
+    wi, shares = _half_circle(6)
+    return np.asarray(shares @ directional_albedo(reflectance, wi, azimuths))
 
 
 def _integral(
@@ -80,20 +78,15 @@ def _integral(
     out = np.empty(fixed.shape)
     for index in np.ndindex(fixed.shape[:-1]):
         one = fixed[index]
-        half, solid = _rings(
-            azimuths * _refinement(float(one[2])), min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths), first
-        )
+        # A lobe round about the mirror direction is 1/cosθ times longer than wide here: more azimuths.
+        finer = int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(float(one[2]), 1e-3))))))
+        half, solid = _rings(azimuths * finer, min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths), first)
         other, dot = mirror_at(one, half), half @ one
         up = (other[:, 2] > 0.0) & (dot > 0.0)
         other = other[up]
         pair = (one, other) if given_light else (other, one)
         out[index] = (4.0 * (dot * solid)[up] * other[:, 2]) @ reflectance.eval(*pair)
     return out
-
-
-def _refinement(cosine: float) -> int:
-    """How many times more azimuths: a lobe round about the mirror direction is 1/cosθ times longer than wide here."""
-    return int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(cosine, 1e-3))))))
 
 
 @cache
@@ -112,9 +105,10 @@ def _rings(azimuths: int, widest: float, first: float) -> tuple[Floats, Floats]:
 
 
 @cache
-def _half_circle() -> tuple[Floats, Floats]:
-    nodes, shares = np.polynomial.legendre.leggauss(16)
+def _half_circle(points: int) -> tuple[Floats, Floats]:
+    """Directions (n, 3) in the plane y = 0 and their shares (n,) of an integral over sin²θ."""
+    nodes, shares = np.polynomial.legendre.leggauss(points)
     # With s = sin²θ, cosθ sinθ dθ = ds/2, and s runs from 0 to 1.
     s = 0.5 * (nodes + 1.0)
     wo = np.stack((np.sqrt(s), np.zeros_like(s), np.sqrt(1.0 - s)), axis=-1)
-    return wo, 0.5 * math.pi * shares
+    return wo, 0.5 * shares

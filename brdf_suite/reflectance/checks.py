@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 from typing import Literal
 
@@ -86,18 +86,7 @@ class CheckReport:
         return {
             "name": self.name,
             "passed": self.passed,
-            "findings": [
-                {
-                    "check": f.check,
-                    "size": f.size,
-                    "unit": f.unit,
-                    "where": f.where,
-                    "typical": f.typical,
-                    "outcome": f.outcome,
-                    "passed": f.passed,
-                }
-                for f in self.findings
-            ],
+            "findings": [{**asdict(finding), "passed": finding.passed} for finding in self.findings],
             "albedo": [
                 {
                     "illumination_deg": angle,
@@ -148,11 +137,9 @@ def check_reflectance(
         reciprocal = getattr(reflectance, "reciprocal", None)
     if energy_conserving is None:
         energy_conserving = getattr(reflectance, "energy_conserving", None)
-    findings = []
     size, where = negativity(reflectance)
-    findings.append(
-        CheckFinding("non_negativity", size, "1/sr", where if size else "", _outcome(size > 0.0, True))
-    )
+    verdict = _outcome(size > 0.0, True)
+    findings = [CheckFinding("non_negativity", size, "1/sr", where if size else "", verdict)]
     size, where, typical = reciprocity(reflectance)
     verdict = _outcome(size > RECIPROCITY_TOLERANCE, reciprocal)
     findings.append(CheckFinding("reciprocity", size, "relative", where, verdict, typical))
@@ -160,10 +147,7 @@ def check_reflectance(
     albedo, furnace = (
         _settled(integral, reflectance, light) for integral in (directional_albedo, white_furnace)
     )
-    for check, table, fixed in (
-        ("directional_albedo", albedo, "light"),
-        ("white_furnace", furnace, "view"),
-    ):
+    for check, table, fixed in (("directional_albedo", albedo, "light"), ("white_furnace", furnace, "view")):
         row, channel = np.unravel_index(int(np.argmax(table)), table.shape)
         excess = max(float(table[row, channel]) - 1.0, 0.0)
         place = f"{fixed} at {incidence_deg[row]:g}°, {('red', 'green', 'blue')[channel]}"
@@ -215,24 +199,18 @@ def _pairs() -> tuple[Floats, Floats]:
     """Pairs of directions (n, 3): even ones, some near the mirror direction, some near grazing, some in one plane."""
     random = np.random.default_rng(_SEED)
     even = warps.cosine_hemisphere(random.random((2, _PAIRS, 2)))
-    wi, wo = [even[0]], [even[1]]
     # The half vector of these lies within the narrowest coat lobe to the widest.
     light = warps.cosine_hemisphere(random.random((_PAIRS, 2)))
     away = 10.0 ** random.uniform(-3.5, -0.3, _PAIRS)
     near = mirror(light) + away[:, None] * random.normal(size=(_PAIRS, 3))
-    wi.append(light)
-    wo.append(near / np.linalg.norm(near, axis=-1, keepdims=True))
+    near /= np.linalg.norm(near, axis=-1, keepdims=True)
     low = spherical(
         0.5 * math.pi - 10.0 ** random.uniform(-4.0, -0.7, (2, _PAIRS)),
         random.uniform(-3.1, 3.1, (2, _PAIRS)),
     )
-    wi.append(low[0])
-    wo.append(low[1])
     polar = random.uniform(-1.55, 1.55, (2, _PAIRS))
     plane = np.stack((np.sin(polar), np.zeros_like(polar), np.cos(polar)), axis=-1)
-    wi.append(plane[0])
-    wo.append(plane[1])
-    light, view = np.concatenate(wi), np.concatenate(wo)
+    light, view = (np.concatenate(side) for side in zip(even, (light, near), low, plane, strict=True))
     up = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
     return light[up], view[up]
 
@@ -256,15 +234,8 @@ def is_isotropic(reflectance: Reflectance) -> bool:
     wi, wo = (pairs[:512] for pairs in even_pairs())
     still = np.nan_to_num(np.asarray(reflectance.eval(wi, wo)))
     floor = _SAME_TURNED * float(np.median(still)) + 1e-12
-    return all(
-        bool(
-            (
-                np.abs(np.nan_to_num(Turned(reflectance, turn).eval(wi, wo)) - still)
-                <= _SAME_TURNED * still + floor
-            ).all()
-        )
-        for turn in _TURNS
-    )
+    turned = np.array([np.nan_to_num(Turned(reflectance, turn).eval(wi, wo)) for turn in _TURNS])
+    return bool((np.abs(turned - still) <= _SAME_TURNED * still + floor).all())
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ wherever light can come from.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -51,7 +52,7 @@ _STRETCH = (1.0 + _START**4) ** 0.25 - _START
 _PIECE = 1 << 14
 
 
-class HalfVectorDensity:
+class HalfVectorDensity(mixture.MixtureSampled):
     """Samples directions to the light for any view, with their density.
 
     Parameters
@@ -75,14 +76,7 @@ class HalfVectorDensity:
         own = np.asarray(views, float)
         self._theta_o: Floats = np.unique(np.concatenate((even, own[(own > 0.0) & (own < last)])))
 
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light for views ``wo`` (..., 3) and ``u`` (..., 3), even in [0, 1)."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample`, 1/sr; 0 where either direction is below the horizon."""
-        return mixture.pdf(self._parts(), wi, wo)
-
+    @property
     def _parts(self) -> tuple[mixture.MixturePart, mixture.MixturePart]:
         # Made anew each time: kept, they could not be sent to another process with their table.
         return mixture.diffuse(EVEN_SHARE), mixture.MixturePart(1.0 - EVEN_SHARE, self._draw, self._density)
@@ -152,6 +146,18 @@ class HalfVectorDensity:
         steps = 4.0 * _STRETCH * (_STRETCH * square[:, 0] + _START) ** 3
         half = np.sinc(theta_h / math.pi) * largest * largest * steps * math.pi
         return np.asarray(2.0 * np.sqrt(np.einsum("ni,ni->n", total, total)) * half)
+
+
+class HalfVectorSampled(mixture.MixtureSampled):
+    """Base of a reflectance that is sampled about as its values are, by a :class:`HalfVectorDensity`."""
+
+    @cached_property
+    def _sampler(self) -> HalfVectorDensity:
+        raise NotImplementedError
+
+    @property
+    def _parts(self) -> Sequence[mixture.MixturePart]:
+        return self._sampler._parts
 
 
 def _largest(wo: Floats, turn: Floats) -> Floats:

@@ -6,28 +6,27 @@ The examples are made when they are asked for, so that listing the models costs 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 from types import MappingProxyType
-from typing import Literal
+from typing import Any
 
 import numpy as np
 
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.paint import Gloss, Interpolation, Measurement, OutOfPlane, Paint
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.coated import Coated
-from brdf_suite.reflectance.models.coated_phong import CoatedPhong
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.models.ggx import Ggx
 from brdf_suite.reflectance.models.lafortune import Lafortune, LafortuneLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
-from brdf_suite.reflectance.models.phong import Phong
+from brdf_suite.reflectance.models.phong import CoatedPhong, Phong
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
@@ -69,9 +68,7 @@ class ModelEntry:
         return declared
 
 
-def _aspecular(
-    interpolation: Interpolation = "flake", out_of_plane: OutOfPlane = "aspecular", second_light: bool = False
-) -> Reflectance:
+def _aspecular(*, second_light: bool = False, **rule: Any) -> Reflectance:
     # A blue metallic paint; the second light's readings turn it to violet, as a colour-shifting pigment does.
     readings = [
         Measurement(45.0, 15.0, (62.0, -4.0, -45.0)),
@@ -84,8 +81,7 @@ def _aspecular(
             Measurement(15.0, 45.0, (25.0, 12.0, -37.0)),
             Measurement(15.0, 80.0, (14.0, 9.0, -32.0)),
         ]
-    paint = Paint("Blue", tuple(readings), Gloss(90.0))
-    return build_paint(replace(paint, interpolation=interpolation, out_of_plane=out_of_plane))
+    return build_paint(Paint("Blue", tuple(readings), Gloss(90.0), **rule))
 
 
 def _cosine_lobes() -> Reflectance:
@@ -95,10 +91,6 @@ def _cosine_lobes() -> Reflectance:
         kdd=((0.05, 0.06, 0.1), (0.03, 0.04, 0.06), (0.0, 0.0, 0.0)),
         kg=((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (12.0, 12.0, 12.0)),
     )
-
-
-def _phong(form: Literal["modified", "original"]) -> Reflectance:
-    return Phong((0.1, 0.2, 0.4), 0.4, 50.0, form)
 
 
 def _lafortune() -> Reflectance:
@@ -111,30 +103,6 @@ def _lafortune() -> Reflectance:
             LafortuneLobe(0.05, 0.7, 0.7, 0.7, 4.0),
         ),
     )
-
-
-def _coated_phong() -> Reflectance:
-    return CoatedPhong((0.03, 0.05, 0.15), (0.2, 0.25, 0.4))
-
-
-def _cook_torrance(name: str) -> Reflectance:
-    return CookTorrance(TABLE_1[name])
-
-
-def _ggx() -> Reflectance:
-    return Ggx(0.05, (0.9, 0.7, 0.4), 0.3)
-
-
-def _ggx_clearcoat() -> Reflectance:
-    return Coated(Ggx(0.02, (0.5, 0.3, 0.3), 0.35), 1.5, 0.005, spread=0.5)
-
-
-def _coated_matt() -> Reflectance:
-    return Coated(Lambertian((0.6, 0.3, 0.2)), 1.5, 0.005)
-
-
-def _poulin_fournier() -> Reflectance:
-    return PoulinFournier((0.1, 0.1, 0.12), (0.6, 0.55, 0.5))
 
 
 def _factored() -> Reflectance:
@@ -170,57 +138,40 @@ def _factored_radial() -> Reflectance:
     )
 
 
-def _lambertian() -> Reflectance:
-    return Lambertian((0.8, 0.5, 0.2))
-
-
-def _coat() -> Reflectance:
-    return CoatLobe(1.5, 0.01)
-
-
-_ASPECULAR_SOURCE = "Westlund and Meyer 2001; Shimizu, Meyer and Wingard 2003"
-_TABLE_1_SOURCE = "Günther et al. 2005, equation 1 and Table 1"
-
+_ASPECULAR: tuple[tuple[str, str, dict[str, Any]], ...] = (
+    ("", "flake rule", {}),
+    ("_monotone", "monotone rule", {"interpolation": "monotone"}),
+    ("_polynomial", "polynomial rule", {"interpolation": "polynomial"}),
+    ("_half_vector", "flake rule by the half vector's tilt", {"out_of_plane": "half_vector"}),
+    ("_two_lights", "two light angles", {"second_light": True}),
+)
 _ENTRIES = (
-    ModelEntry("aspecular", "Aspecular paint, flake rule", _aspecular, True, False, _ASPECULAR_SOURCE),
-    ModelEntry(
-        "aspecular_monotone",
-        "Aspecular paint, monotone rule",
-        lambda: _aspecular("monotone"),
-        True,
-        False,
-        _ASPECULAR_SOURCE,
+    *(
+        ModelEntry(
+            f"aspecular{suffix}",
+            f"Aspecular paint, {rule}",
+            partial(_aspecular, **options),
+            True,
+            False,
+            "Westlund and Meyer 2001; Shimizu, Meyer and Wingard 2003",
+        )
+        for suffix, rule, options in _ASPECULAR
     ),
     ModelEntry(
-        "aspecular_polynomial",
-        "Aspecular paint, polynomial rule",
-        lambda: _aspecular("polynomial"),
-        True,
-        False,
-        _ASPECULAR_SOURCE,
+        "coat", "Clearcoat alone", partial(CoatLobe, 1.5, 0.01), True, True, "Beckmann; Walter et al. 2007"
     ),
     ModelEntry(
-        "aspecular_half_vector",
-        "Aspecular paint, flake rule by the half vector's tilt",
-        lambda: _aspecular("flake", "half_vector"),
+        "coated_matt",
+        "Matt base under a clearcoat",
+        lambda: Coated(Lambertian((0.6, 0.3, 0.2))),
         True,
-        False,
-        _ASPECULAR_SOURCE,
-    ),
-    ModelEntry(
-        "aspecular_two_lights",
-        "Aspecular paint, two light angles",
-        lambda: _aspecular(second_light=True),
         True,
-        False,
-        _ASPECULAR_SOURCE,
+        "Saunderson 1942",
     ),
-    ModelEntry("coat", "Clearcoat alone", _coat, True, True, "Beckmann; Walter et al. 2007"),
-    ModelEntry("coated_matt", "Matt base under a clearcoat", _coated_matt, True, True, "Saunderson 1942"),
     ModelEntry(
         "coated_phong",
         "Phong with a clearcoat by Fresnel",
-        _coated_phong,
+        lambda: CoatedPhong((0.03, 0.05, 0.15), (0.2, 0.25, 0.4)),
         True,
         True,
         "after Günther et al. 2005, section 6.1",
@@ -228,10 +179,10 @@ _ENTRIES = (
     ModelEntry(
         "cook_torrance",
         "Cook-Torrance, three lobes (Polaris Silver)",
-        lambda: _cook_torrance("table1_polaris_silver"),
+        lambda: CookTorrance(TABLE_1["table1_polaris_silver"]),
         True,
         False,
-        _TABLE_1_SOURCE,
+        "Günther et al. 2005, equation 1 and Table 1",
     ),
     ModelEntry(
         "cosine_lobes",
@@ -258,17 +209,29 @@ _ENTRIES = (
         False,
         "McCool, Ang and Ahmad 2001, sections 4.2 and 4.3",
     ),
-    ModelEntry("ggx", "GGX metal over a matt part", _ggx, True, True, "Walter et al. 2007; Heitz 2014"),
     ModelEntry(
-        "ggx_clearcoat", "GGX metal under a clearcoat", _ggx_clearcoat, True, True, "Walter et al. 2007"
+        "ggx",
+        "GGX metal over a matt part",
+        partial(Ggx, 0.05, (0.9, 0.7, 0.4)),
+        True,
+        True,
+        "Walter et al. 2007; Heitz 2014",
+    ),
+    ModelEntry(
+        "ggx_clearcoat",
+        "GGX metal under a clearcoat",
+        lambda: Coated(Ggx(0.02, (0.5, 0.3, 0.3), 0.35), 1.5, 0.005, spread=0.5),
+        True,
+        True,
+        "Walter et al. 2007",
     ),
     ModelEntry("lafortune", "Generalised cosine lobes", _lafortune, True, True, "Lafortune et al. 1997"),
-    ModelEntry("lambertian", "Matt", _lambertian, True, True, "Lambert 1760"),
-    ModelEntry("phong", "Phong, modified", lambda: _phong("modified"), True, True, "Lewis 1994"),
+    ModelEntry("lambertian", "Matt", lambda: Lambertian((0.8, 0.5, 0.2)), True, True, "Lambert 1760"),
+    ModelEntry("phong", "Phong, modified", partial(Phong, (0.1, 0.2, 0.4), 0.4), True, True, "Lewis 1994"),
     ModelEntry(
         "phong_original",
         "Phong, original",
-        lambda: _phong("original"),
+        partial(Phong, (0.1, 0.2, 0.4), 0.4, form="original"),
         False,
         False,
         "Phong 1975",
@@ -277,12 +240,11 @@ _ENTRIES = (
     ModelEntry(
         "poulin_fournier",
         "Brushed metal of cylinders",
-        _poulin_fournier,
+        lambda: PoulinFournier((0.1, 0.1, 0.12), (0.6, 0.55, 0.5)),
         True,
         True,
         "Poulin and Fournier 1990",
     ),
 )
-
 MODELS: Mapping[str, ModelEntry] = MappingProxyType({entry.name: entry for entry in _ENTRIES})
 """Every model with an example of it, by name."""

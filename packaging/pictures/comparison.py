@@ -32,9 +32,8 @@ from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import find_environment, load_environment, load_surface
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.pictures.tone_curves import display_light
-from brdf_suite.reflectance.models.coated_phong import CoatedPhong
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
-from brdf_suite.reflectance.models.phong import Phong
+from brdf_suite.reflectance.models.phong import CoatedPhong, Phong
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.tracing.agreement.errors import errors_of

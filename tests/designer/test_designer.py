@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication
 from brdf_suite.documents.paint import Measurement
 from brdf_suite.documents.store import load_paint, paint_from_json, save_paint
 from brdf_suite.pipeline.material import load_shipped_paint
-from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
+from brdf_suite.reflectance.instruments.glossmeter import total_gloss
 
 
 def action(designer, path: str):

@@ -13,8 +13,7 @@ from brdf_suite.inspection.sparkle import ANGLES_DEG, CROWDED, sparkle
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
-from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
-from brdf_suite.reflectance.flakes.spots import spots
+from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 
 ROUGHNESS = 0.16

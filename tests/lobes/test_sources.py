@@ -23,9 +23,8 @@ from brdf_suite.geometry.directions import illumination, mirror
 from brdf_suite.pipeline.material import file_kind
 from brdf_suite.reflectance.models.lambertian import Lambertian
 from brdf_suite.reflectance.registry import MODELS
-from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 from brdf_suite.resources import resource
 
 

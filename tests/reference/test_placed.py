@@ -75,7 +75,7 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
 def test_the_flake_texture_is_that_of_the_core(variant) -> None:
     from brdf_suite.reference.flakes.texture import texture_ratio
     from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
-    from brdf_suite.reflectance.flakes.texture import flake_texture_ratio
+    from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
 
     rng = np.random.default_rng(8)
     at, across, down = pixels(rng, 20_000, 0.003, 0.3)

@@ -26,7 +26,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     import mitsuba as mi
 
     from brdf_suite.reference.raytraced import flakes as fl
-    from brdf_suite.reflectance.flakes.texture import flake_texture_ratio
+    from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
     from brdf_suite.reflectance.flakes.tilt import flake_slope
 
     rng = np.random.default_rng(7)

@@ -134,7 +134,7 @@ def test_what_has_no_formula_here_is_a_table_and_says_so(variant: Variant) -> No
 
 def test_the_lobes_of_a_fit_are_those_of_the_core(variant: Variant) -> None:
     from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
-    from brdf_suite.reflectance.lobe_sum import lobe_sums
+    from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
     weights = fit_material(load_material("copper")).weights
     term = LobeWeightsTerm(

@@ -12,7 +12,7 @@ from brdf_designer.session.state import layers_of
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.inspection.sparkle import sparkle
-from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
+from brdf_suite.reflectance.instruments.glossmeter import total_gloss
 
 
 class CoatControl(Feature, QObject):

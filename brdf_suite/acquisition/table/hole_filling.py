@@ -9,7 +9,7 @@ for what the one before left:
    highlight's centre a bin of φd is far narrower than a bin of θh: there the bell is as wide as a bin of θh is deep,
    over θh ≈ 0 the whole turn, so that the few readings in the innermost rings serve all of their bins. The bell is
    doubled where it meets no reading, up to a sixth of the range.
-3. From the rim inwards, the known ones among the 26 around (:mod:`brdf_suite.reflectance.tabulated.holes`).
+3. From the rim inwards, the known ones among the 26 around (:mod:`brdf_suite.reflectance.tabulated.half_angle_grid`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import numpy as np
 
 from brdf_suite.acquisition.table.parameterization import Parameterization
 from brdf_suite.arrays import Bools, Singles
-from brdf_suite.reflectance.tabulated.holes import PHI_REACH, fill_holes
+from brdf_suite.reflectance.tabulated.half_angle_grid import PHI_REACH, fill_holes
 
 _LEAST = 1e-3
 """Of one reading: what a bell gathers below that lies in its tail."""

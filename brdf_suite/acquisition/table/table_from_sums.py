@@ -16,10 +16,8 @@ from brdf_suite.acquisition.table.sums import GEOMETRIC_ERROR, TableSums
 from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.progress import Progress, report
-from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.tabulated.coverage import Coverage
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
+from brdf_suite.reflectance.blocks import in_blocks, look_up_above
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 
 
 @dataclass(frozen=True, eq=False)

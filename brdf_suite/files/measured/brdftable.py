@@ -31,8 +31,7 @@ from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import MOST_MORE, Factored
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
-from brdf_suite.reflectance.tabulated.coverage import Coverage
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 NEEDED = {"p", "q", "alpha"}

@@ -25,8 +25,7 @@ from brdf_suite.files.bounded_reading import open_plain
 from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions, tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.holes import fill_holes
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 SCALE = np.array([1.0, 1.15, 1.66]) / 1500.0

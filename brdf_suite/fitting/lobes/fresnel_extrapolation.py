@@ -27,7 +27,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
 #: Below this reflectance at θ_fit there is no coat whose ratios could be taken.
 NO_COAT = 1e-6

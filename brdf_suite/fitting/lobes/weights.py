@@ -10,7 +10,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.checks import check_ior
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 
 
 @dataclass(frozen=True, eq=False)

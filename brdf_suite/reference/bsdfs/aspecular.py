@@ -20,9 +20,8 @@ from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.bsdfs.terms import Diffuse, Facets, Sampler
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reflectance.albedo import normal_albedo
-from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
-from brdf_suite.reflectance.designed.flake_rule import FlakeRule, squared_tilt
-from brdf_suite.reflectance.designed.several_lights import MEETING, SeveralLights
+from brdf_suite.reflectance.designed.aspecular_base import MEETING, AspecularBase, SeveralLights
+from brdf_suite.reflectance.designed.rules import FlakeRule, squared_tilt
 
 TABLE_POINTS = 16_385
 _CELLS = 1025
@@ -95,7 +94,7 @@ class AspecularBaseTerm:
 
 @dataclass(frozen=True, eq=False)
 class SeveralLightsTerm:
-    """Term of :class:`~brdf_suite.reflectance.designed.several_lights.SeveralLights`.
+    """Term of :class:`~brdf_suite.reflectance.designed.aspecular_base.SeveralLights`.
 
     For two lights the shares are computed; for more they are tables over γ and θd, whose kinks lie along lines, so
     that they err by up to half a cell there.
@@ -155,7 +154,7 @@ class SeveralLightsTerm:
 
 
 def _tilt(gamma: Real, illumination: float, ior: float) -> Real:
-    """tan²δ; see :func:`brdf_suite.reflectance.designed.flake_rule.squared_tilt`."""
+    """tan²δ; see :func:`brdf_suite.reflectance.designed.rules.squared_tilt`."""
     # δ = (a - b)/2 with sin a = sin θ0/n: the difference of two angles, as the arc of the sine of the difference.
     sine = dr.sin(d.number(illumination) - gamma) * d.number(1.0 / ior)
     a = math.asin(math.sin(illumination) / ior)

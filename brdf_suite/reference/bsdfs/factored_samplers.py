@@ -12,7 +12,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import TINY, Real, Square, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reflectance.factored.density import ring_bounds
+from brdf_suite.reflectance.factored.map import ring_bounds
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,7 +17,7 @@ from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 @dataclass(frozen=True, eq=False)
 class HalfAngleTable:
-    """Trilinear between the centres of bins (θh, θd, φd), as :mod:`brdf_suite.reflectance.tabulated.trilinear`."""
+    """Trilinear between the centres of bins (θh, θd, φd), as ``trilinear`` of the measured tables."""
 
     table: IsotropicTable
     values: Any

@@ -17,10 +17,9 @@ from brdf_suite.reference.bsdfs.measured import MeasuredTerm
 from brdf_suite.reference.bsdfs.table import HalfAngleTable
 from brdf_suite.reference.bsdfs.terms import CoatLobeTerm, FacetLobe, LambertianTerm, SumTerm
 from brdf_suite.reflectance.designed import coat_lobe
-from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
+from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, SeveralLights
 from brdf_suite.reflectance.designed.layers import divide_lobes
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.designed.several_lights import SeveralLights
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance, index_from_reflectance

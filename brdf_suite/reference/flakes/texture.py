@@ -13,7 +13,7 @@ from brdf_suite.reference.flakes.cells import GOLDEN, cell_key, halves, scramble
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.place import Place
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
-from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT
+from brdf_suite.reflectance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
 
 _SALT, _TINT = 0x51ED270B, 0x3C6EF372
 

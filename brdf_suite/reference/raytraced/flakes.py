@@ -1,6 +1,6 @@
 """Sparkling flakes: normals from a texture in surface coordinates, faded with distance (section 5.2).
 
-The counterpart of :func:`brdf_suite.reflectance.flakes.texture.flake_texture_ratio`: the same hash, so the same flakes
+The counterpart of :func:`brdf_suite.reflectance.flakes.glints.flake_texture_ratio`: the same hash, so the same flakes
 as in the real-time picture's flake texture, and the same in every frame. Each light is multiplied by how bright the
 flakes of the pixel are in it over their mean, for the share of the broad part that flakes which can be counted send;
 its mean over the surface is 1, so flakes neither add light nor take it. The share is that of
@@ -30,7 +30,7 @@ from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.numbers import scramble
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
-from brdf_suite.reflectance.flakes.texture import FADE_FROM, FADE_TO, RAREST_TILT
+from brdf_suite.reflectance.flakes.glints import FADE_FROM, FADE_TO, RAREST_TILT
 
 _SALT, _TINT, _GOLDEN = 0x51ED270B, 0x3C6EF372, 0x9E3779B9
 

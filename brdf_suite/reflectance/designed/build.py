@@ -14,6 +14,7 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.appearance.clearcoat_gloss import LOWEST_ROUGHNESS, USUAL_IOR, nearest_coat
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
@@ -25,17 +26,15 @@ from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import normal_albedo
-from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, Rule
+from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, BorrowedRule, Rule, SeveralLights
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
-from brdf_suite.reflectance.designed.flake_rule import FlakeRule, squared_tilt
-from brdf_suite.reflectance.designed.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.designed.polynomial_rule import PolynomialRule
-from brdf_suite.reflectance.designed.several_lights import BorrowedRule, SeveralLights
-from brdf_suite.reflectance.factored.build import factored_paint_reflectance
-from brdf_suite.reflectance.instruments.gloss_reading import base_gloss, total_gloss
+from brdf_suite.reflectance.designed.rules import FlakeRule, MonotoneRule, PolynomialRule, squared_tilt
+from brdf_suite.reflectance.factored.model import factored_paint_reflectance
+from brdf_suite.reflectance.instruments.glossmeter import base_gloss, total_gloss
 from brdf_suite.reflectance.models.coated import Coated
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
+from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
@@ -129,7 +128,10 @@ def build_paint(paint: Paint) -> PaintReflectance:
     if refusal is not None:
         raise UnreachableError(refusal)
     notices_of_lights = tuple(notice for readings in lights for notice in readings.notices)
-    return PaintReflectance(base, coat, notices_of_lights + notices + _albedo_notice(base))
+    albedo = float(normal_albedo(base).max()) + float(fresnel_dielectric(1.0, base.ior))
+    if albedo > 1.0:
+        notices += (f"This paint would reflect {albedo:.2f} times the light that falls on it.",)
+    return PaintReflectance(base, coat, notices_of_lights + notices)
 
 
 def build_reflectance(paint: AnyPaint) -> PaintReflectance | CookTorrance | Factored | Coated:
@@ -309,7 +311,14 @@ def _rule(
         )
     if paint.interpolation == "polynomial":
         polynomial = PolynomialRule.through(gamma, rho)
-        return polynomial, _polynomial_notice(polynomial, gamma)
+        angles = np.linspace(0.0, float(gamma[-1]), 45)
+        below = angles[polynomial(angles).min(axis=-1) < 0.0]
+        if below.size == 0:
+            return polynomial, ()
+        low, high = np.degrees(below[[0, -1]])
+        return polynomial, (
+            f"The polynomial turns negative between {low:.0f}° and {high:.0f}°; the base is black there.",
+        )
     if paint.interpolation == "monotone":
         return MonotoneRule.through(gamma, rho), ()
     flakes = FlakeRule.through_tilts(squared_tilt(gamma, light, ior), rho, light, ior, weight)
@@ -318,15 +327,6 @@ def _rule(
             "No spread of flakes gives these colours: between the angles the monotone rule is used.",
         )
     return flakes, _spread_notice(flakes)
-
-
-def _polynomial_notice(rule: PolynomialRule, gamma: Floats) -> tuple[str, ...]:
-    angles = np.linspace(0.0, float(gamma[-1]), 45)
-    below = angles[rule(angles).min(axis=-1) < 0.0]
-    if below.size == 0:
-        return ()
-    low, high = np.degrees(below[[0, -1]])
-    return (f"The polynomial turns negative between {low:.0f}° and {high:.0f}°; the base is black there.",)
 
 
 def _spread_notice(rule: FlakeRule) -> tuple[str, ...]:
@@ -339,8 +339,37 @@ def _spread_notice(rule: FlakeRule) -> tuple[str, ...]:
     )
 
 
-def _albedo_notice(base: AspecularBase | SeveralLights) -> tuple[str, ...]:
-    albedo = float(normal_albedo(base).max()) + float(fresnel_dielectric(1.0, base.ior))
-    if albedo <= 1.0:
+TOLERANCE_DELTA_E = 0.05
+"""The largest ΔE00 that counts as passing through a reading."""
+
+
+def interpolation_notices(paint: Paint, reflectance: Reflectance) -> tuple[str, ...]:
+    """Return the notice that names every missed reading of ``paint``, or nothing where all are met.
+
+    A rule with fewer numbers than there are readings passes near them only; and readings on both sides of the mirror
+    direction may contradict each other. A colour that the working space does not hold is compared as it is shown;
+    another notice reports it.
+    """
+    if len(paint.measurements) <= 3:
+        # Every rule passes through three readings.
         return ()
-    return (f"This paint would reflect {albedo:.2f} times the light that falls on it.",)
+    light = [m.illumination_deg for m in paint.measurements]
+    view = aspecular_view(light, [m.aspecular_deg for m in paint.measurements])
+    shown = working_to_lab(np.maximum(lab_to_working([m.lab for m in paint.measurements]), 0.0))
+    return format_interpolation_notice(
+        paint, delta_e_2000(shown, working_to_lab(math.pi * reflectance.eval(illumination(light), view)))
+    )
+
+
+def format_interpolation_notice(paint: Paint, missed: npt.ArrayLike) -> tuple[str, ...]:
+    """Return the notice for ΔE00 ``missed`` (n,) of the paint's readings, in their order, or nothing."""
+    several = len({m.illumination_deg for m in paint.measurements}) > 1
+    named = [
+        f"{delta:.2f} at {m.aspecular_deg:g}°"
+        + (f" with the light at {m.illumination_deg:g}°" if several else "")
+        for m, delta in zip(paint.measurements, np.asarray(missed, float).tolist(), strict=True)
+        if delta > TOLERANCE_DELTA_E
+    ]
+    if not named:
+        return ()
+    return (f"The rule does not pass through every reading of this paint: ΔE00 {', '.join(named)}.",)

@@ -33,7 +33,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 
 @dataclass(frozen=True)
-class CoatLobe:
+class CoatLobe(mixture.MixtureSampled):
     """A clearcoat's lobe: ``ior`` > 1 and Beckmann ``roughness`` α > 0."""
 
     ior: float
@@ -41,11 +41,6 @@ class CoatLobe:
     parameters: ClassVar[Mapping[str, Parameter]] = PARAMETERS
     reciprocal: ClassVar[bool] = True
     energy_conserving: ClassVar[bool] = True
-
-    @property
-    def normal_fresnel(self) -> float:
-        """Return F along the normal."""
-        return float(fresnel_dielectric(1.0, self.ior))
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
@@ -83,10 +78,6 @@ class CoatLobe:
         a = np.minimum(cos_theta / (self.roughness * np.sqrt(sin2)), 1.6)
         return np.asarray(np.maximum(1.0 - 1.259 * a + 0.396 * a * a, 0.0) / (a * (3.535 + 2.181 * a)))
 
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3): the view ``wo`` mirrored at the coat's facets, for even ``u`` (..., 3)."""
-        return mixture.sample([mixture.beckmann(1.0, self.roughness)], wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return mixture.pdf([mixture.beckmann(1.0, self.roughness)], wi, wo)
+    @property
+    def _parts(self) -> list[mixture.MixturePart]:
+        return [mixture.beckmann(1.0, self.roughness)]

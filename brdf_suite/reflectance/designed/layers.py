@@ -120,12 +120,8 @@ def divide_lobes(
 
 def _common_index(lobes: Sequence[CookTorranceLobe]) -> float:
     """The index of the mean r of ``lobes``, each counted by what it reflects at 45°; 1 where that is nothing."""
-    shares = np.array(
-        [
-            luminance(np.array(lobe.ks)) * float(fresnel_dielectric(_FIT_COSINE, _index(lobe.r)))
-            for lobe in lobes
-        ]
-    )
+    fresnel = [float(fresnel_dielectric(_FIT_COSINE, _index(lobe.r))) for lobe in lobes]
+    shares = np.array([luminance(np.array(lobe.ks)) * f for lobe, f in zip(lobes, fresnel, strict=True)])
     if not lobes or shares.sum() <= 0.0:
         return 1.0
     return _index(float(shares @ np.array([lobe.r for lobe in lobes]) / shares.sum()))

@@ -4,29 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import PARAMETERS
 from brdf_suite.documents.parameter import Parameter
+from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.albedo import normal_albedo
-from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
+from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, SeveralLights
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
-from brdf_suite.reflectance.designed.several_lights import SeveralLights
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance
-
-if TYPE_CHECKING:
-    from brdf_suite.reflectance.models.mixture import MixturePart
 
 # Facet slope of a lobe about as wide as a metallic paint's flop.
 _FLOP_SLOPE = 0.3
 
 
 @dataclass(frozen=True)
-class PaintReflectance:
+class PaintReflectance(mixture.MixtureSampled):
     """Reflectance of a designed paint: base and coat; ``notices`` are sentences for the user about its construction."""
 
     base: AspecularBase | SeveralLights
@@ -54,19 +51,12 @@ class PaintReflectance:
         value += self.coat.eval_grey(wi, wo)[..., None]
         return value
 
-    def _parts(self) -> list[MixturePart]:
+    @property
+    def _parts(self) -> list[mixture.MixturePart]:
         base = luminance(normal_albedo(self.base))
-        coat = 0.02 + 2.0 * float(self.coat.normal_fresnel)
+        coat = 0.02 + 2.0 * float(fresnel_dielectric(1.0, self.coat.ior))
         return [
             mixture.diffuse(0.5 * base + 0.02),
             mixture.beckmann(0.5 * base, _FLOP_SLOPE),
             mixture.beckmann(coat, self.coat.roughness),
         ]
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) for ``u`` (..., 3): matt, about the flop, or of the coat's lobe."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts(), wi, wo)

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from functools import cached_property, partial
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from types import MappingProxyType
 from typing import Any, ClassVar
 
@@ -26,21 +26,24 @@ import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats, Singles
+from brdf_suite.documents.factored import FactoredPaint
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.directions import spherical
+from brdf_suite.geometry.factor_words import Factor
 from brdf_suite.geometry.parabolic import texel_directions
 from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.factored.density import (
+from brdf_suite.reflectance.factored.map import (
     HALF_PROJECTIONS,
     LIGHT_PROJECTIONS,
+    MapFactor,
     build_density,
+    check_map,
     direction_density,
     sample_directions,
     unevenness,
 )
-from brdf_suite.reflectance.factored.map import MapFactor, check_map
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import rgb
 
@@ -64,9 +67,21 @@ class MapSampler:
     density: Floats
     mirrored: bool
 
+    def draw(self, wo: Floats, u: Floats) -> Floats:
+        """Return directions to the light (n, 3) for views (n, 3) and ``u`` (n, 2); a half vector below gives -z."""
+        w = sample_directions(self.density, u)
+        return np.where(w[:, 2:] > 0.0, warps.mirror_at(wo, w), [0.0, 0.0, -1.0]) if self.mirrored else w
+
+    def pdf(self, wi: Floats, wo: Floats) -> Floats:
+        """Return the density (n,) of :meth:`draw` per solid angle."""
+        if not self.mirrored:
+            return direction_density(self.density, wi)
+        h = warps.half_vector(wi, wo)
+        return warps.mirrored_pdf(direction_density(self.density, h), wo, h)
+
 
 @dataclass(frozen=True, eq=False)
-class Factored:
+class Factored(mixture.MixtureSampled):
     """f_r = ``alpha`` p(wo) q(h) p(wi) Π ``more`` + Π ``peak``, in 1/sr.
 
     Attributes
@@ -166,14 +181,6 @@ class Factored:
         found[above] = sum(_product(term, light, view) for term in self.terms)
         return found
 
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) for ``u`` (..., 3): matt, of the light's map, or mirrors of the half vector's."""
-        return mixture.sample(self._parts, wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts, wi, wo)
-
     @cached_property
     def samplers(self) -> tuple[MapSampler, ...]:
         """The sampling maps, weighted by their unevenness; the remaining share is diffuse."""
@@ -193,12 +200,12 @@ class Factored:
         peak = next((factor for factor in self.peak if factor.projection in HALF_PROJECTIONS), None)
         if peak is None:
             return tuple(found)
-        density = build_density(peak)
-        share = self._peak_share(density)
-        body = [MapSampler(one.share * (1.0 - share), one.density, one.mirrored) for one in found]
-        return (*body, MapSampler(share, density, mirrored=True))
+        mirrors = MapSampler(1.0, build_density(peak), mirrored=True)
+        share = self._peak_share(mirrors)
+        body = [replace(one, share=one.share * (1.0 - share)) for one in found]
+        return (*body, replace(mirrors, share=share))
 
-    def _peak_share(self, density: Floats) -> float:
+    def _peak_share(self, mirrors: MapSampler) -> float:
         """Return the peak's fraction of the light reflected at 45°, from a few quasi-random numbers."""
         count = 1024
         u = np.stack(
@@ -207,26 +214,17 @@ class Factored:
         wo = np.broadcast_to(spherical(0.25 * np.pi, 0.3), (count, 3))
         matt = warps.cosine_hemisphere(u)
         body = float((_product(self.terms[0], matt, wo) @ LUMINANCE).mean()) * np.pi
-        wi = _mirrored_above(wo, sample_directions(density, u))
-        keep = wi[:, 2] > 0.0
-        h = warps.half_vector(wi[keep], wo[keep])
-        pdf = warps.mirrored_pdf(direction_density(density, h), wo[keep], h)
-        added = (
-            (_product(self.terms[1], wi[keep], wo[keep]) @ LUMINANCE) * wi[keep, 2] / np.maximum(pdf, 1e-30)
-        )
-        peak = float(added.sum()) / count
+        wi = mirrors.draw(wo, u)
+        above = wi[:, 2] > 0.0
+        wi, wo = wi[above], wo[above]
+        pdf = np.maximum(mirrors.pdf(wi, wo), 1e-30)
+        peak = float(((_product(self.terms[1], wi, wo) @ LUMINANCE) * wi[:, 2] / pdf).sum()) / count
         return float(np.clip(peak / max(peak + body, 1e-30), _LEAST_PEAK, _MOST_PEAK))
 
     @cached_property
     def _parts(self) -> list[mixture.MixturePart]:
-        parts = [mixture.diffuse(max(1.0 - sum(one.share for one in self.samplers), 0.0))]
-        for one in self.samplers:
-            if one.mirrored:
-                draw, density = partial(_draw_half, one.density), partial(_half_density, one.density)
-            else:
-                draw, density = partial(_draw_light, one.density), partial(_light_density, one.density)
-            parts.append(mixture.MixturePart(one.share, draw, density))
-        return parts
+        matt = mixture.diffuse(max(1.0 - sum(one.share for one in self.samplers), 0.0))
+        return [matt, *(mixture.MixturePart(one.share, one.draw, one.pdf) for one in self.samplers)]
 
 
 def _product(term: Term, wi: Floats, wo: Floats) -> Floats:
@@ -237,23 +235,94 @@ def _product(term: Term, wi: Floats, wo: Floats) -> Floats:
     return found
 
 
-def _draw_light(density: Floats, _wo: Floats, u: Floats) -> Floats:
-    return sample_directions(density, u)
+_LIGHTS_AND_VIEWS = (("wi", "wo"), ("|wi|", "|wo|"))
 
 
-def _light_density(density: Floats, wi: Floats, _wo: Floats) -> Floats:
-    return direction_density(density, wi)
+def build_factored(
+    factors: tuple[Factor, ...],
+    maps: Mapping[str, Singles],
+    alpha: npt.ArrayLike,
+    *,
+    peak: tuple[Factor, ...] = (),
+    logarithmic: bool = True,
+    source: str = "",
+    facts: Mapping[str, Any] | None = None,
+) -> Factored:
+    """Return the product of ``factors`` and the added one of ``peak``, from maps (n, 3) or (n, n, 3) by their names.
+
+    A map over both light and view becomes p, one over the half vector q; the others stand beside them.
+
+    Raises
+    ------
+    ValueRangeError
+        A map is missing or is not of the form that its factors read.
+    """
+    kept: dict[str, Singles] = {}
+    for name, values in maps.items():
+        kept[name] = np.array(values, np.float32, order="C")
+        kept[name].flags.writeable = False
+    rest = list(factors)
+    p = q = np.ones((2, 3), np.float32)
+    for light, view in _LIGHTS_AND_VIEWS:
+        pair = next(
+            (
+                (one, other)
+                for one in rest
+                for other in rest
+                if one.name == other.name and (one.projection.name, other.projection.name) == (light, view)
+            ),
+            None,
+        )
+        if pair is not None and len(rest) == len(factors):
+            p = kept[pair[0].name]
+            # One of each: a map that is read twice by the light stays once beside p.
+            for factor in pair:
+                rest.remove(factor)
+    half = next((factor for factor in rest if factor.projection.name in ("h", "|h|")), None)
+    if half is not None:
+        q = kept[half.name]
+        rest.remove(half)
+
+    def read(some: list[Factor]) -> tuple[MapFactor, ...]:
+        return tuple(
+            MapFactor(factor.projection.name, kept[factor.name], logarithmic, factor.name) for factor in some
+        )
+
+    return Factored(
+        p,
+        q,
+        alpha,
+        source=source,
+        facts=facts or {},
+        more=read(rest),
+        peak=read(list(peak)),
+        logarithmic=logarithmic,
+    )
 
 
-def _draw_half(density: Floats, wo: Floats, u: Floats) -> Floats:
-    return _mirrored_above(wo, sample_directions(density, u))
+def factored_paint_reflectance(paint: FactoredPaint) -> Factored:
+    """Return the reflectance of a factored paint without its clearcoat; its textures are read.
 
+    Raises
+    ------
+    FileError, DocumentError
+        The textures cannot be read, or are not the ones that are meant.
+    """
+    # What reads EXR files is loaded for such a paint alone.
+    from brdf_suite.documents.factor_textures import read_textures
 
-def _half_density(density: Floats, wi: Floats, wo: Floats) -> Floats:
-    h = warps.half_vector(wi, wo)
-    return warps.mirrored_pdf(direction_density(density, h), wo, h)
-
-
-def _mirrored_above(wo: Floats, h: Floats) -> Floats:
-    """Mirror views at half vectors; those below the horizon are discarded."""
-    return np.where(h[:, 2:] > 0.0, warps.mirror_at(wo, h), np.array([0.0, 0.0, -1.0]))
+    factors, peak = paint.terms
+    facts: dict[str, Any] = {"format": "product of textures", "factors": paint.factors}
+    if paint.peak:
+        facts["peak"] = paint.peak
+    if paint.largest > 0.0:
+        facts["largest"] = paint.largest
+    return build_factored(
+        factors,
+        read_textures(paint),
+        paint.alpha,
+        peak=peak,
+        logarithmic=paint.logarithmic,
+        source=paint.source,
+        facts=facts,
+    )

@@ -16,10 +16,48 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_suite.arrays import Floats, Words
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, Footprint, flake_footprint
-from brdf_suite.reflectance.flakes.hashing import GOLDEN, cell_key, halves, scramble, wrap_words
+from brdf_suite.reflectance.flakes.tilt import beckmann_slopes, beckmann_tilt
+
+GOLDEN = np.uint32(0x9E3779B9)
+
+
+def scramble(x: npt.ArrayLike) -> Words:
+    """Return words (...) for words (...) of 32 bits: integers only, the same as in ``sparkle_hash.glsl``.
+
+    A bijection of two rounds of multiplication and shift, with constants of Chris Wellons's search ("Hash function
+    prospector"); each bit in changes each bit out with a chance near one half.
+
+
+    >>> hex(int(scramble(np.uint32(1))))
+    '0x6d3fa73'
+    """
+    # At least one axis: numpy wraps whole numbers silently in arrays, but warns for a single one.
+    words = np.atleast_1d(np.asarray(x, np.uint32))
+    words = (words ^ (words >> np.uint32(16))) * np.uint32(0x21F0AAAD)
+    words = (words ^ (words >> np.uint32(15))) * np.uint32(0xD35A2D97)
+    return np.asarray(words ^ (words >> np.uint32(15))).reshape(np.shape(x))
+
+
+def cell_key(x: npt.ArrayLike, y: npt.ArrayLike, salt: npt.ArrayLike) -> Words:
+    """Return a word (...) for whole numbers ``x``, ``y`` (...) of either sign, and a salt (...)."""
+    return scramble(wrap_words(x) + scramble(wrap_words(y) + np.asarray(salt, np.uint32)))
+
+
+def wrap_words(whole: npt.ArrayLike) -> Words:
+    """Return whole numbers (...) modulo 2³²."""
+    return np.asarray(whole).astype(np.int64).astype(np.uint32)
+
+
+def halves(word: Words) -> tuple[Floats, Floats]:
+    """Return two even numbers (...) in (0, 1) of 16 bits each."""
+    low = (word & np.uint32(0xFFFF)).astype(float)
+    high = (word >> np.uint32(16)).astype(float)
+    return (low + 0.5) / 65536.0, (high + 0.5) / 65536.0
+
 
 APPEARING = 0.2
 """Flakes of a level appear over this range of its weight."""
@@ -117,19 +155,135 @@ def _of_level(field: GlintField, level: Floats, weight: Floats, place: Floats, w
         cover = field.footprint.cover(beside[:, 0], beside[:, 1])
         for tilt_x, tilt_y in product((0, 1), repeat=2):
             tilt = first_tilt + np.array([tilt_x, tilt_y])
-            mixed = wrap_words(tilt[:, 0]) * np.uint32(0x3C6EF35F) + wrap_words(tilt[:, 1]) * np.uint32(
-                0x19660D
-            )
-            word = scramble(key + mixed)
+            across, down = wrap_words(tilt[:, 0]), wrap_words(tilt[:, 1])
+            word = scramble(key + across * np.uint32(0x3C6EF35F) + down * np.uint32(0x19660D))
             apart = place - (tilt + np.stack(halves(word), -1)) / per_square[:, None]
             bell = np.maximum(1.0 - (apart**2).sum(-1) * narrow, 0.0) ** 2
             other = scramble(word + GOLDEN)
-            order = ((other & np.uint32(0xFF)).astype(float) + 0.5) / 256.0
-            area = (
-                FLAKE_AREA * ((((other >> np.uint32(8)) & np.uint32(0xFF)).astype(float) + 0.5) / 256.0) ** 2
+            order, size = (
+                ((other >> np.uint32(bits) & np.uint32(0xFF)).astype(float) + 0.5) / 256.0 for bits in (0, 8)
             )
-            seen = bell * cover * area * shown_amount(order, weight)
+            seen = bell * cover * (FLAKE_AREA * size**2) * shown_amount(order, weight)
             total += seen[:, None] * flake_tint(other, field.colour_spread)
     scale = 3.0 * narrow / (math.pi * (per_mm * per_square) ** 2)
     mean = shown_share(weight)[:, None]
     return np.asarray(mean + (total * scale[:, None] - mean) * contrast[:, None])
+
+
+@dataclass(frozen=True)
+class Spots:
+    """Spots per mm² above a contrast, their mean contrast (0 without any), and how many lie in one footprint."""
+
+    per_mm2: float
+    mean_contrast: float
+    per_footprint: float
+
+
+def spots(
+    *,
+    density: float,
+    size: float,
+    stretch: float,
+    spread: float,
+    share: float,
+    footprint: float,
+    contrast: float,
+) -> Spots:
+    """Return the spots of flakes of ``density`` 1/mm² and ``size`` mm, without rendering.
+
+    A footprint (what an eye or a pixel takes in at once) that lies on one flake i sees over the mean of all flakes
+
+        r_i = a_i b_i k(0) · 3 / (8π σ² N),
+
+    a_i = 3u² the flake's area over the mean (u even on 0 to 1), b = (1 - d² / 8σ²)² for a flake whose place on the
+    square of tilts is d from the one that mirrors the light to the eye, k(0) the footprint's height, σ the spread of a
+    flake on that square, N the flakes per mm² and unit of it. With the share s of all light that visible flakes
+    reflect, the spot's contrast to the surface around it is c = s r. Let c = C (1 - v)² u² with v = d² / 8σ², which is
+    even on 0 to 1 over an area of 8πσ² of the square. Then of the N · 8πσ² flakes per mm² that mirror any light to the
+    eye the share that passes a contrast c₀ is, with t = √(c₀ / C) < 1,
+
+        ∫∫ [u (1 - v) > t] du dv = 1 - t + t ln t,
+
+    and the mean of c over those is C · (1/9 - t³ (1/9 - ln t / 3)) / (1 - t + t ln t).
+
+    Parameters
+    ----------
+    stretch
+        Of a small angle of tilt on the square of tilts, 1/rad, at the tilt that is seen (``tilt_place``).
+    spread
+        Standard deviation of tilt over which one flake still mirrors the light, radians.
+    share
+        Of the light that the surface sends to the eye, what visible flakes reflect, 0 to 1.
+    footprint
+        Width of what the eye takes in at once, mm.
+    contrast
+        How much brighter than the surface around it a spot is at least, over that surface: 1 is twice as bright.
+    """
+    if density <= 0.0 or share <= 0.0:
+        return Spots(0.0, 0.0, 0.0)
+    per_square = 4.0 / math.pi * density
+    sigma2 = (stretch * spread) ** 2
+    seen = flake_footprint(np.zeros((1, 2)), np.array([[footprint, 0.0]]), np.array([[0.0, footprint]]), size)
+    height = float(seen.height[0])
+    highest = share * FLAKE_AREA * height * 3.0 / (8.0 * math.pi * sigma2 * per_square)
+    if highest <= contrast:
+        return Spots(0.0, 0.0, 0.0)
+    t = math.sqrt(contrast / highest)
+    passing = 1.0 - t + t * math.log(t)
+    count = per_square * 8.0 * math.pi * sigma2 * passing
+    mean = highest * (1.0 / 9.0 - t**3 * (1.0 / 9.0 - math.log(t) / 3.0)) / passing
+    return Spots(count, mean, count / height if height > 0.0 else 0.0)
+
+
+RAREST_TILT = 0.002
+FADE_FROM, FADE_TO = 0.75, 2.0
+_SALT = np.uint32(0x51ED270B)
+_TINT = np.uint32(0x3C6EF372)
+
+
+def flake_texture_ratio(
+    at: Floats,
+    across: Floats,
+    down: Floats,
+    slope: Floats,
+    spread: Floats | float,
+    *,
+    density: float,
+    size: float,
+    roughness: float,
+    colour_spread: float = 0.0,
+) -> Floats:
+    """Return the ratio (n, 3) at places (n, 2) mm with derivatives (n, 2) mm per pixel, for tilts ``slope`` (n, 2).
+
+    The flake texture of Günther et al. 2005, section 5.2, as light over its mean. The cell of the texture coordinate
+    seeds a generator, which draws the flake's normal from Beckmann's distribution with the paint's m; the flake is lit
+    as a tiny mirror. One flake to a cell of 1/density, somewhere in it. A footprint wider than a cell is held at that
+    width, its contrast lowered as that of the mean of so many flakes would be, and fades out. ``spread`` (n,): standard
+    deviation of slope over which one flake still mirrors the light.
+    """
+    per_mm = math.sqrt(density)
+    whole = flake_footprint(at, across, down, size)
+    most = 0.5 / (FOOTPRINT_END * per_mm)
+    held = min(size, 4.0 * most)
+    pixel2 = np.maximum(whole.widest**2 - (0.25 * size) ** 2, 0.0)
+    room = most**2 - (0.25 * held) ** 2
+    shrink = np.sqrt(np.clip(room / np.maximum(pixel2, 1e-300), 0.0, 1.0))[:, None]
+    part = flake_footprint(at, across * shrink, down * shrink, held)
+    x = np.clip((whole.widest * per_mm - FADE_FROM) / (FADE_TO - FADE_FROM), 0.0, 1.0)
+    contrast = np.minimum(np.sqrt(whole.height / part.height), 1.0) * (1.0 - x * x * (3.0 - 2.0 * x))
+    narrow = 1.0 / (8.0 * np.asarray(spread, float) ** 2)
+    first = np.floor(at * per_mm - 0.5)
+    total = np.zeros((len(at), 3))
+    for cell_x, cell_y in product((0, 1), repeat=2):
+        cell = first + np.array([cell_x, cell_y])
+        key = cell_key(cell[:, 0], cell[:, 1], _SALT)
+        beside = at - (cell + np.stack(halves(scramble(key + GOLDEN)), -1)) / per_mm
+        cover = part.cover(beside[:, 0], beside[:, 1]) / density
+        apart2 = ((beckmann_tilt(*halves(key), roughness) - slope) ** 2).sum(-1)
+        bell = np.maximum(1.0 - apart2 * narrow, 0.0) ** 2
+        total += (cover * bell)[:, None] * flake_tint(scramble(key + _TINT), colour_spread)
+    total *= (3.0 / math.pi * narrow)[..., None] if np.ndim(narrow) else 3.0 / math.pi * narrow
+    wide = np.sqrt(roughness**2 + 2.0 * np.asarray(spread, float) ** 2)
+    mean = beckmann_slopes((slope**2).sum(-1), wide)
+    top = RAREST_TILT * beckmann_slopes(0.0, wide)
+    return np.asarray(1.0 + (total - mean[:, None]) / np.maximum(mean, top)[:, None] * contrast[:, None])

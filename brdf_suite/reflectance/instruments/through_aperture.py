@@ -22,8 +22,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.designed.misses import TOLERANCE_DELTA_E, format_interpolation_notice
+from brdf_suite.reflectance.designed.build import TOLERANCE_DELTA_E, build_paint, format_interpolation_notice
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture, reflectance_factor
 

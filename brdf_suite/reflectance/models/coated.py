@@ -50,7 +50,7 @@ _BOUND_DEG = np.array([0.0, 20.0, 40.0, 50.0, 60.0, 70.0, 75.0, 80.0, 85.0, 88.0
 
 
 @dataclass(frozen=True, eq=False)
-class Coated:
+class Coated(mixture.MixtureSampled):
     """``base`` under a clearcoat; reciprocal where the base is."""
 
     base: Reflectance
@@ -118,6 +118,7 @@ class Coated:
             (through / mean * (1.0 - stays))[..., None] / (1.0 - stays[..., None] * self.base_albedo)
         )
 
+    @property
     def _parts(self) -> list[mixture.MixturePart]:
         base, coat = luminance(self.base_albedo), 0.02 + 2.0 * float(fresnel_dielectric(1.0, self.ior))
         draw, density = getattr(self.base, "sample", None), getattr(self.base, "pdf", None)
@@ -126,14 +127,6 @@ class Coated:
             # Two numbers are left for the base, which wants three: the second is spread over two.
             own = mixture.MixturePart(max(base, 0.05), lambda wo, u: draw(wo, _three(u)), density)
         return [own, mixture.beckmann(coat, self.roughness)]
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) as the base draws them (matt where it cannot), or of the coat's lobe."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts(), wi, wo)
 
 
 def _three(u: Floats) -> Floats:

@@ -36,7 +36,7 @@ _LEAST_DIFFUSE_SHARE = 0.05
 
 
 @dataclass(frozen=True)
-class CookTorrance:
+class CookTorrance(mixture.MixtureSampled):
     """Cook-Torrance lobes of a checked :class:`CookTorrancePaint`; its clearcoat is not part of this model."""
 
     paint: CookTorrancePaint
@@ -123,14 +123,6 @@ class CookTorrance:
         ]
         least = _LEAST_DIFFUSE_SHARE * (kd + sum(part.weight for part in lobes))
         return [mixture.diffuse(max(kd, least)), *lobes]
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3): of the diffuse part, or mirrored at a facet of a lobe (section 5.1.3)."""
-        return mixture.sample(self._parts, wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts, wi, wo)
 
 
 def index_from_reflectance(r: float) -> float:

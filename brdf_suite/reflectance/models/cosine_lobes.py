@@ -12,7 +12,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -20,9 +20,41 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter, describe
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.reflectance.lobe_sum import lobe_sums
+from brdf_suite.geometry.directions import mirror_cosine
 from brdf_suite.reflectance.models import mixture
 from brdf_suite.reflectance.models.channels import luminance, rgb, set_rgb
+
+
+class LobeSums(NamedTuple):
+    """N·L (...) and whether light and view are above the horizon (...); the two sums (..., 3).
+
+    ``base`` is KD + Σ KDD_k (R·V)^E_k, to be multiplied by N·L; ``gloss`` is Σ KG_k (R·V)^E_k, which has no cosine.
+    """
+
+    cos_light: Floats
+    above: npt.NDArray[np.bool_]
+    base: Floats
+    gloss: Floats
+
+    def reflected(self) -> Floats:
+        """Return f_r (N·L) (..., 3) in 1/sr; 0 below the horizon."""
+        return np.where(self.above[..., None], self.cos_light[..., None] * self.base + self.gloss, 0.0)
+
+    def brdf(self) -> Floats:
+        """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
+        safe = np.where(self.above, self.cos_light, 1.0)[..., None]
+        return np.where(self.above[..., None], self.base + self.gloss / safe, 0.0)
+
+
+def lobe_sums(
+    wi: npt.ArrayLike, wo: npt.ArrayLike, exponents: Floats, kd: Floats, kdd: Floats, kg: Floats
+) -> LobeSums:
+    """Return the sums of m lobes for directions (..., 3) that broadcast; ``kd`` (3,), ``kdd`` and ``kg`` (m, 3)."""
+    light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
+    cos_light = light[..., 2]
+    lobes = mirror_cosine(light, view)[..., None] ** exponents
+    return LobeSums(cos_light, (cos_light > 0.0) & (view[..., 2] > 0.0), kd + lobes @ kdd, lobes @ kg)
+
 
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     {
@@ -35,7 +67,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 
 @dataclass(frozen=True, eq=False)
-class CosineLobes:
+class CosineLobes(mixture.MixtureSampled):
     """KD (3,), and for each of m exponents KDD and KG (m, 3), linear Rec. 2020, not negative.
 
     Raises
@@ -80,6 +112,7 @@ class CosineLobes:
         weights = (np.asarray(value) for value in (self.exponents, self.kd, self.kdd, self.kg))
         return lobe_sums(wi, wo, *weights).brdf()
 
+    @property
     def _parts(self) -> list[mixture.MixturePart]:
         parts = [mixture.diffuse(math.pi * luminance(np.asarray(self.kd)))]
         rows = zip(np.asarray(self.exponents), np.asarray(self.kdd), np.asarray(self.kg), strict=True)
@@ -88,11 +121,3 @@ class CosineLobes:
             weight = 2.0 * math.pi * (luminance(kdd) / (exponent + 2.0) + luminance(kg) / (exponent + 1.0))
             parts.append(mixture.mirror_lobe(weight, float(exponent)))
         return parts
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) of the diffuse part or of a lobe."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts(), wi, wo)

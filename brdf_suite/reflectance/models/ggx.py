@@ -36,7 +36,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 
 @dataclass(frozen=True, eq=False)
-class Ggx:
+class Ggx(mixture.MixtureSampled):
     """GGX facets of colour ``f0`` and width ``alpha`` over a diffuse part ``kd``."""
 
     kd: npt.ArrayLike = 0.0
@@ -73,16 +73,9 @@ class Ggx:
         square = rest * rest
         return np.asarray(f0 + (1.0 - f0) * (square * square * rest)[:, None])
 
+    @property
     def _parts(self) -> list[mixture.MixturePart]:
         f0, kd = luminance(np.asarray(self.f0)), luminance(np.asarray(self.kd))
         # 1/21 is the mean of (1 - c)⁵ over a matt surface.
         lobe = f0 + (1.0 - f0) / 21.0
         return [mixture.diffuse(kd * (1.0 - f0) + 0.05 * lobe), mixture.ggx(lobe, self.alpha)]
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) of the diffuse part, or mirrored at a facet that the view sees."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts(), wi, wo)

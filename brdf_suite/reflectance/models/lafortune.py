@@ -78,7 +78,7 @@ class LafortuneLobe:
 
 
 @dataclass(frozen=True, eq=False)
-class Lafortune:
+class Lafortune(mixture.MixtureSampled):
     """Diffuse part and generalised cosine lobes."""
 
     kd: npt.ArrayLike = 0.2
@@ -103,10 +103,8 @@ class Lafortune:
         """
         total = np.array(self.kd)
         for lobe in self.lobes:
-            longest = float(np.abs(lobe.direction).max())
-            total = total + np.asarray(lobe.ks) * longest**lobe.exponent * 2.0 * math.pi / (
-                lobe.exponent + 1.0
-            )
+            stretch = float(np.abs(lobe.direction).max()) ** lobe.exponent
+            total = total + np.asarray(lobe.ks) * stretch * 2.0 * math.pi / (lobe.exponent + 1.0)
         return bool(np.all(total <= 1.0))
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
@@ -116,20 +114,12 @@ class Lafortune:
         product = wi * wo
         value = np.zeros(wi.shape) + np.asarray(self.kd) / math.pi
         for lobe in self.lobes:
-            value += (np.maximum(product @ lobe.direction, 0.0) ** lobe.exponent)[..., None] * np.asarray(
-                lobe.ks
-            )
+            shape = np.maximum(product @ lobe.direction, 0.0) ** lobe.exponent
+            value += shape[..., None] * np.asarray(lobe.ks)
         return np.where(above[..., None], value, 0.0)
 
+    @property
     def _parts(self) -> list[mixture.MixturePart]:
         parts = [lobe.part() for lobe in self.lobes]
         kd = luminance(np.asarray(self.kd))
         return [mixture.diffuse(max(kd, 0.05 * sum(part.weight for part in parts))), *parts]
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) of the diffuse part or of a lobe about its own axis."""
-        return mixture.sample(self._parts(), wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle."""
-        return mixture.pdf(self._parts(), wi, wo)

@@ -22,7 +22,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 
 
 @dataclass(frozen=True, eq=False)
-class Lambertian:
+class Lambertian(mixture.MixtureSampled):
     """f_r = albedo/π; ``albedo`` is three channels or one number for all."""
 
     albedo: npt.ArrayLike = 0.5
@@ -39,10 +39,6 @@ class Lambertian:
         above = (wi[..., 2] > 0.0) & (wo[..., 2] > 0.0)
         return np.where(above[..., None], np.asarray(self.albedo) / math.pi, 0.0)
 
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) even in the projected solid angle."""
-        return mixture.sample([mixture.diffuse(1.0)], wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density cosθi/π (...) of :meth:`sample`."""
-        return mixture.pdf([mixture.diffuse(1.0)], wi, wo)
+    @property
+    def _parts(self) -> list[mixture.MixturePart]:
+        return [mixture.diffuse(1.0)]

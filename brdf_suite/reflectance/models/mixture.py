@@ -25,6 +25,22 @@ class MixturePart:
     pdf: Callable[[Floats, Floats], Floats]
 
 
+class MixtureSampled:
+    """Base of a reflectance that is sampled as a mixture of parts."""
+
+    @property
+    def _parts(self) -> Sequence[MixturePart]:
+        raise NotImplementedError
+
+    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
+        """Return directions (..., 3) to the light of a part, for views ``wo`` and ``u`` (..., 3) in [0, 1)."""
+        return sample(self._parts, wo, u)
+
+    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
+        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
+        return pdf(self._parts, wi, wo)
+
+
 def sample(parts: Sequence[MixturePart], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
     """Return directions (..., 3) for views ``wo`` (..., 3) and ``u`` (..., 3): two numbers to draw, one to choose."""
     wo, u = np.broadcast_arrays(np.asarray(wo, float), np.asarray(u, float))

@@ -26,7 +26,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from types import MappingProxyType
 from typing import ClassVar
 
@@ -51,7 +51,8 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
     }
 )
 
-_NODES = 24
+# The points and weights in [-1, 1]: computed once, they take longer than a few hundred pairs.
+_GAUSS_LEGENDRE = cache(partial(np.polynomial.legendre.leggauss, 24))
 # Half the width of the peak (cos x)ⁿ in units of 1/√n: beyond it less than 1e-9 of it is left.
 _PEAK = 6.5
 # Pairs a block: each is spread over the nodes.
@@ -59,7 +60,7 @@ _BLOCK = 2048
 
 
 @dataclass(frozen=True, eq=False)
-class PoulinFournier:
+class PoulinFournier(mixture.MixtureSampled):
     """Parallel cylinders along the tangent x; the highlight stretches across them, along y.
 
     Raises
@@ -119,13 +120,10 @@ class PoulinFournier:
         glossy += floor * cos_i * cos_o * np.maximum(half[:, 2], 0.0) ** self.exponent
         per = self.spacing * np.where(above, cos_i * cos_o, 1.0)
         value = (matt / per)[:, None] * (np.asarray(self.kd) / math.pi)
-        value += (glossy / per * self._gloss_norm)[:, None] * np.asarray(self.ks)
-        return np.where(above[:, None], np.maximum(value, 0.0), 0.0)
-
-    @property
-    def _gloss_norm(self) -> float:
         n = self.exponent
-        return float((n + 2.0) * (n + 4.0) / (8.0 * math.pi * (2.0 ** (-0.5 * n) + n)))
+        norm = float((n + 2.0) * (n + 4.0) / (8.0 * math.pi * (2.0 ** (-0.5 * n) + n)))
+        value += (glossy / per * norm)[:, None] * np.asarray(self.ks)
+        return np.where(above[:, None], np.maximum(value, 0.0), 0.0)
 
     def _arc(self, angle: Floats) -> tuple[Floats, Floats]:
         """The slopes φ (low, high) of the arc that a direction at ``angle`` from z, towards +y, reaches."""
@@ -158,11 +156,12 @@ class PoulinFournier:
     ) -> Floats:
         """∫ (N·h)ⁿ cos(φ - i) cos(φ - o) dφ (n,) from ``low`` to ``high``."""
         peak, size = np.arctan2(half[:, 1], half[:, 2]), np.hypot(half[:, 1], half[:, 2])
-        phi, weight = _about_peak(peak, low, high, self.exponent)
+        phi, weight = _points_about_peak(peak, low, high, self.exponent)
         bell = np.maximum(np.cos(phi - peak[:, None]), 0.0) ** self.exponent
         bell *= np.cos(phi - angle_i[:, None]) * np.cos(phi - angle_o[:, None])
         return np.asarray(size**self.exponent * np.sum(weight * bell, axis=1))
 
+    @property
     def _parts(self) -> list[mixture.MixturePart]:
         kd, ks = luminance(np.asarray(self.kd)), luminance(np.asarray(self.ks))
         # Where the surface is seen from above, this share of it is floor.
@@ -194,34 +193,21 @@ class PoulinFournier:
         h = warps.half_vector(wi, wo)
         peak, size = np.arctan2(h[:, 1], h[:, 2]), np.hypot(h[:, 1], h[:, 2])
         end = np.full_like(peak, self.steepest)
-        phi, weight = _about_peak(peak, -end, end, self.exponent)
+        phi, weight = _points_about_peak(peak, -end, end, self.exponent)
         bell = np.sum(weight * np.maximum(np.cos(phi - peak[:, None]), 0.0) ** self.exponent, axis=1)
         density = (self.exponent + 1.0) / (4.0 * math.pi * self.steepest) * size**self.exponent * bell
         return warps.mirrored_pdf(density, wo, h)
 
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3): matt, or mirrored about a facet of the floor or of an arc."""
-        return mixture.sample(self._parts(), wo, u)
-
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle."""
         return in_blocks(
-            lambda i, o: np.repeat(mixture.pdf(self._parts(), i, o)[:, None], 3, axis=1), wi, wo, _BLOCK
+            lambda i, o: np.repeat(mixture.pdf(self._parts, i, o)[:, None], 3, axis=1), wi, wo, _BLOCK
         )[..., 0]
 
 
-@cache
-def _gauss_legendre() -> tuple[Floats, Floats]:
-    """Return the points and weights in [-1, 1]: computed once, they take longer than a few hundred pairs."""
-    nodes, shares = np.polynomial.legendre.leggauss(_NODES)
-    nodes.setflags(write=False)
-    shares.setflags(write=False)
-    return nodes, shares
-
-
-def _about_peak(peak: Floats, low: Floats, high: Floats, exponent: float) -> tuple[Floats, Floats]:
+def _points_about_peak(peak: Floats, low: Floats, high: Floats, exponent: float) -> tuple[Floats, Floats]:
     """Gauss-Legendre points (n, nodes) and weights over the part of [low, high] where cosⁿ(φ - peak) counts."""
-    nodes, shares = _gauss_legendre()
+    nodes, shares = _GAUSS_LEGENDRE()
     width = min(0.5 * math.pi, _PEAK / math.sqrt(exponent) if exponent > 0.0 else math.inf)
     first = np.clip(peak - width, low, high)
     last = np.clip(peak + width, low, high)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import product
 from types import MappingProxyType
 from typing import Any, ClassVar
@@ -16,14 +16,13 @@ from brdf_suite.arrays import Floats, Indices, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+from brdf_suite.reflectance.blocks import in_blocks, look_up_above
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
 
 
 @dataclass(frozen=True, eq=False)
-class AnisotropicTable:
+class AnisotropicTable(HalfVectorSampled):
     """Values at nodes (θi, φi, θo, φo), looked up linearly along θi, θo, φi and the azimuth *between* the two.
 
     Linear along φo itself would cut a highlight between two nodes of φi in half: it stands opposite the
@@ -106,18 +105,7 @@ class AnisotropicTable:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
 
-        def block(light: Floats, view: Floats) -> Floats:
-            return look_up_above(self._look_up, light, view)
-
-        return in_blocks(block, wi, wo)
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
-        return self._sampler.sample(wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return self._sampler.pdf(wi, wo)
+        return in_blocks(partial(look_up_above, self._look_up), wi, wo)
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:

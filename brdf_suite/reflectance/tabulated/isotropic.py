@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any, ClassVar, Literal
 
@@ -14,18 +14,64 @@ import numpy.typing as npt
 from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+from brdf_suite.reflectance.blocks import in_blocks, look_up_above
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.coverage import Coverage
-from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.holes import fill_holes
-from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
-from brdf_suite.reflectance.tabulated.trilinear import trilinear
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes, trilinear
 
 
 @dataclass(frozen=True, eq=False)
-class IsotropicTable:
+class Coverage:
+    """Number of readings and uncertainty of each bin; without readings, the table's value was filled in.
+
+    Attributes
+    ----------
+    samples
+        (θh, θd, φd) float32, the number of readings in a bin, 0 or more.
+    deviation
+        (θh, θd, φd) float32, standard error of the bin's value over the value; 0 where there are no readings.
+
+    Raises
+    ------
+    ValueRangeError
+        The shapes differ, or a number is negative or not finite.
+    """
+
+    samples: Singles
+    deviation: Singles
+
+    def __post_init__(self) -> None:
+        for name in ("samples", "deviation"):
+            array = np.ascontiguousarray(getattr(self, name), np.float32).view()
+            if array.ndim != 3 or array.shape != self.samples.shape:
+                raise ValueRangeError(
+                    name, f"has the shape {array.shape}; expected (θh, θd, φd), alike for both"
+                )
+            # A NaN is neither.
+            if not (array.min() >= 0.0 and array.max() < np.inf):
+                raise ValueRangeError(name, "holds a number that is negative or not finite")
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Return the numbers of bins along (θh, θd, φd)."""
+        return self.samples.shape
+
+    def folded(self) -> Coverage:
+        """Return the coverage of a table whose pairs and their swaps were made one: φd halved.
+
+        The readings add; the uncertainty is that of the mean of the two, or of the one that was measured.
+        """
+        half = self.shape[2] // 2
+        one, other = self.samples[:, :, :half], self.samples[:, :, half:]
+        squares = self.deviation[:, :, :half] ** 2 + self.deviation[:, :, half:] ** 2
+        both = (one > 0.0) & (other > 0.0)
+        return Coverage(one + other, np.sqrt(np.where(both, 0.25, 1.0) * squares))
+
+
+@dataclass(frozen=True, eq=False)
+class IsotropicTable(HalfVectorSampled):
     """Values in bins of (θh, θd, φd), looked up trilinearly between the centres of the bins.
 
     Attributes
@@ -146,18 +192,7 @@ class IsotropicTable:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
 
-        def block(light: Floats, view: Floats) -> Floats:
-            return look_up_above(lambda i, o: trilinear(self.values, self.grid, i, o), light, view)
-
-        return in_blocks(block, wi, wo)
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
-        return self._sampler.sample(wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return self._sampler.pdf(wi, wo)
+        return in_blocks(partial(look_up_above, partial(trilinear, self.values, self.grid)), wi, wo)
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -19,9 +19,8 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.reflectance.blocks import BLOCK, in_blocks
-from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
-from brdf_suite.reflectance.tabulated.pairs_above import look_up_above
+from brdf_suite.reflectance.blocks import BLOCK, in_blocks, look_up_above
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
 
 if TYPE_CHECKING:
     from scipy.spatial import cKDTree
@@ -35,7 +34,7 @@ _MOST_ANGLES = 12
 
 
 @dataclass(frozen=True, eq=False)
-class ScatteredSamples:
+class ScatteredSamples(HalfVectorSampled):
     """Values at n direction pairs.
 
     Attributes
@@ -113,18 +112,7 @@ class ScatteredSamples:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, working space, without the cosine; 0 below the horizon."""
 
-        def block(light: Floats, view: Floats) -> Floats:
-            return look_up_above(lambda i, o: self._mean(self.values, i, o), light, view)
-
-        return in_blocks(block, wi, wo)
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
-        return self._sampler.sample(wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return self._sampler.pdf(wi, wo)
+        return in_blocks(partial(look_up_above, partial(self._mean, self.values)), wi, wo)
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:
@@ -152,7 +140,7 @@ class ScatteredSamples:
         for start in range(0, len(light), BLOCK):
             rows = slice(start, start + BLOCK)
             result[rows] = look_up_above(
-                lambda i, o: self._mean(spectra, i, o), light[rows], view[rows], spectra.shape[1]
+                partial(self._mean, spectra), light[rows], view[rows], spectra.shape[1]
             )
         return result.reshape(*shape, spectra.shape[1])
 

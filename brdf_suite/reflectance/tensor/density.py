@@ -13,12 +13,12 @@ rendering", section 4 and its supplement).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Floats, Indices
+from brdf_suite.arrays import Bools, Floats, Indices
 
 Blend = Sequence[tuple[Indices, Floats]]
 """For each of n queries: which grids take part (flat index over φi and θi), and with what weight."""
@@ -104,23 +104,20 @@ class GridDensity:
             total += weight * flat[grid * size + place]
         return total
 
+    def _between(self, table: Floats, place: Indices, y: Floats, blend: Blend) -> Floats:
+        """Return a table (n,) at nodes ``place``, between their row and the next by ``y``."""
+        return (1.0 - y) * self._at(table, place, blend) + y * self._at(table, place + self.shape[1], blend)
+
     def invert(self, u: Floats, blend: Blend) -> tuple[Floats, Floats]:
         """Return the point (n, 2) of the unit square that :meth:`sample` takes to ``u``, and the density."""
         ny, nx = self.shape
         column, x = cells(nx, u[:, 0])
         row, y = cells(ny, u[:, 1])
         corner = row * nx + column
-        left = (1.0 - y) * self._at(self.values, corner, blend) + y * self._at(
-            self.values, corner + nx, blend
-        )
-        right = (1.0 - y) * self._at(self.values, corner + 1, blend) + y * self._at(
-            self.values, corner + nx + 1, blend
-        )
+        left, right = (self._between(self.values, corner + step, y, blend) for step in (0, 1))
         density = (1.0 - x) * left + x * right
         # Along x at this y: what lies in the columns before, and the part of this one.
-        before = (1.0 - y) * self._at(self._conditional, corner, blend) + y * self._at(
-            self._conditional, corner + nx, blend
-        )
+        before = self._between(self._conditional, corner, y, blend)
         low = self._at(self._conditional, row * nx + nx - 1, blend)
         high = self._at(self._conditional, (row + 1) * nx + nx - 1, blend)
         whole = (1.0 - y) * low + y * high
@@ -134,43 +131,32 @@ class GridDensity:
         """Return the point (n, 2) distributed by the density for uniform ``u`` (n, 2), and the density there."""
         ny, nx = self.shape
         u = np.clip(u, 1e-12, 1.0 - 1e-12)
-        row = self._search(self._marginal, np.zeros(len(u), np.intp), ny, u[:, 1], blend)
+        row = _search(lambda middle: self._at(self._marginal, middle, blend) <= u[:, 1], ny, len(u))
         low = self._at(self._conditional, row * nx + nx - 1, blend)
         high = self._at(self._conditional, (row + 1) * nx + nx - 1, blend)
         y = _within((u[:, 1] - self._at(self._marginal, row, blend)) * (ny - 1), low, high)
         start = row * nx
 
         goal = u[:, 0] * ((1.0 - y) * low + y * high)
-        lower = np.zeros(len(u), np.intp)
-        upper = np.full(len(u), nx - 1, np.intp)
-        for _ in range(int(nx).bit_length()):
-            middle = (lower + upper) // 2
-            below = (1.0 - y) * self._at(self._conditional, start + middle, blend) + y * self._at(
-                self._conditional, start + nx + middle, blend
-            ) <= goal
-            lower = np.where(below, middle, lower)
-            upper = np.where(below, upper, middle)
-        column = np.minimum(lower, nx - 2)
+        column = _search(
+            lambda middle: self._between(self._conditional, start + middle, y, blend) <= goal, nx, len(u)
+        )
         at = start + column
-        before = (1.0 - y) * self._at(self._conditional, at, blend) + y * self._at(
-            self._conditional, at + nx, blend
-        )
-        left = (1.0 - y) * self._at(self.values, at, blend) + y * self._at(self.values, at + nx, blend)
-        right = (1.0 - y) * self._at(self.values, at + 1, blend) + y * self._at(
-            self.values, at + nx + 1, blend
-        )
+        before = self._between(self._conditional, at, y, blend)
+        left, right = (self._between(self.values, at + step, y, blend) for step in (0, 1))
         x = _within((goal - before) * (nx - 1), left, right)
         out = np.stack(((column + x) / (nx - 1), (row + y) / (ny - 1)), axis=1)
         return out, (1.0 - x) * left + x * right
 
-    def _search(self, table: Floats, start: Indices, count: int, goal: Floats, blend: Blend) -> Indices:
-        """Return the last cell (n,) whose distribution at its first node does not exceed ``goal``."""
-        lower, upper = np.zeros(len(goal), np.intp), np.full(len(goal), count - 1, np.intp)
-        for _ in range(int(count).bit_length()):
-            middle = (lower + upper) // 2
-            below = self._at(table, start + middle, blend) <= goal
-            lower, upper = np.where(below, middle, lower), np.where(below, upper, middle)
-        return np.minimum(lower, count - 2)
+
+def _search(is_below: Callable[[Indices], Bools], nodes: int, count: int) -> Indices:
+    """Return the last cell (count,) of ``nodes`` - 1 whose first node is below the goal, by bisection."""
+    lower, upper = np.zeros(count, np.intp), np.full(count, nodes - 1, np.intp)
+    for _ in range(int(nodes).bit_length()):
+        middle = (lower + upper) // 2
+        below = is_below(middle)
+        lower, upper = np.where(below, middle, lower), np.where(below, upper, middle)
+    return np.minimum(lower, nodes - 2)
 
 
 def _within(area: Floats, low: Floats, high: Floats) -> Floats:

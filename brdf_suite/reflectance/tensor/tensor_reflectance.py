@@ -32,7 +32,7 @@ from brdf_suite.documents.parameter import Parameter
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.blocks import in_blocks
-from brdf_suite.reflectance.half_vector_density import HalfVectorDensity
+from brdf_suite.reflectance.half_vector_density import HalfVectorDensity, HalfVectorSampled
 from brdf_suite.reflectance.tensor.density import Blend, GridDensity, bilinear, blend_weights, cells
 
 # Directions are worked through in pieces: the interpolation holds a few dozen numbers for each.
@@ -43,7 +43,7 @@ _SMALLEST_JACOBIAN = 1e-6
 
 
 @dataclass(frozen=True, eq=False)
-class TensorReflectance:
+class TensorReflectance(HalfVectorSampled):
     """The arrays of one measured material; all angles in radians.
 
     Parameters
@@ -218,14 +218,6 @@ class TensorReflectance:
     def _blend(self, phi_i: Floats, theta_i: Floats) -> Blend:
         axes = [np.asarray(self.phi_i, np.float64), np.asarray(self.theta_i, np.float64)]
         return blend_weights(axes, [phi_i, theta_i])
-
-    def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light for views ``wo`` and ``u`` (..., 3): about as the values are."""
-        return self._sampler.sample(wo, u)
-
-    def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-        """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return self._sampler.pdf(wi, wo)
 
     @cached_property
     def _sampler(self) -> HalfVectorDensity:

@@ -21,8 +21,7 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
-from brdf_suite.reflectance.tabulated.coverage import Coverage
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 RNG = np.random.default_rng(9)

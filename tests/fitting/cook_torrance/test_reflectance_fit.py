@@ -20,9 +20,8 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
-from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 
 TRUTH = TABLE_1["table1_blue"]
 GRID = HalfAngleGrid(45, 30, 40)

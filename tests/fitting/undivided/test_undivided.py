@@ -25,9 +25,8 @@ from brdf_suite.fitting.lobes.measured_samples import reflectance_rows, scattere
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.models.lambertian import Lambertian
-from brdf_suite.reflectance.tabulated.coverage import Coverage
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
+from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 EXPONENTS = default_basis().array()

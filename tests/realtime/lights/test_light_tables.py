@@ -13,7 +13,7 @@ from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
 from brdf_suite.realtime.lights.block import BLOCK_SIZE, DistantLights, light_block
 from brdf_suite.realtime.lights.lobes import column_angles, light_lobes
 from brdf_suite.realtime.material.flake_share import seen_tilts, visible_flake_lobe
-from brdf_suite.reflectance.designed.flake_rule import squared_tilt
+from brdf_suite.reflectance.designed.rules import squared_tilt
 from brdf_suite.reflectance.flakes.tilt import tilt_bell
 
 

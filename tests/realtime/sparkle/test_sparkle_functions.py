@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import glints, hashing, texture, tilt
+from brdf_suite.reflectance.flakes import glints, tilt
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
 
 N = 6000
@@ -30,8 +30,8 @@ def test_hash_agrees_to_the_last_bit(evaluate):
         "vec4(halves(cell_key(ivec2(x.xy), 77u)), halves(scrambled(uint(int(x.x)))))",
         x,
     )
-    key = hashing.cell_key(cells[:, 0], cells[:, 1], np.uint32(77))
-    want = [*hashing.halves(key), *hashing.halves(hashing.scramble(hashing.wrap_words(cells[:, 0])))]
+    key = glints.cell_key(cells[:, 0], cells[:, 1], np.uint32(77))
+    want = [*glints.halves(key), *glints.halves(glints.scramble(glints.wrap_words(cells[:, 0])))]
     np.testing.assert_array_equal(got, np.stack(want, -1).astype(np.float32))
 
 
@@ -129,7 +129,7 @@ def test_flake_texture(evaluate, pixel_mm):
         x,
     )
     at = x[:, :2]
-    want = texture.flake_texture_ratio(
+    want = glints.flake_texture_ratio(
         at,
         0 * at + across,
         0 * at + down,

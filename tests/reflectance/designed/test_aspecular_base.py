@@ -13,7 +13,7 @@ from brdf_suite.geometry.directions import aspecular_angle, aspecular_view, illu
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import normal_albedo
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase
-from brdf_suite.reflectance.designed.polynomial_rule import PolynomialRule
+from brdf_suite.reflectance.designed.rules import PolynomialRule
 
 LIGHT = math.radians(45.0)
 directions = st.builds(spherical, st.floats(0.0, 1.56), st.floats(-3.1, 3.1))

@@ -16,10 +16,9 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.errors import UnreachableError
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.designed.flake_rule import FlakeRule
-from brdf_suite.reflectance.designed.monotone_rule import MonotoneRule
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
-from brdf_suite.reflectance.instruments.gloss_reading import base_gloss, total_gloss
+from brdf_suite.reflectance.designed.rules import FlakeRule, MonotoneRule
+from brdf_suite.reflectance.instruments.glossmeter import base_gloss, total_gloss
 from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 ANGLES = (15.0, 45.0, 110.0)

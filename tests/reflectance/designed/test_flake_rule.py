@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working
-from brdf_suite.reflectance.designed.flake_rule import FlakeRule, squared_tilt
+from brdf_suite.reflectance.designed.rules import FlakeRule, squared_tilt
 
 LIGHT = math.radians(45.0)
 ANGLES = np.radians([15.0, 45.0, 110.0])

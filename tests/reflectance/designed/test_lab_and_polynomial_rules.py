@@ -12,8 +12,7 @@ from hypothesis import strategies as st
 from scipy.interpolate import PchipInterpolator
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE, lab_to_working, working_to_lab
-from brdf_suite.reflectance.designed.monotone_rule import MonotoneRule, pchip_slopes
-from brdf_suite.reflectance.designed.polynomial_rule import PolynomialRule
+from brdf_suite.reflectance.designed.rules import MonotoneRule, PolynomialRule, pchip_slopes
 
 ANGLES = np.radians([15.0, 45.0, 110.0])
 SILVER = lab_to_working([(128.0, 0.0, 0.0), (62.0, 0.0, 0.0), (36.0, 0.0, 0.0)])

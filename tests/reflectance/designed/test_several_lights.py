@@ -11,9 +11,9 @@ import pytest
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
+from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.designed.flake_rule import squared_tilt, squared_tilt_between
-from brdf_suite.reflectance.designed.several_lights import SeveralLights
+from brdf_suite.reflectance.designed.rules import squared_tilt, squared_tilt_between
 from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 AT_45 = ((15.0, (62.0, -4.0, -45.0)), (45.0, (25.0, 4.0, -38.0)), (110.0, (9.0, 8.0, -28.0)))

@@ -12,7 +12,7 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.store import load_any_paint, load_paint
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.instruments.gloss_reading import total_gloss
+from brdf_suite.reflectance.instruments.glossmeter import total_gloss
 from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 from brdf_suite.reflectance.models.table_1 import SOURCE, TABLE_1
 from brdf_suite.resources import resource, resource_names

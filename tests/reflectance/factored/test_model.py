@@ -12,10 +12,8 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.geometry.factor_words import parse_factors
 from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place, texel_directions
 from brdf_suite.geometry.warps import half_vector
-from brdf_suite.reflectance.factored.build import build_factored
-from brdf_suite.reflectance.factored.density import direction_density, map_density
-from brdf_suite.reflectance.factored.map import MapFactor
-from brdf_suite.reflectance.factored.model import Factored
+from brdf_suite.reflectance.factored.map import MapFactor, direction_density, map_density
+from brdf_suite.reflectance.factored.model import Factored, build_factored
 
 
 def look_up(values: np.ndarray, w: np.ndarray) -> np.ndarray:

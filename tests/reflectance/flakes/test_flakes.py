@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import glints, hashing, texture, tilt
+from brdf_suite.reflectance.flakes import glints, tilt
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
 
 PAINT = {"density": 120.0, "size": 0.02, "roughness": 0.17}
@@ -131,13 +131,13 @@ def test_flake_texture_draws_beckmann():
 @pytest.mark.parametrize("flakes", [0.05, 0.5, 3.0])
 def test_flake_texture_keeps_the_mean(flakes):
     at, across, down, slope = pixels(60000, flakes)
-    ratio = texture.flake_texture_ratio(at, across, down, slope, 0.03, **PAINT)[:, 0]
+    ratio = glints.flake_texture_ratio(at, across, down, slope, 0.03, **PAINT)[:, 0]
     assert ratio.mean() == pytest.approx(1.0, abs=4 * ratio.std() / np.sqrt(len(ratio)))
 
 
 def test_flake_texture_fades_with_distance():
     contrast = [
-        texture.flake_texture_ratio(*pixels(20000, n), 0.03, **PAINT)[:, 0].std()
+        glints.flake_texture_ratio(*pixels(20000, n), 0.03, **PAINT)[:, 0].std()
         for n in (0.3, 2.0, 8.0, 40.0)
     ]
     assert contrast == sorted(contrast, reverse=True)
@@ -146,11 +146,11 @@ def test_flake_texture_fades_with_distance():
 
 
 def test_the_hash_is_even_and_changes_with_every_bit():
-    words = hashing.scramble(np.arange(1 << 16, dtype=np.uint32))
+    words = glints.scramble(np.arange(1 << 16, dtype=np.uint32))
     assert len(np.unique(words)) == 1 << 16
     bits = (words[:, None] >> np.arange(32, dtype=np.uint32)) & 1
     assert np.abs(bits.mean(0) - 0.5).max() < 0.02
     for bit in range(0, 32, 5):
-        other = hashing.scramble(np.arange(1 << 16, dtype=np.uint32) ^ np.uint32(1 << bit))
+        other = glints.scramble(np.arange(1 << 16, dtype=np.uint32) ^ np.uint32(1 << bit))
         changed = ((words ^ other)[:, None] >> np.arange(32, dtype=np.uint32)) & 1
         assert np.abs(changed.mean(0) - 0.5).max() < 0.1

@@ -13,7 +13,7 @@ from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.lobe_fit import fit_material, refit_under
 from brdf_suite.pipeline.material import Material
-from brdf_suite.reflectance.instruments.relit import Relit, relit
+from brdf_suite.reflectance.instruments.under_light import Relit, relit
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 
 EDGE = 0.05 + 0.6 / (1.0 + np.exp(-(BANDS - 590.0) / 8.0))  # a red, whose colour depends on the lamp

@@ -14,12 +14,11 @@ from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import illumination, mirror, spherical
 from brdf_suite.geometry.fresnel import fresnel_at
 from brdf_suite.reflectance.albedo import directional_albedo, white_furnace
-from brdf_suite.reflectance.models.coated_phong import CoatedPhong
 from brdf_suite.reflectance.models.cosine_lobes import CosineLobes
 from brdf_suite.reflectance.models.ggx import Ggx
 from brdf_suite.reflectance.models.lafortune import Lafortune, LafortuneLobe
 from brdf_suite.reflectance.models.lambertian import Lambertian
-from brdf_suite.reflectance.models.phong import Phong
+from brdf_suite.reflectance.models.phong import CoatedPhong, Phong
 
 NORMAL = np.array([0.0, 0.0, 1.0])
 AT_45, AT_60 = illumination(45.0), illumination(60.0)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
-from brdf_suite.reflectance.tabulated.holes import fill_holes
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 GRID = HalfAngleGrid(8, 8, 16)
