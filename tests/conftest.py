@@ -194,7 +194,9 @@ def _chi_square(
     t, p = np.meshgrid(theta, phi, indexing="ij")
     directions = np.stack((np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)), axis=-1)
     mass = density(directions.reshape(-1, 3)).reshape(t.shape) * np.sin(t) * w_theta[:, None] * w_phi
-    expected, *_ = np.histogram2d(t.ravel(), p.ravel(), bins=[theta_edges, phi_edges], weights=mass.ravel())
+    # Every cell's edge is a panel's: the points of a cell are a block of the grid.
+    expected = np.add.reduceat(mass, np.searchsorted(theta, theta_edges[:-1]), axis=0)
+    expected = np.add.reduceat(expected, np.searchsorted(phi, phi_edges[:-1]), axis=1)
     kept = drawn[drawn[:, 2] > 0.0]
     angles = np.arccos(np.clip(kept[:, 2], 0.0, 1.0)), np.arctan2(kept[:, 1], kept[:, 0])
     found, *_ = np.histogram2d(*angles, bins=[theta_edges, phi_edges])

@@ -10,7 +10,6 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.geometry.warps import mirror_at
 from brdf_suite.reflectance.protocol import Reflectance
 
 _NORMAL = np.array([0.0, 0.0, 1.0])
@@ -81,11 +80,13 @@ def _integral(
         # A lobe round about the mirror direction is 1/cosθ times longer than wide here: more azimuths.
         finer = int(2 ** min(5, max(0, math.ceil(math.log2(0.7 / max(float(one[2]), 1e-3))))))
         half, solid = _rings(azimuths * finer, min(_WIDEST_RING, _RING_TIMES_AZIMUTHS / azimuths), first)
-        other, dot = mirror_at(one, half), half @ one
-        up = (other[:, 2] > 0.0) & (dot > 0.0)
-        other = other[up]
+        dot = half @ one
+        # What is mirrored below the horizon is left out before it is made.
+        up = (2.0 * dot * half[:, 2] > one[2]) & (dot > 0.0)
+        dot = dot[up]
+        other = 2.0 * dot[:, None] * half[up] - one
         pair = (one, other) if given_light else (other, one)
-        out[index] = (4.0 * (dot * solid)[up] * other[:, 2]) @ reflectance.eval(*pair)
+        out[index] = (4.0 * dot * solid[up] * other[:, 2]) @ reflectance.eval(*pair)
     return out
 
 

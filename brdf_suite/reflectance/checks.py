@@ -131,7 +131,8 @@ def check_reflectance(
     Parameters
     ----------
     reciprocal, energy_conserving
-        What is claimed; None: what the reflectance declares itself, if anything.
+        What is claimed; None: what the reflectance declares itself, if anything. Where reciprocity is claimed and
+        held, the white furnace is the directional albedo, to the tolerance, and is not integrated again.
     """
     if reciprocal is None:
         reciprocal = getattr(reflectance, "reciprocal", None)
@@ -144,9 +145,10 @@ def check_reflectance(
     verdict = _outcome(size > RECIPROCITY_TOLERANCE, reciprocal)
     findings.append(CheckFinding("reciprocity", size, "relative", where, verdict, typical))
     light = illumination(np.array(incidence_deg))
-    albedo, furnace = (
-        _settled(integral, reflectance, light) for integral in (directional_albedo, white_furnace)
-    )
+    albedo = _settled(directional_albedo, reflectance, light)
+    # Where light and view may be exchanged both integrals are one.
+    exchanged = reciprocal is True and size <= RECIPROCITY_TOLERANCE
+    furnace = albedo if exchanged else _settled(white_furnace, reflectance, light)
     for check, table, fixed in (("directional_albedo", albedo, "light"), ("white_furnace", furnace, "view")):
         row, channel = np.unravel_index(int(np.argmax(table)), table.shape)
         excess = max(float(table[row, channel]) - 1.0, 0.0)

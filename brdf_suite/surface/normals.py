@@ -28,6 +28,16 @@ def weld(positions: Floats) -> Integers:
     return np.unique(packed(cells), return_inverse=True)[1].reshape(-1)
 
 
+def used_numbers(numbers: Integers, count: int) -> tuple[Integers, Integers]:
+    """Return which of 0…``count`` - 1 occur in ``numbers`` (...), ascending, and the place of each among them (...).
+
+    As ``np.unique`` with the inverse, which sorts.
+    """
+    occurs = np.zeros(count, np.bool_)
+    occurs[numbers] = True
+    return np.flatnonzero(occurs), (np.cumsum(occurs) - 1)[numbers]
+
+
 def packed(cells: Integers) -> Integers:
     """Return one number (n,) for each row of three in [0, 2²¹), in their order; numpy sorts rows much more slowly."""
     return np.asarray((cells[:, 0] << 42) | (cells[:, 1] << 21) | cells[:, 2])

@@ -13,7 +13,7 @@ import numpy as np
 
 from brdf_suite.arrays import Bools, Floats, Integers
 from brdf_suite.surface.mesh import PartGeometry
-from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, weld
+from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, used_numbers, weld
 from brdf_suite.surface.unwrap import box_uvs, uvs_in_millimetres
 
 CREASE_DEG = 40.0
@@ -45,14 +45,12 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
     triangles = _drawable(raw, notes)
     if not len(triangles):
         return None, notes
-    used, flat = np.unique(triangles, return_inverse=True)
-    triangles = flat.reshape(-1, 3)
+    used, triangles = used_numbers(triangles, len(raw.positions))
     positions = raw.positions[used]
     uvs = raw.uvs[used] if raw.uvs is not None and raw.uvs.shape == (len(raw.positions), 2) else None
     normals = _given_normals(raw, used)
-    welded = weld(positions)
-
     if normals is None:
+        welded = weld(positions)
         if is_inside_out(positions, triangles, welded):
             triangles = triangles[:, ::-1]
             notes.append(f"{raw.name}: turned inside out, its triangles faced inwards")
@@ -61,7 +59,7 @@ def repair(raw: RawPart) -> tuple[PartGeometry | None, list[str]]:
         uvs = None if uvs is None else uvs[kept]
         notes.append(f"{raw.name}: had no normals; made smooth, with edges above {CREASE_DEG:g}°")
     else:
-        normals = _mended_normals(raw.name, positions, triangles, normals, welded, notes)
+        normals = _mended_normals(raw.name, positions, triangles, normals, notes)
 
     scaled = None if uvs is None else uvs_in_millimetres(positions, triangles, uvs)
     if scaled is None:
@@ -88,10 +86,10 @@ def _drawable(raw: RawPart, notes: list[str]) -> Integers:
     if not finite.all():
         notes.append(f"{raw.name}: left out {_count(~finite)} with corners that are not finite")
         triangles = triangles[finite]
-    corners = raw.positions[triangles]
-    edges = corners - np.roll(corners, 1, axis=1)
-    longest = np.einsum("kij,kij->ki", edges, edges).max(axis=1, initial=0.0)
-    doubled = np.linalg.norm(np.cross(edges[:, 0], edges[:, 1]), axis=1)
+    a, b, c = (raw.positions[triangles[:, corner]] for corner in range(3))
+    edges = a - c, b - a, c - b
+    longest = np.maximum.reduce([np.einsum("kj,kj->k", edge, edge) for edge in edges])
+    doubled = np.linalg.norm(np.cross(edges[0], edges[1]), axis=1)
     flat = doubled <= 1e-10 * longest
     if flat.any():
         notes.append(f"{raw.name}: left out {_count(flat)} without area")
@@ -117,12 +115,13 @@ def _given_normals(raw: RawPart, used: Integers) -> Floats | None:
 
 
 def _mended_normals(
-    name: str, positions: Floats, triangles: Integers, normals: Floats, welded: Integers, notes: list[str]
+    name: str, positions: Floats, triangles: Integers, normals: Floats, notes: list[str]
 ) -> Floats:
     """Fill the zero normals with the mean of the faces around them."""
     missing = ~normals.any(axis=1)
     if not missing.any():
         return normals
+    welded = weld(positions)
     summed = np.zeros((welded.max() + 1, 3))
     faces = face_normals(positions, triangles)
     for corner in range(3):

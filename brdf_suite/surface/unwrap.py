@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.arrays import Floats, Integers
-from brdf_suite.surface.normals import face_normals
+from brdf_suite.surface.normals import face_normals, used_numbers
 
 MILLIMETRES = 1000.0
 _EVEN = 2.0
@@ -72,9 +72,8 @@ def box_uvs(positions: Floats, triangles: Integers) -> tuple[Floats, Integers, I
         face different sides; (k, 3) new indices.
     """
     side = np.abs(face_normals(positions, triangles)).argmax(axis=1)
-    keys = triangles * 3 + side[:, None]
-    unique, flat = np.unique(keys, return_inverse=True)
-    kept, axis = unique // 3, unique % 3
+    used, numbered = used_numbers(triangles * 3 + side[:, None], 3 * len(positions))
+    kept, axis = used // 3, used % 3
     planes = np.array([[2, 1], [0, 2], [0, 1]])[axis]
     uvs = np.take_along_axis(positions[kept], planes, axis=1) * MILLIMETRES
-    return uvs, kept, flat.reshape(-1, 3)
+    return uvs, kept, numbered

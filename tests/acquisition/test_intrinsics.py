@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import cache
 
 import numpy as np
 import pytest
@@ -28,19 +29,28 @@ def board_axes(tilt: float, turn: float) -> np.ndarray:
     return np.array([[1, 0, 0], [0, a, -b], [0, b, a]]) @ np.array([[c, 0, d], [0, 1, 0], [-d, 0, c]])
 
 
+FINE = 4
+"""Rays each way in a pixel."""
+
+
+@cache
+def rays() -> np.ndarray:
+    """Return the directions (h, w, 3) of all rays of the lens, which all photographs share."""
+    x, y = np.meshgrid(np.arange(WIDTH * FINE), np.arange(HEIGHT * FINE))
+    return lens_rays(TRUE, np.stack(((x + 0.5) / FINE - 0.5, (y + 0.5) / FINE - 0.5), axis=-1))
+
+
 def photograph(tilt: float, turn: float, seed: int) -> np.ndarray:
     """Return (h, w, 3) 12-bit codes of the board, drawn by its own ray casting, with noise and rounding."""
     axes = board_axes(tilt, turn)
-    middle = MIDDLE
-    fine = 4
-    x, y = np.meshgrid(np.arange(WIDTH * fine), np.arange(HEIGHT * fine))
-    rays = lens_rays(TRUE, np.stack(((x + 0.5) / fine - 0.5, (y + 0.5) / fine - 0.5), axis=-1))
-    reach = (middle @ axes[:, 2]) / (rays @ axes[:, 2])
-    place = (reach[..., None] * rays - middle) @ axes[:, :2] / SQUARE
-    u, v = place[..., 0] + 0.5 * (COLUMNS + 1), place[..., 1] + 0.5 * (ROWS + 1)
+    # Along the board's axes; the third one is its normal.
+    along, middle = rays() @ axes, MIDDLE @ axes
+    reach = middle[2] / along[..., 2]
+    u = (reach * along[..., 0] - middle[0]) / SQUARE + 0.5 * (COLUMNS + 1)
+    v = (reach * along[..., 1] - middle[1]) / SQUARE + 0.5 * (ROWS + 1)
     inside = (u > 0) & (u < COLUMNS + 1) & (v > 0) & (v < ROWS + 1)
     dark = inside & ((np.floor(u) + np.floor(v)) % 2 == 0)
-    light = np.where(dark, 0.04, 0.7).reshape(HEIGHT, fine, WIDTH, fine).mean(axis=(1, 3))
+    light = np.where(dark, 0.04, 0.7).reshape(HEIGHT, FINE, WIDTH, FINE).mean(axis=(1, 3))
     noise = 0.004 * np.random.default_rng(seed).standard_normal((HEIGHT, WIDTH, 3))
     return np.rint(4095 * np.clip(light[..., None] + noise, 0, 1)).astype(np.uint16)
 

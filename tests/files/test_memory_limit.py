@@ -8,9 +8,10 @@ import struct
 import subprocess
 import sys
 import zlib
-from collections.abc import Callable
-from itertools import pairwise
+from collections.abc import Callable, Iterator
+from itertools import pairwise, takewhile
 from pathlib import Path
+from threading import Timer
 
 import numpy as np
 import pytest
@@ -21,7 +22,7 @@ from brdf_suite.files.memory_limit import MOST_MADE_BYTES, check_made, within_me
 from brdf_suite.files.meshes.reading import read_mesh
 
 MEASURE = """
-import sys
+import os, sys
 from brdf_suite.acquisition.photographs.reading import read_photograph
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.environments import read_environment_image
@@ -30,22 +31,45 @@ import OpenEXR, scipy.spatial, tifffile
 def peak():  # of this process alone: getrusage begins with the peak of the process that started it
     with open("/proc/self/status") as status:
         return next(int(line.split()[1]) >> 10 for line in status if line.startswith("VmHWM"))
-before = peak()
-try:
-    globals()[sys.argv[1]](sys.argv[2])
-    print("read")
-except FileError as error:
-    print(error)
-print(peak() - before)
+for line in sys.stdin:
+    if os.fork():  # this process only imports, which takes longer than most of the reading
+        os.wait()
+        print("end", flush=True)
+        continue
+    reader, path = line.rstrip().split(chr(9))
+    before = peak()
+    try:
+        globals()[reader](path)
+        print("read")
+    except FileError as error:
+        print(error)
+    print(peak() - before, flush=True)
+    os._exit(0)
 """
 
+Measured = Callable[[str, Path], tuple[str, int]]
 
-def measured(reader: str, path: Path) -> tuple[str, int]:
-    """What a reader says of a file, ``read`` where it takes it, and by how many MB its process grew at most."""
-    command = [sys.executable, "-P", "-c", MEASURE, reader, str(path)]
-    done = subprocess.run(command, check=True, capture_output=True, text=True, timeout=240)
-    said, grown = done.stdout.splitlines()
-    return said, int(grown)
+
+@pytest.fixture(scope="module")
+def measured() -> Iterator[Measured]:
+    """What a reader says of a file, ``read`` where it takes it, and by how many MB a process of its own grew."""
+    command = [sys.executable, "-P", "-c", MEASURE]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+
+        def measure(reader: str, path: Path) -> tuple[str, int]:
+            assert process.stdin is not None
+            assert process.stdout is not None
+            process.stdin.write(f"{reader}\t{path}\n")
+            process.stdin.flush()
+            hanging = Timer(240.0, process.kill)
+            hanging.start()
+            said, grown = [
+                line.rstrip("\n") for line in takewhile(lambda line: line != "end\n", process.stdout)
+            ]
+            hanging.cancel()
+            return said, int(grown)
+
+        yield measure
 
 
 def gltf(accessors: list[dict[str, object]], **more: object) -> bytes:
@@ -138,7 +162,13 @@ def png(width: int, height: int, bits: int = 16, packed: bytes = b"") -> bytes:
     ],
 )
 def test_small_files_that_announce_gigabytes_are_refused_within_one(
-    tmp_path: Path, reader: str, name: str, content: Callable[[], bytes], place: str, reason: str
+    tmp_path: Path,
+    measured: Measured,
+    reader: str,
+    name: str,
+    content: Callable[[], bytes],
+    place: str,
+    reason: str,
 ) -> None:
     path = tmp_path / name
     path.write_bytes(content())
@@ -149,7 +179,7 @@ def test_small_files_that_announce_gigabytes_are_refused_within_one(
     assert grown < 1024
 
 
-def test_what_is_large_and_true_is_read(tmp_path: Path) -> None:
+def test_what_is_large_and_true_is_read(tmp_path: Path, measured: Measured) -> None:
     """An environment of the largest size that is not reduced, and a mesh of two million triangles."""
     path = tmp_path / "large.hdr"
     path.write_bytes(radiance(8192, 4096))

@@ -144,18 +144,23 @@ def test_the_entry_unused_for_longest_goes_first(environment: Environment) -> No
 
 
 PROGRAM = """
-import sys, numpy as np
+import sys, time, numpy as np
 from pathlib import Path
 from brdf_suite.lighting import lobe_map_cache as cache
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
+folder, name = Path(sys.argv[1]), sys.argv[2]
 real = cache.prefilter
 def counted(*rest):
-    Path(sys.argv[1], f"made-{sys.argv[2]}").touch()
+    (folder / f"made-{name}").touch()
+    while len(list(folder.glob("asks-*"))) < 2:  # the other asks while this one is at work
+        time.sleep(0.01)
+    time.sleep(0.1)
     return real(*rest)
 cache.prefilter = counted
-pixels = np.random.default_rng(7).random((256, 512, 3)).astype(np.float32)
-maps = cache.MapCache().get_or_compute(Environment("shared", pixels), [1500.0, 3000.0])
+pixels = np.random.default_rng(7).random((32, 64, 3)).astype(np.float32)
+(folder / f"asks-{name}").touch()
+maps = cache.MapCache().get_or_compute(Environment("shared", pixels), [15.0, 30.0])
 print(int(maps.lobes[0].faces.astype(np.float64).sum()))
 """
 

@@ -41,10 +41,18 @@ def context(session_context: moderngl.Context) -> Iterator[moderngl.Context]:
 
 @pytest.fixture
 def renderer(context: moderngl.Context) -> Iterator[Renderer]:
+    """A renderer that compiles and uploads what its pictures show, as for a still picture."""
     renderer = Renderer(context)
+    renderer.only_needed = True
     yield renderer
     renderer.release()
     assert renderer.counters.live == 0
+
+
+@pytest.fixture
+def prepared(renderer: Renderer) -> None:
+    """Let the renderer compile and upload all that an edit may ask for, as in a window."""
+    renderer.only_needed = False
 
 
 @dataclass(frozen=True)

@@ -32,12 +32,13 @@ def sky(d):
 
 
 def prefiltered(scenes, exponent, size):
-    omega = scenes.directions(40).reshape(-1, 3)
+    omega = scenes.directions(40).reshape(-1, 3).astype(np.float32)
     solid = np.abs(omega).max(-1, keepdims=True) ** 3
     light = np.hstack([sky(omega) * solid, solid])
     sums = np.empty((6 * size, size, 4))
     # Row by row, as the whole kernel would be a gigabyte; a whole power by squares takes a third of the time.
-    for towards, row in zip(scenes.directions(size).reshape(6 * size, size, 3), sums, strict=True):
+    rows = scenes.directions(size).reshape(6 * size, size, 3).astype(np.float32)
+    for towards, row in zip(rows, sums, strict=True):
         square, kernel = np.maximum(towards @ omega.T, 0), 1.0
         for bit in reversed(f"{int(exponent):b}"):
             kernel = kernel * square if bit == "1" else kernel

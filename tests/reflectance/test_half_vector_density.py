@@ -121,9 +121,9 @@ def test_sampling_and_quadrature_agree_on_the_furnace(known: Known, name: str) -
     for angle in (10.0, 70.0):
         found = weights(known(name), view(angle), 20_000, 5)
         error = found.std() / np.sqrt(len(found))
-        # 512 azimuths, because measured peaks off the mirror direction are narrow; and what this quadrature is
-        # sure of: interpolated values have kinks.
-        truth = white_furnace(known(name), view(angle), 512) @ LUMINANCE
+        # Many azimuths, because measured peaks off the mirror direction are narrow, most of all what a tape sends back
+        # to the lamp; and what this quadrature is sure of: interpolated values have kinks.
+        truth = white_furnace(known(name), view(angle), 512 if "tape" in name else 256) @ LUMINANCE
         assert abs(found.mean() - truth) < 3.8 * error + 1e-3 * truth
 
 

@@ -22,8 +22,8 @@ from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 from brdf_suite.reflectance.tabulated.half_angle_grid import trilinear
+from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 Measured = Callable[[npt.ArrayLike, npt.ArrayLike], npt.NDArray[np.bool_]]
 

@@ -27,7 +27,7 @@ from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 _directions = load_module(Path(__file__).parent / "direction_pairs.py")
 hemisphere, pairs = _directions.hemisphere, _directions.pairs
 REAL = ("paper_white_rgb.bsdf", "vch_golden_yellow_rgb.bsdf")
-PAIRS = 100_000
+PAIRS = 20_000
 STEPS = 8
 STEP = 2.0**-24
 

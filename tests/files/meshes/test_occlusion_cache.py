@@ -18,7 +18,9 @@ from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import default_paint
 from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
-from brdf_suite.surface.mesh import Mesh
+from brdf_suite.surface.mesh import Mesh, PartGeometry
+from brdf_suite.surface.occlusion import bake as baking
+from brdf_suite.surface.occlusion import floor
 from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh
 
@@ -30,9 +32,15 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def facet() -> Mesh:
-    from brdf_suite.surface.mesh import PartGeometry
+def coarse(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bake in a moment: from few places, over a coarse floor."""
+    monkeypatch.setattr(baking, "_FEWEST_PLACES", 400)
+    monkeypatch.setattr(baking, "_ROUNDS", 1)
+    monkeypatch.setattr(floor, "_LONG_SIDE", 24)
 
+
+@pytest.fixture
+def facet(coarse: None) -> Mesh:
     part = PartGeometry(
         "f", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
     )
@@ -130,7 +138,7 @@ def test_the_key_is_of_the_shape_alone(facet: Mesh) -> None:
     assert occlusion_key(facet) == occlusion_key(renamed) != occlusion_key(moved)
 
 
-def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path) -> None:
+def test_a_surface_is_shaped_and_baked_as_the_view_says(folder: Path, coarse: None) -> None:
     mesh = load_shaped("panel", SurfaceLook(scale=2.0))
     (low, high), (plain_low, plain_high) = mesh.bounds(), panel().bounds()
     np.testing.assert_allclose(high - low, 2.0 * (plain_high - plain_low), rtol=1e-4)

@@ -106,8 +106,8 @@ def test_lamps_behind_the_sheet_do_nothing(lit, scenes):
 def test_flakes_move_light_about_and_add_none(lit, scenes, mode):
     weights = scenes.weights(kd=0.02, directional=0.5)
     # From near: the texture has faded where a pixel holds several flakes.
-    near = replace(NEAR, camera=replace(NEAR.camera, distance=0.03, target=(0.0, 0.0, 0.0)))
-    big = (900, 700)
+    near = replace(NEAR, camera=replace(NEAR.camera, distance=0.015, target=(0.0, 0.0, 0.0)))
+    big = (450, 350)
     smooth = lit(near, weights, environment=1.0, size=big)
     sparkling = lit(
         replace(near, sparkle=Sparkle(mode, strength=4.0)),
@@ -231,6 +231,7 @@ def test_far_away_flakes_melt_into_the_smooth_light(lit, scenes):
     assert contrast[2] < 0.03
 
 
+@pytest.mark.usefixtures("prepared")
 def test_nothing_is_made_for_what_is_not_shown(renderer, lit, scenes):
     lit(NEAR, scenes.weights(kd=0.3), flakes=FLAKES)
     before = dict(renderer.counters.created)

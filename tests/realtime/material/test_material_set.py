@@ -15,6 +15,8 @@ from brdf_suite.realtime.material.ramp import MAX_SHARP, make_ramp
 from brdf_suite.realtime.material.stock_materials import lobe_mix, stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 
+pytestmark = pytest.mark.usefixtures("prepared")
+
 FACTORIES = (
     "buffer", "texture", "texture_cube", "texture_array", "framebuffer", "renderbuffer", "depth_renderbuffer",
     "program", "vertex_array", "sampler", "detect_framebuffer",

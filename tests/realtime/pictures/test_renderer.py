@@ -13,6 +13,8 @@ from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps, MeshPart
 
+pytestmark = pytest.mark.usefixtures("prepared")
+
 VIEW = View(Camera(30, 15))
 
 

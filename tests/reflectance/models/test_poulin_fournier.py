@@ -29,7 +29,7 @@ def reached(y: np.ndarray, z: np.ndarray, w: np.ndarray, spacing: float, floor: 
     return free
 
 
-def traced(model: PoulinFournier, wi: np.ndarray, wo: np.ndarray, count: int = 20_000) -> np.ndarray:
+def traced(model: PoulinFournier, wi: np.ndarray, wo: np.ndarray, count: int = 4_000) -> np.ndarray:
     """f_r by tracing the points of one period, each a facet of f = kd/π + ks c (N·h)ⁿ."""
     d, h, n = model.spacing, model.floor, model.exponent
     end = math.acos(h)

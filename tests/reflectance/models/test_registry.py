@@ -15,7 +15,7 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.registry import MODELS
 
-COUNT = 150_000
+COUNT = 60_000
 ANGLES = (0.0, 40.0, 75.0)
 SAMPLED = {name: entry.default for name, entry in MODELS.items() if hasattr(entry.default, "sample")} | {
     name: CookTorrance(paint) for name, paint in TABLE_1.items()
