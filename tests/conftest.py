@@ -5,15 +5,18 @@ from __future__ import annotations
 import errno
 import gc
 import importlib.util
+import json
 import os
 import signal
 import sys
 from collections.abc import Callable
+from itertools import count
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+from filelock import FileLock
 from hypothesis import HealthCheck, settings
 from pytestqt.qtbot import QtBot
 
@@ -49,6 +52,8 @@ def shared_data() -> Path:
         pytest.skip("no real files: set BRDF_SUITE_SHARED to the folder that holds data/")
     return root / "data"
 
+
+_CACHES = count()
 
 PATIENCE_MS = 120_000
 """A wait ends a test that hangs; how fast this machine is, and what else runs on it, is no matter of a test."""
@@ -104,9 +109,10 @@ def walks(qapp, load_helper: Callable[[str], ModuleType]) -> ModuleType:
 
 
 @pytest.fixture(autouse=True)
-def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No test reads or writes the user's cache."""
-    monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / "cache"))
+def own_cache(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test reads or writes the user's cache; a folder is made by those tests alone that put something into it."""
+    folder = tmp_path_factory.getbasetemp() / "caches" / str(next(_CACHES))
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(folder))
 
 
 @pytest.fixture
@@ -136,6 +142,19 @@ def shared_cache(own_cache: None, cache_folder: Path, monkeypatch: pytest.Monkey
     """One cache for all tests that ask for it: each light is filtered and each surface baked once a run."""
     monkeypatch.setenv("BRDF_SUITE_CACHE", str(cache_folder))
     return cache_folder
+
+
+@pytest.fixture(scope="session")
+def materials(cache_folder: Path, load_helper: Callable[[str], ModuleType]) -> dict[str, str]:
+    """A name or file of every kind of material, by kind: made once for all workers, which only read them."""
+    folder = cache_folder / "tests" / "materials"
+    folder.mkdir(parents=True, exist_ok=True)
+    listed = folder / "kinds.json"
+    with FileLock(f"{listed}.lock"):
+        if not listed.exists():
+            listed.write_text(json.dumps(load_helper("materials.py").make_materials(folder)))
+    found: dict[str, str] = json.loads(listed.read_text())
+    return found
 
 
 @pytest.fixture(scope="session")

@@ -51,13 +51,6 @@ COMMANDS: dict[str, Callable[[str, Path], list[str]]] = {
 }
 
 
-@pytest.fixture(scope="module")
-def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str, str]:
-    """A name or file of every kind of material, by kind."""
-    found: dict[str, str] = load_helper("materials.py").make_materials(tmp_path_factory.mktemp("materials"))
-    return found
-
-
 @pytest.mark.usefixtures("shared_cache")
 @pytest.mark.parametrize("command", COMMANDS)
 @pytest.mark.parametrize("kind", KINDS)

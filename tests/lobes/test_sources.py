@@ -287,13 +287,6 @@ def test_reading_that_lasts_is_shown_and_can_be_cancelled(program, qtbot, monkey
     assert program.session.subjects == ()
 
 
-@pytest.fixture(scope="module")
-def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str, str]:
-    """A name or file of every kind of material, by kind."""
-    found: dict[str, str] = load_helper("materials.py").make_materials(tmp_path_factory.mktemp("materials"))
-    return found
-
-
 def test_every_kind_of_material_is_opened(materials) -> None:
     light = illumination(45.0)
     for asked in materials.values():

@@ -204,13 +204,6 @@ def test_the_library_remembers_its_files(swatch, tmp_path: Path, monkeypatch) ->
     assert [(item.path, item.state) for item in swatch.library.items] == [(path, "closed")]
 
 
-@pytest.fixture(scope="module")
-def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str, str]:
-    """A name or file of every kind of material, by kind."""
-    found: dict[str, str] = load_helper("materials.py").make_materials(tmp_path_factory.mktemp("materials"))
-    return found
-
-
 def test_every_kind_of_material_is_added_or_opened(swatch, materials, qtbot) -> None:
     for kind, asked in materials.items():
         if kind == "palette of one":

@@ -124,13 +124,6 @@ def test_what_is_neither_is_reported(program, control, qtbot, tmp_path) -> None:
     assert program.window.progress.jobs == ()
 
 
-@pytest.fixture(scope="module")
-def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str, str]:
-    """A name or file of every kind of material, by kind."""
-    found: dict[str, str] = load_helper("materials.py").make_materials(tmp_path_factory.mktemp("materials"))
-    return found
-
-
 def test_every_kind_of_material_is_opened(program, materials, qtbot) -> None:
     for asked in materials.values():
         before = program.store.value

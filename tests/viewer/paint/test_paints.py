@@ -130,13 +130,6 @@ def test_every_measured_format_is_opened() -> None:
     assert {ending for known in FORMATS for ending in known.endings} <= set(ENDINGS["paint"])
 
 
-@pytest.fixture(scope="module")
-def materials(tmp_path_factory: pytest.TempPathFactory, load_helper) -> dict[str, str]:
-    """A name or file of every kind of material, by kind."""
-    found: dict[str, str] = load_helper("materials.py").make_materials(tmp_path_factory.mktemp("materials"))
-    return found
-
-
 def test_every_kind_of_material_is_opened(viewer, materials, qtbot) -> None:
     for kind, asked in materials.items():
         before = viewer.state.fit
