@@ -21,7 +21,6 @@ from brdf_designer.controller import Controller
 from brdf_designer.documents.paint_offer import PaintOffer
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.measured.control import MeasuredControl
-from brdf_designer.preview.thumbnails import thumbnails_of
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.sections import build_sections
 from brdf_designer.window.window import DesignerWindow
@@ -143,7 +142,7 @@ class Designer(Program):
         if self.closed:
             return
         super().close()
-        thumbnails_of(self.window).close()
+        self.window.pictures.close()
         self.fitter.close()
         if not self._has_closed_documents:
             self.documents.keep_unsaved()

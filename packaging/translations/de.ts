@@ -2602,14 +2602,6 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
         <translation>{angle}: Ziel {target}, Anpassung {fit}, ΔE00 {difference}</translation>
     </message>
     <message>
-        <source>The thumbnail process ended twice.</source>
-        <translation>Der Prozess für die kleinen Bilder endete zweimal.</translation>
-    </message>
-    <message>
-        <source>The thumbnails cannot be drawn: {reason}.</source>
-        <translation>Die kleinen Bilder können nicht gezeichnet werden: {reason}.</translation>
-    </message>
-    <message>
         <source>Lighter</source>
         <translation>Heller</translation>
     </message>
@@ -6410,8 +6402,8 @@ Ungespeicherte Änderungen.</translation>
         <translation>Der Renderprozess endete beim Rendern dieses Lacks.</translation>
     </message>
     <message>
-        <source>The swatches cannot be rendered: {reason}.</source>
-        <translation>Die Muster können nicht gerendert werden: {reason}.</translation>
+        <source>The pictures cannot be rendered: {reason}.</source>
+        <translation>Die Bilder können nicht gerendert werden: {reason}.</translation>
     </message>
     <message>
         <source>Swatch</source>

@@ -11,8 +11,8 @@ import pytest
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from brdf_designer.assembly import FIRST_PAINT, Designer
-from brdf_designer.preview import thumbnails
 from brdf_qt.window.dialogs import Answer, Overwrite
+from brdf_qt.work import pictures
 from PySide6.QtCore import QCoreApplication, QEvent
 
 from brdf_suite.pipeline.lobe_fit import PaintFitter
@@ -65,7 +65,7 @@ def dialogs() -> ScriptedDialogs:
 @pytest.fixture
 def designer(qtbot, dialogs, monkeypatch) -> Designer:
     """Designer, shown, with its plot there; placeholders stand for the small pictures, which need a process."""
-    monkeypatch.setattr(thumbnails, "child_command", lambda _module: [])
+    monkeypatch.setattr(pictures, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: dialogs)
     qtbot.addWidget(designer.window)
     designer.window.show()
@@ -82,7 +82,7 @@ def lasting(qapp, tmp_path_factory):
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
         patched.setitem(PaintFitter.__init__.__kwdefaults__, "time_limit_s", 60.0)
-        patched.setattr(thumbnails, "child_command", lambda _module: [])
+        patched.setattr(pictures, "child_command", lambda _module: [])
         designer = Designer(dialogs=lambda _window: dialogs)
         designer.window.show()
         while not designer.window.plot.is_built:

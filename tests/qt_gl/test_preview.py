@@ -7,12 +7,12 @@ import threading
 import numpy as np
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_designer.preview import thumbnails
 from brdf_designer.preview.control import PreviewControl
 from brdf_designer.preview.pace import FAST_MS, REST_MS, PreviewPace
 from brdf_designer.preview.scene import LIGHT_WIDTH
 from brdf_designer.session.edits import SetLab, SetNumber
 from brdf_qt.window.dialogs import Answer
+from brdf_qt.work import pictures
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
@@ -33,7 +33,7 @@ class NoDialogs:
 @pytest.fixture
 def designer(qtbot, monkeypatch) -> Designer:
     # The pictures of the history come from a process of their own, which is no matter of these tests.
-    monkeypatch.setattr(thumbnails, "child_command", lambda _module: [])
+    monkeypatch.setattr(pictures, "child_command", lambda _module: [])
     designer = Designer(dialogs=lambda _window: NoDialogs())
     qtbot.addWidget(designer.window)
     designer.window.resize(800, 560)

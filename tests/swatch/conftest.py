@@ -15,8 +15,8 @@ from brdf_color_swatch.assembly import ColorSwatch
 from brdf_color_swatch.export.dialog import Choice
 from brdf_color_swatch.features.paint_exchange import PaintExchange
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.pictures.pictures import Pictures
 from brdf_qt.window.dialogs import Answer, Overwrite
+from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import QCoreApplication, QDeadlineTimer, QEvent, QMimeData, QPointF, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtTest import QTest
@@ -112,7 +112,7 @@ def lasting(qapp, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Co
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
         patched.setenv("BRDF_SUITE_LINK", f"test-{uuid.uuid4().hex[:12]}")
-        patched.setattr(Pictures, "request", lambda _self, _entries: None)
+        patched.setattr(Pictures, "request", lambda *_: None)
         program = ColorSwatch(dialogs=lambda _window: dialogs)
         program.window.resize(1200, 800)
         program.window.show()

@@ -42,7 +42,7 @@ def test_a_program_begins_with_the_look_of_the_run_before(swatch) -> None:
 def test_a_rendering_failure_is_reported_until_another_form_is_shown(swatch, qtbot) -> None:
     part = swatch.feature(VisiblePictures)
     qtbot.waitUntil(lambda: part.is_started)
-    part.pictures.give_up("no driver")
+    part.pictures.give_up(part.look, "no driver")
     assert "pictures" in swatch.window.messages.shown()
     swatch.session.set_look(size=80)
     assert "pictures" in swatch.window.messages.shown()

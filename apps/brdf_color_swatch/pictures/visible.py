@@ -6,15 +6,18 @@ from functools import partial
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message
+from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import QTimer
+from PySide6.QtGui import QPixmap
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.grid.view_state import Look
-from brdf_color_swatch.pictures.pictures import Pictures
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
-from brdf_suite.documents.palette import Entry
+from brdf_suite.palettes.swatches.look import Content, SwatchLook
 
+LADDER = (32, 48, 64, 96, 128, 192, 256, 320, 384, 512)
+"""Sizes that are drawn: a drag of the size slider scales what is there, and draws at few of its steps."""
 _SOON_MS = 30
 """After the last step of a scroll; what only flies by is not drawn."""
 
@@ -26,6 +29,8 @@ class VisiblePictures(SwatchFeature):
         super().__init__(session, window)
         self.is_started = False
         self.pictures = Pictures(window)
+        self.look: SwatchLook | None = None
+        """What is drawn; None before the first form other than chips."""
         self._soon = QTimer(window)
         self._soon.setSingleShot(True)
         self._soon.setInterval(_SOON_MS)
@@ -54,14 +59,18 @@ class VisiblePictures(SwatchFeature):
         """End the process that draws."""
         self.pictures.close()
 
-    def _entry(self, number: int, row: int) -> Entry:
-        return self._window.panes[number].model.entry_at(row)
+    def _content(self, number: int, row: int) -> Content:
+        return self._window.panes[number].model.entry_at(row).content
 
-    def _picture(self, number: int, row: int) -> object:
-        return self.pictures.picture(self._entry(number, row))
+    def _picture(self, number: int, row: int) -> QPixmap | None:
+        """Return a picture; the one of the look before while the new one is not there."""
+        if self.look is None:
+            return None
+        content = self._content(number, row)
+        return self.pictures.picture(content, self.look) or self.pictures.latest(content)
 
     def _is_stale(self, number: int, row: int) -> bool:
-        return self.pictures.is_stale(self._entry(number, row))
+        return self.look is None or not self.pictures.is_settled(self._content(number, row), self.look)
 
     def _schedule_request(self) -> None:
         if self.is_started and not self._soon.isActive():
@@ -70,32 +79,39 @@ class VisiblePictures(SwatchFeature):
     def _apply_look(self, _old: Look | None, look: Look) -> None:
         if not self.is_started or look.form == "chips" or look.as_list:
             return
-        before = self.pictures.problem
-        self.pictures.set_look(look.form, look.booth, look.size, self._window.devicePixelRatioF())
-        if before and not self.pictures.problem:
-            self._window.dismiss_message("pictures")
+        wanted = round(look.size * self._window.devicePixelRatioF())
+        drawn = next((step for step in LADDER if step >= wanted), LADDER[-1])
+        new = SwatchLook(form=look.form, environment=look.booth, size=drawn)
+        if new != self.look:
+            before, self.look = self.look, new
+            if before is None or (before.form, before.environment) != (new.form, new.environment):
+                self._window.dismiss_message("pictures")
         self._soon.start()
 
     def _request_visible(self) -> None:
         look = self._session.look
-        if look.form == "chips" or look.as_list:
-            self.pictures.request([])
+        if self.look is None:
             return
-        visible: list[Entry] = []
-        margin: list[Entry] = []
+        if look.form == "chips" or look.as_list:
+            self.pictures.request("panes", [], self.look)
+            return
+        visible: list[Content] = []
+        margin: list[Content] = []
         for pane in self._window.panes:
             if pane.isHidden() or pane.note:
                 continue
             seen = pane.grid.seen()
-            visible += [pane.model.entry_at(row) for row in seen]
+            visible += [pane.model.entry_at(row).content for row in seen]
             around = set(pane.grid.seen(pane.grid.viewport().height())) - set(seen)
-            margin += [pane.model.entry_at(row) for row in sorted(around)]
-        self.pictures.request([*visible, *margin])
+            margin += [pane.model.entry_at(row).content for row in sorted(around)]
+        ratio = self._window.devicePixelRatioF()
+        self.pictures.request("panes", [*visible, *margin], self.look, look.size, ratio)
 
-    def _arrived(self, ids: set[str]) -> None:
+    def _arrived(self, keys: set[str]) -> None:
         for pane in self._window.panes:
-            if not pane.isHidden():
-                rows = [row for row in pane.grid.seen() if pane.model.id_at(row) in ids]
+            if self.look is not None and not pane.isHidden():
+                contents = ((row, self._content(pane.number, row)) for row in pane.grid.seen())
+                rows = [row for row, content in contents if self.pictures.key(content, self.look) in keys]
                 pane.grid.refresh_rows(rows)
 
     def _show_pending(self, count: int) -> None:
@@ -105,7 +121,7 @@ class VisiblePictures(SwatchFeature):
             state="stale" if count else "fresh",
         )
 
-    def _unavailable(self, why: str) -> None:
+    def _unavailable(self, _look: SwatchLook, why: str) -> None:
         for pane in self._window.panes:
             pane.grid.viewport().update()
         self._window.show_message(

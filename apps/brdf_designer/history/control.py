@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
@@ -10,7 +12,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QMenu
 
 from brdf_designer.history.strip import HistoryState, HistoryStrip
-from brdf_designer.preview.thumbnails import thumbnails_of
+from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.window.window import DesignerWindow
 
@@ -26,8 +28,8 @@ class HistoryControl(Feature, QObject):
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._session = session
-        self._pictures = thumbnails_of(window)
-        self.strip = HistoryStrip(self._pictures.picture)
+        self._pictures = window.pictures
+        self.strip = HistoryStrip(partial(thumbnail, self._pictures))
         window.add_history(self.strip)
         self.action = window.add_command(
             "view",
@@ -44,16 +46,15 @@ class HistoryControl(Feature, QObject):
         session.paint_changed.connect(self._later)
         session.history_changed.connect(self._later)
         session.gesture_ended.connect(self._later)
-        self._pictures.ready.connect(lambda _key, _picture: self.strip.redraw())
+        self._pictures.arrived.connect(lambda _keys: self.strip.redraw())
         window.installEventFilter(self)
         self._later()
 
     @property
     def is_idle(self) -> bool:
         """Whether every picture in sight is drawn, or none can be."""
-        states = self.strip.states.states
-        drawn = all(self._pictures.is_drawn(state.paint) for state in states)
-        return drawn or bool(self._pictures.problem) or not self.strip.isVisible()
+        settled = (self._pictures.is_settled(state.paint, USUAL_LOOK) for state in self.strip.states.states)
+        return not self.strip.isVisible() or all(settled)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Make the strip low in a low window."""
@@ -71,7 +72,7 @@ class HistoryControl(Feature, QObject):
         self.strip.show_states(states, present)
         if not self._session.in_gesture:
             near = sorted(range(len(states)), key=lambda place: abs(place - present))
-            self._pictures.request(_OWNER, [states[place].paint for place in near])
+            self._pictures.request(_OWNER, [states[place].paint for place in near], USUAL_LOOK)
 
     def _later(self, *_: object) -> None:
         if self.action.isChecked():

@@ -17,7 +17,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFontMetrics, QImage, QPainter, QPalette, QPen
+from PySide6.QtGui import QFontMetrics, QPainter, QPalette, QPen, QPixmap
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
@@ -49,7 +49,7 @@ class HistoryModel(QAbstractListModel):
     ``picture`` gives the small picture of a paint, at once.
     """
 
-    def __init__(self, picture: Callable[[Paint], QImage], parent: QWidget | None = None) -> None:
+    def __init__(self, picture: Callable[[Paint], QPixmap], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.picture = picture
         self._states: tuple[HistoryState, ...] = ()
@@ -150,7 +150,7 @@ class _Painter(QStyledItemDelegate):
         box = QRect(0, 0, self.size, self.size)
         box.moveCenter(QPoint(rect.center().x(), rect.top() + _PAD + self.size // 2))
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-        painter.drawImage(box, index.data(Qt.ItemDataRole.DecorationRole))
+        painter.drawPixmap(box, index.data(Qt.ItemDataRole.DecorationRole))
         painter.setPen(option.palette.color(QPalette.ColorRole.WindowText))
         if not self.compact:
             below = rect.adjusted(3, self.size + 2 * _PAD, -3, -1)
@@ -184,7 +184,7 @@ class HistoryStrip(QListView):
     chosen = Signal(int)
     menu_requested = Signal(int, QPoint)
 
-    def __init__(self, picture: Callable[[Paint], QImage], parent: QWidget | None = None) -> None:
+    def __init__(self, picture: Callable[[Paint], QPixmap], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("history_strip")
         self.setAccessibleName(tr("History of this paint"))

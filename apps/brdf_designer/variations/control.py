@@ -10,7 +10,7 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
-from brdf_designer.preview.thumbnails import ThumbnailScene, thumbnails_of
+from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.standard.state import say
 from brdf_designer.variations.section import ENVIRONMENTS, SURFACES, NeighbourState, VariationsSection
@@ -24,6 +24,7 @@ from brdf_suite.paint_design.variations import (
     examined,
     variations,
 )
+from brdf_suite.palettes.swatches.look import SwatchLook
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, PaintFitter
 from brdf_suite.progress import Progress, report
 
@@ -56,15 +57,15 @@ class VariationsControl(Feature, QObject):
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._session = session
-        self._pictures = thumbnails_of(window)
+        self._pictures = window.pictures
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
         self._found: tuple[Variation, ...] = ()
         self._of: _Request | None = None
-        self._step, self._scene = _kept_step(), _kept_scene()
+        self._step, self._look = _kept_step(), _kept_look()
         self.section = VariationsSection()
         self.section.show_step(self._step)
-        self.section.show_scene(self._scene.environment, self._scene.surface)
+        self.section.show_scene(self._look.environment, self._look.form)
         self.host = window.add_section(KEY, tr("Variations"), self.section, after="standard", is_open=False)
         self.section.taken.connect(self.take)
         self.section.step_edited.connect(self.set_step)
@@ -72,8 +73,8 @@ class VariationsControl(Feature, QObject):
         self.host.toggled.connect(lambda _on: self._later())
         session.paint_changed.connect(self._later)
         session.gesture_ended.connect(self._later)
-        self._pictures.ready.connect(lambda _key, _image: self._show_pictures())
-        self._pictures.unavailable.connect(self._no_pictures)
+        self._pictures.arrived.connect(lambda _keys: self._show_pictures())
+        self._pictures.unavailable.connect(lambda _look, _why: self._show_pictures())
 
     @property
     def neighbours(self) -> tuple[Variation, ...]:
@@ -83,14 +84,11 @@ class VariationsControl(Feature, QObject):
     @property
     def is_idle(self) -> bool:
         """Whether every picture that is wanted is there, or never will be."""
-        if not self.host.is_open or self._pictures.problem:
+        if not self.host.is_open or self._pictures.problem(self._look):
             return True
         wanted = [self._session.paint, *(one.paint for one in self._found if one.paint is not None)]
         present = self._of is not None and self._of.paint is self._session.paint
-        return present and all(
-            self._pictures.is_drawn(paint, self._scene) or self._pictures.refusal(paint, self._scene)
-            for paint in wanted
-        )
+        return present and all(self._pictures.is_settled(paint, self._look) for paint in wanted)
 
     def take(self, direction: str) -> None:
         """Make a neighbour the paint, as one step."""
@@ -111,7 +109,7 @@ class VariationsControl(Feature, QObject):
 
     def set_scene(self, environment: str, surface: str) -> None:
         """Have the pictures drawn in another light, on another form."""
-        self._scene = ThumbnailScene(environment, surface)
+        self._look = _look(environment, surface)
         settings().setValue(_LIGHT, environment)
         settings().setValue(_FORM, surface)
         self._request_pictures()
@@ -172,21 +170,18 @@ class VariationsControl(Feature, QObject):
         if not self.host.is_open or self._of is None:
             return
         paints = [self._of.paint, *(one.paint for one in self._found if one.paint is not None)]
-        self._pictures.request(KEY, paints, self._scene)
+        self._pictures.request(KEY, paints, self._look)
 
     def _show_pictures(self) -> None:
         if not self.host.is_open or self._of is None:
             return
         present = self._of.paint
-        self.section.show_picture(None, self._pictures.picture(present, self._scene))
+        self.section.show_picture(None, thumbnail(self._pictures, present, self._look))
         for one in self._found:
-            picture = self._pictures.picture(one.paint or present, self._scene)
+            picture = thumbnail(self._pictures, one.paint or present, self._look)
             self.section.show_picture(one.direction, picture)
-        self.section.show_note(self._pictures.problem)
-
-    def _no_pictures(self, why: str) -> None:
-        text = tr("{reason} Discs show the readings instead.").format(reason=why)
-        self.section.show_note(text)
+        why = self._pictures.problem(self._look)
+        self.section.show_note(why and tr("{reason} Discs show the readings instead.").format(reason=why))
 
 
 def _state(one: Variation) -> NeighbourState:
@@ -214,10 +209,13 @@ def _kept_step() -> float:
     return step if LEAST_STEP <= step <= MOST_STEP else USUAL_STEP
 
 
-def _kept_scene() -> ThumbnailScene:
+def _kept_look() -> SwatchLook:
     light, form = (settings().value(key, "", type=str) for key in (_LIGHT, _FORM))
-    usual = ThumbnailScene()
-    return ThumbnailScene(
-        light if light in dict(ENVIRONMENTS) else usual.environment,
-        form if form in dict(SURFACES) else usual.surface,
+    return _look(
+        light if light in dict(ENVIRONMENTS) else USUAL_LOOK.environment,
+        form if form in dict(SURFACES) else USUAL_LOOK.form,
     )
+
+
+def _look(environment: str, form: str) -> SwatchLook:
+    return SwatchLook.from_json({"form": form, "environment": environment, "size": USUAL_LOOK.size})

@@ -13,7 +13,7 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
 from brdf_designer.measured.section import standard_patterns
-from brdf_designer.preview.thumbnails import thumbnails_of
+from brdf_designer.preview.thumbnails import USUAL_LOOK, thumbnail
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.variations.interpolation_section import FILE, STOPS, InterpolationSection
 from brdf_designer.window.window import DesignerWindow
@@ -49,7 +49,7 @@ class InterpolationControl(Feature, QObject):
     def __init__(self, session: PaintSession, window: DesignerWindow) -> None:
         super().__init__(window)
         self._session = session
-        self._pictures = thumbnails_of(window)
+        self._pictures = window.pictures
         self._tasks = TaskRunner(self, threads=1)
         self._way: _Way | None = None
         self._chosen = ""
@@ -68,7 +68,7 @@ class InterpolationControl(Feature, QObject):
         session.paint_changed.connect(self._paint_changed)
         session.document_switched.connect(self._forget)
         session.documents.row_changed.connect(self._list_later)
-        self._pictures.ready.connect(lambda _key, _image: self._show_pictures())
+        self._pictures.arrived.connect(lambda _keys: self._show_pictures())
         self._list_later()
 
     @property
@@ -179,7 +179,7 @@ class InterpolationControl(Feature, QObject):
 
     def _show_stops(self) -> None:
         if self._way is not None:
-            self._pictures.request(KEY, self._stops())
+            self._pictures.request(KEY, self._stops(), USUAL_LOOK)
             self._show_pictures()
 
     def _stops(self) -> list[Paint]:
@@ -189,7 +189,7 @@ class InterpolationControl(Feature, QObject):
     def _show_pictures(self) -> None:
         if self.host.is_open:
             for place, paint in enumerate(self._stops()):
-                self.section.show_picture(place, self._pictures.picture(paint))
+                self.section.show_picture(place, thumbnail(self._pictures, paint))
 
     def _ask_path(self) -> Path | None:
         present = self._session.documents.front.store.path

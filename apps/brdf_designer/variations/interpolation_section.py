@@ -9,7 +9,7 @@ from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QPixmap
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
 
 from brdf_designer.variations.section import PictureButton
@@ -79,7 +79,7 @@ class InterpolationSection(QWidget):
             self.slider.setValue(round(1000.0 * share))
         self.number.set_value(100.0 * share)
 
-    def show_picture(self, place: int, image: QImage) -> None:
+    def show_picture(self, place: int, image: QPixmap) -> None:
         """Show the picture at one of :data:`STOPS`."""
         self.stops[place].show_picture(image)
 

@@ -11,7 +11,7 @@ from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QImage, QPixmap
+from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import QComboBox, QGridLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from brdf_suite.paint_design.variations import LEAST_STEP, MOST_STEP, USUAL_STEP, Direction
@@ -58,22 +58,17 @@ class PictureButton(QToolButton):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setObjectName(name)
-        self._image = QImage()
-
-    def show_picture(self, image: QImage) -> None:
-        """Show a picture; nothing where it is shown already."""
-        if image.cacheKey() != self._image.cacheKey():
-            self._image = image
-            pixmap = QPixmap.fromImage(image)
-            icon = QIcon(pixmap)
-            # What cannot be taken is still seen as what it would be; the words say so.
-            icon.addPixmap(pixmap, QIcon.Mode.Disabled)
-            self.setIcon(icon)
-
-    @property
-    def image(self) -> QImage:
+        self.image = QPixmap()
         """What is shown."""
-        return self._image
+
+    def show_picture(self, image: QPixmap) -> None:
+        """Show a picture; nothing where it is shown already."""
+        if image.cacheKey() != self.image.cacheKey():
+            self.image = image
+            icon = QIcon(image)
+            # What cannot be taken is still seen as what it would be; the words say so.
+            icon.addPixmap(image, QIcon.Mode.Disabled)
+            self.setIcon(icon)
 
 
 class VariationsSection(QWidget):
@@ -143,7 +138,7 @@ class VariationsSection(QWidget):
             button.setAccessibleDescription(state.tip)
             button.setEnabled(state.there)
 
-    def show_picture(self, direction: Direction | None, image: QImage) -> None:
+    def show_picture(self, direction: Direction | None, image: QPixmap) -> None:
         """Show the picture of a neighbour, or of the paint itself."""
         button = self.present if direction is None else self.buttons[direction]
         button.show_picture(image)

@@ -9,6 +9,7 @@ from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message
+from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
@@ -55,6 +56,7 @@ class DesignerWindow(SuiteWindow):
 
     def __init__(self) -> None:
         super().__init__("Designer")
+        self.pictures = Pictures(self)
         self._colours: Colours | None = None
         self._whole: Paint | None = None
         """The paint that all fields show; ``None`` where one of them may show something else."""

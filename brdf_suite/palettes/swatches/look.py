@@ -33,9 +33,9 @@ from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.protocol import Reflectance
 
-Form = Literal["sphere", "panel", "flop_strip", "chips"]
+Form = Literal["sphere", "panel", "speed_form", "flop_strip", "chips"]
 FORMS: tuple[str, ...] = get_args(Form)
-RENDERED: tuple[str, ...] = ("sphere", "panel")
+RENDERED: tuple[str, ...] = ("sphere", "panel", "speed_form")
 """The forms that the renderer draws; the others are the colours themselves."""
 
 SMALLEST, LARGEST = 16, 512
@@ -58,8 +58,8 @@ class SwatchLook:
     Attributes
     ----------
     form
-        ``sphere`` and ``panel`` are drawn by the renderer. ``flop_strip`` runs from 15° at the left to 110° at the
-        right, light at 45°; ``chips`` has one band for each of ``angles_deg``, from the left.
+        ``sphere``, ``panel`` and ``speed_form`` are drawn by the renderer. ``flop_strip`` runs from 15° at the left to
+        110° at the right, light at 45°; ``chips`` has one band for each of ``angles_deg``, from the left.
     environment
         The light, by packaged name or absolute path of a file.
     size

@@ -5,12 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
-from brdf_designer.preview.thumbnails import Thumbnails, ThumbnailScene, thumbnails_of
+from brdf_designer.preview.thumbnails import USUAL_LOOK, placeholder, thumbnail
 from brdf_designer.variations.control import STEP_NAMES, VariationsControl
 from brdf_designer.variations.interpolation_control import InterpolationControl
+from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
@@ -18,16 +18,24 @@ from brdf_suite.appearance.difference.words import WORDS
 from brdf_suite.documents.paint import Gloss, Measurement, solid_paint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.paint_design.mix import mixed
+from brdf_suite.palettes.swatches.look import SwatchLook
 from brdf_suite.pipeline.material import load_shipped_paint
 
-PROGRAM = Path(__file__).parents[1] / "preview" / "thumbnail_program.py"
+GREY = """
+import base64, json, sys
+for line in sys.stdin:
+    request = json.loads(line)
+    picture = base64.b64encode(bytes([90]) * (3 * request["look"]["size"] ** 2)).decode()
+    for answer in [*({"key": item["key"], "picture": picture} for item in request["items"]), {"done": True}]:
+        print(json.dumps({"id": request["id"], **answer}), flush=True)
+"""
 
 
 @pytest.fixture
-def pictures(program) -> Iterator[Thumbnails]:
-    """The pictures of the window from the stand-in: what is drawn is tested with the process itself."""
-    found = thumbnails_of(program.window)
-    found.program = [sys.executable, str(PROGRAM), "answers"]
+def pictures(program) -> Iterator[Pictures]:
+    """The pictures of the window, all grey, from a stand-in: what is drawn is tested with the process itself."""
+    found = program.window.pictures
+    found.program = [sys.executable, "-c", GREY]
     yield found
     found.program = []
 
@@ -97,14 +105,20 @@ def test_neighbours_that_no_paint_can_have_are_marked_once_fitted(program, contr
 
 def test_pictures_come_in_the_chosen_light(program, pictures, control, qtbot) -> None:
     lighter = control.neighbours[0].paint
-    qtbot.waitUntil(lambda: pictures.is_drawn(lighter))
-    qtbot.waitUntil(
-        lambda: control.section.buttons["lighter"].image.cacheKey() == pictures.picture(lighter).cacheKey()
-    )
+    button = control.section.buttons["lighter"]
+    stand_in = thumbnail(pictures, lighter)
+    assert stand_in.toImage() == placeholder(lighter, USUAL_LOOK.size).toImage()
+    assert button.image.cacheKey() == stand_in.cacheKey()
+    qtbot.waitUntil(lambda: pictures.picture(lighter, USUAL_LOOK) is not None)
+    picture = thumbnail(pictures, lighter)
+    assert picture.toImage().pixelColor(64, 64).red() == 90
+    qtbot.waitUntil(lambda: button.image.cacheKey() == picture.cacheKey())
     light = control.section.environment
     light.setCurrentIndex(light.findData("sunny"))
     light.activated.emit(light.currentIndex())
-    qtbot.waitUntil(lambda: pictures.is_drawn(lighter, ThumbnailScene("sunny", "sphere")))
+    qtbot.waitUntil(
+        lambda: pictures.picture(lighter, SwatchLook("sphere", "sunny", USUAL_LOOK.size)) is not None
+    )
 
 
 def test_nothing_is_worked_out_while_the_section_is_closed(program, control, qtbot) -> None:

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 import pytest
 from brdf_designer.assembly import Designer
-from brdf_designer.preview import thumbnails
 from brdf_designer.window.menu_letters import with_letters
 from brdf_qt.window.command_palette import commands
+from brdf_qt.work import pictures
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtTest import QTest
@@ -48,7 +48,7 @@ def window(qapp, tmp_path_factory):
     patch = pytest.MonkeyPatch()
     patch.setenv("BRDF_SUITE_SETTINGS", str(tmp_path_factory.mktemp("settings")))
     patch.setenv("BRDF_SUITE_LINK", f"reach-{id(patch)}")
-    patch.setattr(thumbnails, "child_command", lambda _module: [])
+    patch.setattr(pictures, "child_command", lambda _module: [])
     designer = Designer()
     designer.window.resize(1400, 900)
     for section in designer.window.inspector.sections:

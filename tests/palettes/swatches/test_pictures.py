@@ -21,7 +21,7 @@ from brdf_suite.documents.palette_store import entry_to_json
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.output.still import loaded_scene
-from brdf_suite.palettes.swatches.look import SwatchLook, swatch_key
+from brdf_suite.palettes.swatches.look import Form, SwatchLook, swatch_key
 from brdf_suite.palettes.swatches.pictures import SwatchPainter
 from brdf_suite.palettes.swatches.process import serve
 from brdf_suite.palettes.swatches.store import SwatchStore
@@ -38,7 +38,8 @@ def codes_of(lab: tuple[float, float, float]) -> list[int]:
     return np.rint(255.0 * encoded).astype(int).tolist()
 
 
-def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) -> None:
+@pytest.mark.parametrize("form", ["sphere", "speed_form"])
+def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path, form: Form) -> None:
     # Flakes are tested where a form is captured; here they would have more shaders compiled than all else takes.
     blue = replace(load_shipped_paint("blue"), flakes=None)
     contents = [
@@ -47,7 +48,7 @@ def test_pictures_are_those_of_the_viewer_and_the_command(shared_cache: Path) ->
         IMPOSSIBLE,
         FlatColour("ink", "RGB", (0.9, 0.2, 0.1)),
     ]
-    look = SwatchLook("sphere", size=SIZE)
+    look = SwatchLook(form, size=SIZE)
     with SwatchPainter() as painter:
         pictures = painter.draw(contents, look)
     assert [picture.key for picture in pictures] == [swatch_key(content, look) for content in contents]
@@ -77,6 +78,8 @@ def test_the_key_follows_what_is_seen() -> None:
     others = [
         swatch_key(paint.with_lab(45.0, (40.0, 1.0, 2.0)), look),
         swatch_key(replace(paint, gloss=Gloss(80.0)), look),
+        swatch_key(replace(paint, flakes=Flakes(density_per_mm2=3.0)), look),
+        swatch_key(replace(paint, near_specular=2.0), look),
         swatch_key(paint, SwatchLook("panel")),
         swatch_key(paint, SwatchLook(environment="sunny")),
         swatch_key(paint, SwatchLook(size=97)),
@@ -87,7 +90,7 @@ def test_the_key_follows_what_is_seen() -> None:
     assert len({key, *others}) == len(others) + 1
     # The angles are those of the chips alone, and these stand in no light.
     assert swatch_key(paint, SwatchLook(angles_deg=(15.0,))) == key
-    assert swatch_key(paint, SwatchLook("chips", "sunny")) == others[6]
+    assert swatch_key(paint, SwatchLook("chips", "sunny")) == others[8]
 
 
 def test_a_file_of_light_that_has_changed_makes_other_keys(tmp_path: Path) -> None:
