@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QBrush, QColor, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 
-from brdf_lobe_visualizer.basis.run import MOST_LOBES
 from brdf_lobe_visualizer.cuts.crosshair import Readout, Row
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.subjects.subjects import DASHES, PlottedMaterial, Srgb
@@ -19,6 +18,8 @@ if TYPE_CHECKING:  # much to import for a start
     from brdf_suite.fitting.basis_search.stored import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
 
+MOST_LOBES = 11
+"""The greatest number of lobes that a search tries."""
 _BESIDE = 1.3
 """Wider than so many times the height, the plots stand beside each other."""
 _ERROR_TICKS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
@@ -39,7 +40,6 @@ class BasisPlots(QWidget):
         self._box.setSpacing(8)
 
     def build(self) -> None:
-        """Make the plots and show what was set so far."""
         if self.exponents is not None:
             return
         from brdf_lobe_visualizer.cuts.plot_items import SlicePlot, band, rings, text
@@ -78,7 +78,6 @@ class BasisPlots(QWidget):
         self._draw()
 
     def show_search(self, search: StoredSearch | None) -> None:
-        """Draw a search's counts; None: there is none."""
         self.search = search
         self._draw()
 

@@ -72,7 +72,6 @@ class SliceImageView(QWidget):
 
     @property
     def grid(self) -> Grid:
-        """What is shown."""
         return self.images.grid
 
     def head_at(self, column: int, x: float, y: float) -> str:

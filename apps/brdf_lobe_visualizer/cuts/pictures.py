@@ -52,7 +52,6 @@ class Request:
     places: Callable[[SamplePoints, int], Floats] | None = None
 
     def gives_same(self, other: Request) -> bool:
-        """Whether the pictures of ``other`` are the same."""
         plain = ("title", "difference", "columns", "channel", "cosine", "tone", "ev", "quantity", "axes")
         same = ("reflectance", "measured", "samples")
         return (

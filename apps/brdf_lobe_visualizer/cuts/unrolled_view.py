@@ -64,11 +64,9 @@ class UnrolledView(SliceImageView):
         self._phi_deg = 0.0
 
     def set_lights(self, incidences_deg: tuple[float, ...], phi_deg: float) -> None:
-        """Say where the columns' lights stand."""
         self._incidences, self._phi_deg = incidences_deg, phi_deg
 
     def head_at(self, column: int, x: float, y: float) -> str:
-        """Return the angles at a place of a column's pictures."""
         view = view_of(x, y)
         light = light_at(self._incidences[column], self._phi_deg)
         gamma = float(np.degrees(angle_between(mirror(light), view)))

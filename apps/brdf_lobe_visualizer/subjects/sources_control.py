@@ -29,18 +29,14 @@ if TYPE_CHECKING:
 class Sources(Feature, QObject):
     """Opens names and files, any number at a time.
 
-    Signals
-    -------
-    opened(asked, keys)
-        What was asked is in the session, as subjects of these keys.
-    failed(asked)
-        It could not be opened; the message is shown.
-    recent_changed()
-        The recent files are others.
-    idle()
-        All that was asked for is in the session, or has failed.
-    palette_opened(title, entries)
-        A palette was read; ``entries`` are pairs of name and origin, each of which can be opened.
+    Signals:
+
+    - ``opened(asked, keys)``: what was asked is in the session, as subjects of these keys.
+    - ``failed(asked)``: it could not be opened; the message is shown.
+    - ``recent_changed()``: the recent files are others.
+    - ``idle()``: all that was asked for is in the session, or has failed.
+    - ``palette_opened(title, entries)``: a palette was read; ``entries`` are pairs of name and origin, each of
+      which can be opened.
     """
 
     opened = Signal(str, object)
@@ -63,7 +59,6 @@ class Sources(Feature, QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is being read."""
         return not self.tasks.busy
 
     def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
@@ -132,19 +127,15 @@ class Sources(Feature, QObject):
         ]
         return min(lines, key=used.count)
 
-    # Recent files.
-
     def recent(self) -> Sequence[Path]:
         """Return the files that were opened last and are still there, newest first."""
         return [Path(path) for path in self._recent.paths()]
 
     def clear_recent(self) -> None:
-        """Forget them."""
         self._recent.clear()
         self.recent_changed.emit()
 
     def close(self) -> None:
-        """End what is being read."""
         self.tasks.stop()
 
     def _take(self, name: str, found: Opened, turn: int, *, remember: bool, select: bool) -> None:
