@@ -103,7 +103,8 @@ class Basis(Feature, QObject):
         super().__init__(window)
         self._session, self.window = session, window
         self.view = BasisView()
-        self.folder = _remembered_folder()
+        kept = str(settings().value(_FOLDER_KEY, "") or "")
+        self.folder = Path(kept) if kept and Path(kept).is_dir() else _shipped()
         self.search: StoredSearch | None = None
         self.run: BasisRun | None = None
         self._source: Path | None = None
@@ -369,8 +370,3 @@ def _shipped() -> Path:
 
 def _stored() -> Path:
     return Path(str(resource("basis", STORED_NAME)))
-
-
-def _remembered_folder() -> Path:
-    kept = str(settings().value(_FOLDER_KEY, "") or "")
-    return Path(kept) if kept and Path(kept).is_dir() else _shipped()

@@ -140,12 +140,10 @@ class BasisPlots(QWidget):
         self._own_dots.setData(x=own_x, y=own_y)
         for item, (line, x, y) in zip(self._names, drawn, strict=False):
             item.setText(line.title if len(line.title) <= 24 else line.title[:23] + "…")
-            if line.is_front:  # its end lies among the others
-                item.setAnchor((0.0, 1.0))
-                item.setPos(float(x[0]) + 0.1, float(y[0]))
-            else:
-                item.setAnchor((1.0, 1.0))
-                item.setPos(float(x[-1]) + 0.4, float(y[-1]))
+            # The front's end lies among the others.
+            end, anchor, shift = (0, 0.0, 0.1) if line.is_front else (-1, 1.0, 0.4)
+            item.setAnchor((anchor, 1.0))
+            item.setPos(float(x[end]) + shift, float(y[end]))
         for number_of, item in enumerate(self._names):
             item.setVisible(number_of < len(drawn))
         values = np.concatenate([y for _, _, y in drawn]) if drawn else np.zeros(0)
@@ -162,20 +160,16 @@ class BasisPlots(QWidget):
             Row(tr("lobe {number}").format(number=place + 1), self._grey(), "target", exponent)
             for place, exponent in enumerate(result.exponents)
         ]
-        head = _lobes(result.count)
-        self.readouts[0].show_rows(head, rows, tr("exponents"), at_right=False)
+        self.readouts[0].show_rows(_lobes(result.count), rows, tr("exponents"), at_right=False)
 
     def read_errors(self, x: float) -> None:
         result = self._result_at(x)
         rows: list[Row] = []
         if result is not None:
-            rows = [
-                Row(tr("mean"), self._grey(), "target", float(np.mean(result.errors))),
-                Row(tr("worst paint"), self._grey(), "target", max(result.errors)),
-            ]
             assert self.search is not None
-            worst = self.search.paints[int(np.argmax(result.errors))]
-            rows[1] = Row(tr("worst: {name}").format(name=worst), self._grey(), "target", max(result.errors))
+            worst = tr("worst: {name}").format(name=self.search.paints[int(np.argmax(result.errors))])
+            figures = ((tr("mean"), float(np.mean(result.errors))), (worst, max(result.errors)))
+            rows = [Row(title, self._grey(), "target", value) for title, value in figures]
         count = round(x)
         if self.own is not None and count in self.own[1].counts:
             subject, errors = self.own

@@ -24,7 +24,7 @@ from brdf_lobe_visualizer.cuts import half_angle_view, unrolled_view
 from brdf_lobe_visualizer.cuts.curves_plot import CurvesPlot
 from brdf_lobe_visualizer.cuts.half_angle_view import HalfAngleView
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
-from brdf_lobe_visualizer.cuts.images import Grid
+from brdf_lobe_visualizer.cuts.images import Axes, Grid
 from brdf_lobe_visualizer.cuts.lines import SliceLines, csv_of
 from brdf_lobe_visualizer.cuts.options import SliceState
 from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
@@ -202,7 +202,7 @@ class Slices(Feature, QObject):
         if key == UNROLLED:
             angles = options.incidences_deg
             pairs = tuple(unrolled_view.pairs_of(angle, phi) for angle in angles)
-            columns, axes = unrolled_view.columns_of(angles), unrolled_view.AXES
+            columns, axes = tuple(f"{angle:g}°" for angle in angles), Axes()
         else:
             pairs = (half_angle_view.pairs_of(options.phi_d_deg, phi, options.by_root),)
             columns, axes = ("",), half_angle_view.axes_of(options.by_root)

@@ -9,7 +9,6 @@ from brdf_qt.program.translation import tr
 from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
-from brdf_lobe_visualizer.cuts.images import Axes
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints
 from brdf_lobe_visualizer.words import degrees
 from brdf_suite.arrays import Floats
@@ -21,18 +20,12 @@ from brdf_suite.inspection.slices.images import Pairs, unrolled_pairs, view_of
 SIZE = 112
 NEAR_DEG = 2.5
 """Samples are shown where their light is so near to a picture's."""
-AXES = Axes()
 
 
 @functools.lru_cache(maxsize=12)
 def pairs_of(theta_deg: float, phi_deg: float, size: int = SIZE) -> Pairs:
     """Return the pairs of one picture, the same object for the same angles."""
     return unrolled_pairs(theta_deg, phi_deg, size)
-
-
-def columns_of(incidences_deg: tuple[float, ...]) -> tuple[str, ...]:
-    """Return the columns' titles."""
-    return tuple(f"{theta:g}°" for theta in incidences_deg)
 
 
 def sample_places(

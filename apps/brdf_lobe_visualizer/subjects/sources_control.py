@@ -82,9 +82,8 @@ class Sources(Feature, QObject):
 
         def failed(error: Exception) -> None:
             self._ended(job)
-            self._window.show_message(
-                message_of(error, f"open {name}", todo=tr("The previous picture stays."))
-            )
+            todo = tr("The previous picture stays.")
+            self._window.show_message(message_of(error, f"open {name}", todo=todo))
             self.failed.emit(name)
             self._look_idle()
 
@@ -142,8 +141,9 @@ class Sources(Feature, QObject):
         keys = [self.add(subject, turn) for subject in found.subjects]
         if keys and select:
             self._session.set_front(keys[0])
-        if remember:
-            self._remember(name)
+        if remember and Path(name).is_file():
+            self._recent.add(name)
+            self.recent_changed.emit()
         if found.entries:
             self.palette_opened.emit(found.title, found.entries)
         self._report(name, found, len(keys))
@@ -172,15 +172,9 @@ class Sources(Feature, QObject):
             what = tr("{title} imported with notes.").format(title=found.title)
             self._window.show_message(Message(key, what, where=noted))
 
-    def _remember(self, name: str) -> None:
-        if not Path(name).is_file():
-            return
-        self._recent.add(name)
-        self.recent_changed.emit()
-
     def _cancelled(self, job: str) -> None:
-        name = self._waiting.pop(job, "")
-        self._progress.end(job)
+        name = self._waiting[job]
+        self._ended(job)
         self.tasks.cancel(job)
         self.failed.emit(name)
         self._look_idle()

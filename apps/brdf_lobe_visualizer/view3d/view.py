@@ -32,10 +32,11 @@ from brdf_lobe_visualizer.view3d.lobe_item import (
     LobeItem,
 )
 from brdf_lobe_visualizer.view3d.overlay import Overlay
-from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
+from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
 from brdf_lobe_visualizer.words import UNIT, number
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import GraphicsError
 from brdf_suite.files.images.png import write_png
 from brdf_suite.geometry.directions import angle_between
@@ -296,7 +297,8 @@ class LobeView(SpaceView):
         if path.suffix.lower() == ".svg":
             size, palette = QSize(width, height), self.palette()
             look = Look(palette.text().color().name(), palette.base().color().name(), height / 60.0)
-            write_svg(path, svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look))
+            picture = svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look)
+            write_atomically(path, picture.encode("utf-8"))
             return
         image = self.picture(width, height)
         rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, -1)[:, : 4 * width]
