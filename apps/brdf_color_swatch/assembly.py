@@ -30,7 +30,7 @@ from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.library.changed_files import ChangedFiles
 from brdf_color_swatch.library.file_commands import FileCommands, new_palette
 from brdf_color_swatch.library.library import Library
-from brdf_color_swatch.library.unsaved import UnsavedWork
+from brdf_color_swatch.library.loading import UnsavedWork
 from brdf_color_swatch.map.panel import ColourMap
 from brdf_color_swatch.pictures.visible import VisiblePictures
 from brdf_color_swatch.session import PaletteSession
@@ -98,7 +98,6 @@ class ColorSwatch(Program):
 
     @property
     def is_idle(self) -> bool:
-        """Whether all that follows by itself is there."""
         return not self.library.tasks.busy and super().is_idle
 
     def start(self) -> None:

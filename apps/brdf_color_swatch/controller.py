@@ -12,7 +12,7 @@ from PySide6.QtGui import QAction
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.grid.rows import group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.item import Item
+from brdf_color_swatch.library.library import Item
 from brdf_color_swatch.panels.swatch import readings_of
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -54,10 +54,10 @@ class PaletteController(QObject):
         library.message.connect(window.show_message)
         library.settled.connect(window.dismiss_message)
         library.history.changed.connect(self._show_history)
-        window.tree.scope_chosen.connect(self._choose_scope)
+        window.tree.scope_chosen.connect(session.show_scope)
         bar = window.bar
-        bar.searched.connect(lambda text: session.set_state(replace(session.state, text=text)))
-        bar.left_downwards.connect(lambda: window.panes[session.front].view.setFocus())
+        bar.search.searched.connect(lambda text: session.set_state(replace(session.state, text=text)))
+        bar.search.left_downwards.connect(lambda: window.panes[session.front].view.setFocus())
         bar.sort_chosen.connect(lambda key: session.set_state(replace(session.state, sort=key)))
         bar.turned.connect(
             lambda: session.set_state(replace(session.state, descending=not session.state.descending))
@@ -79,8 +79,8 @@ class PaletteController(QObject):
             number = pane.number
             pane.activated.connect(lambda number=number: session.set_front(number))
             pane.selected.connect(lambda ids, number=number: session.set_selected(number, ids))
-            pane.size_requested.connect(lambda size: session.set_look(size=size))
-            pane.sort_requested.connect(
+            pane.grid.size_requested.connect(lambda size: session.set_look(size=size))
+            pane.model.sort_requested.connect(
                 lambda key, descending, number=number: session.set_state(
                     replace(session.states[number], sort=key, descending=descending), number
                 )
@@ -96,11 +96,6 @@ class PaletteController(QObject):
         session.set_front(1 if shown else 0)
         for pane in self._window.panes:
             self._show_title(pane)
-
-    # What is shown.
-
-    def _choose_scope(self, scope: Scope) -> None:
-        self._session.show_scope(scope)
 
     def _show_items(self) -> None:
         session, window = self._session, self._window
@@ -221,10 +216,9 @@ class PaletteController(QObject):
         group = None
         if palette is not None and scope.group:
             group = next((one for one in palette.groups if one.path == scope.group), None)
-        if group is not None:
-            panel.show_palette(group.name, group.colour, group.notes, there=True)
-        elif palette is not None:
-            panel.show_palette(palette.name, palette.colour, palette.notes, there=True)
+        shown = group or palette
+        if shown is not None:
+            panel.show_palette(shown.name, shown.colour, shown.notes, there=True)
         else:
             panel.show_palette("", "", "", there=False)
 

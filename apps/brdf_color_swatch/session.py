@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from brdf_qt.program.settings import settings
@@ -16,8 +17,7 @@ from brdf_color_swatch.grid.layout import Part
 from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import Rows, group_title
 from brdf_color_swatch.grid.view_state import Look, PaneState, Scope
-from brdf_color_swatch.library.item import Item
-from brdf_color_swatch.library.library import Library
+from brdf_color_swatch.library.library import Item, Library
 from brdf_color_swatch.library.loading import PaletteLoader
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import SuiteError
@@ -28,22 +28,15 @@ Edit = Callable[[Palette], Palette]
 class PaletteSession(QObject):
     """The state between library and window.
 
-    Signals
-    -------
-    shown_changed(pane)
-        A pane shows other swatches, or the same in another order.
-    state_changed(pane)
-        The filter or order of a pane changed.
-    front_changed()
-        The other pane is worked in.
-    selection_changed(pane)
-        Other swatches are selected in a pane.
-    look_changed(old, new)
-        Form, size, light, or list for grid.
-    reveal_requested(pane, ids)
-        These swatches are to be selected and seen.
-    working_changed(pane)
-        The order of a pane is being worked out, or is there.
+    Signals:
+
+    - ``shown_changed(pane)``: a pane shows other swatches, or the same in another order.
+    - ``state_changed(pane)``: the filter or order of a pane changed.
+    - ``front_changed()``: the other pane is worked in.
+    - ``selection_changed(pane)``: other swatches are selected in a pane.
+    - ``look_changed(old, new)``: form, size, light, or list for grid.
+    - ``reveal_requested(pane, ids)``: these swatches are to be selected and seen.
+    - ``working_changed(pane)``: the order of a pane is being worked out, or is there.
     """
 
     shown_changed = Signal(int)
@@ -62,27 +55,20 @@ class PaletteSession(QObject):
         self.shown = [VisibleRows(Rows.empty()), VisibleRows(Rows.empty())]
         self._selected: list[tuple[str, ...]] = [(), ()]
         self._busy = [False, False]
-        self._front = 0
+        self.front = 0
+        """The number of the pane that is worked in: 0, or 1 for the second."""
         self.look = Look()
         library.palette_changed.connect(self._palette_changed)
         library.items_changed.connect(self._items_changed)
         library.history.travelled.connect(lambda step: self._show_step(library.keys_of(step)))
 
-    # The pane in front.
-
-    @property
-    def front(self) -> int:
-        """The number of the pane that is worked in: 0, or 1 for the second."""
-        return self._front
-
     @property
     def state(self) -> PaneState:
         """The state of the pane in front."""
-        return self.states[self._front]
+        return self.states[self.front]
 
     @property
     def item(self) -> Item | None:
-        """The item of the library that the pane in front shows."""
         return self.library.item(self.state.scope.palette)
 
     @property
@@ -91,16 +77,13 @@ class PaletteSession(QObject):
         return self.library.palette(self.state.scope.palette)
 
     def set_front(self, pane: int) -> None:
-        """Work in a pane."""
-        if pane != self._front:
-            self._front = pane
+        if pane != self.front:
+            self.front = pane
             self.front_changed.emit()
-
-    # What is shown.
 
     def set_state(self, state: PaneState, pane: int | None = None) -> None:
         """Show a pane in another way."""
-        pane = self._front if pane is None else pane
+        pane = self.front if pane is None else pane
         before = self.states[pane]
         if state == before:
             return
@@ -112,7 +95,7 @@ class PaletteSession(QObject):
 
     def show_scope(self, scope: Scope, pane: int | None = None) -> None:
         """Show a palette, a group or a tag; filters of the pane stay only within one palette."""
-        pane = self._front if pane is None else pane
+        pane = self.front if pane is None else pane
         state = self.states[pane]
         if scope.palette != state.scope.palette:
             state = state.cleared()
@@ -126,7 +109,6 @@ class PaletteSession(QObject):
             self.remember()
 
     def refresh(self, pane: int) -> None:
-        """Work out anew what a pane shows."""
         state = self.states[pane]
         rows = self.library.rows(state.scope.palette)
         task = f"order {pane}"
@@ -134,10 +116,10 @@ class PaletteSession(QObject):
             self._working(pane, True)
             self.library.tasks.submit(
                 task,
-                lambda request, progress: filter_and_sort(request[0], request[1], progress),
+                lambda request, progress: filter_and_sort(*request, progress),
                 (rows, state),
-                lambda shown: self._take(pane, shown),
-                lambda error: self._fail(pane, error),
+                partial(self._take, pane),
+                partial(self._fail, pane),
             )
         else:
             self.library.tasks.cancel(task)
@@ -183,8 +165,6 @@ class PaletteSession(QObject):
         if keys and not shown.intersection(keys):
             self.show_scope(Scope(keys[0]))
 
-    # What is selected.
-
     def set_selected(self, pane: int, ids: tuple[str, ...]) -> None:
         """Note what is selected in a pane, in the order of its rows."""
         if ids != self._selected[pane]:
@@ -197,13 +177,12 @@ class PaletteSession(QObject):
         palette = self.palette
         if palette is None:
             return ()
-        return tuple(key for key in self._selected[self._front] if key in palette.by_id)
+        return tuple(key for key in self._selected[self.front] if key in palette.by_id)
 
     @property
     def selected_entries(self) -> list[Entry]:
         """The entries that are selected in the pane in front, in the order of its rows."""
-        palette = self.palette
-        return [] if palette is None else [palette.entry(key) for key in self.selected]
+        return self.selected_in(self.front)
 
     def selected_in(self, pane: int) -> list[Entry]:
         """Return the entries that are selected in a pane."""
@@ -214,9 +193,7 @@ class PaletteSession(QObject):
 
     def reveal(self, ids: tuple[str, ...], pane: int | None = None) -> None:
         """Select swatches of a pane and let them be seen."""
-        self.reveal_requested.emit(self._front if pane is None else pane, ids)
-
-    # Edits.
+        self.reveal_requested.emit(self.front if pane is None else pane, ids)
 
     def edit(self, name: str, change: Edit, key: str | None = None) -> bool:
         """Change a palette (that in front) in one step; a refusal is reported, and nothing changes."""
@@ -238,13 +215,10 @@ class PaletteSession(QObject):
         self.library.settled.emit("edit")
         return self.library.edit(name, *edits)
 
-    # What is remembered.
-
     def remember(self) -> None:
         """Keep the look for the next start."""
-        store = settings()
         for key, value in self.look.to_json().items():
-            store.setValue(f"look/{key}", value)
+            settings().setValue(f"look/{key}", value)
 
     def recall(self) -> None:
         """Take up the look of the last run; what is damaged there is left as it is at a first start."""

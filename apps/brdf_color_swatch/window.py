@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QSplitter, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMenu, QSplitter, QToolButton, QWidget
 
 from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.library.tree import LibraryTree
@@ -30,10 +31,21 @@ class SwatchWindow(SuiteWindow):
         self.bar = TopBar(lights)
         self.picture_of: Callable[[int, int], object] = lambda _pane, _row: None
         """Set by what draws pictures: a QPixmap or None for a row of a pane."""
-        self.panes = tuple(Pane(number, self._picture) for number in (0, 1))
+        self.panes = tuple(Pane(number, lambda pane, row: self.picture_of(pane, row)) for number in (0, 1))
         self.swatch, self.palette_panel, self.filters = SwatchPanel(), PalettePanel(), FiltersPanel()
-        self._build_centre()
-        self._build_library()
+        self.pane_split = described(QSplitter(Qt.Orientation.Horizontal), name="pane_split")
+        self.pane_split.setHandleWidth(8)
+        self.pane_split.setChildrenCollapsible(False)
+        for pane in self.panes:
+            self.pane_split.addWidget(pane)
+        self.panes[1].hide()
+        centre, library = QWidget(), QWidget()
+        column_in(centre, self.bar, self.pane_split, grows=self.pane_split, spacing=0)
+        self.set_centre(centre)
+        self.library_buttons = row_of(margins=(8, 4, 8, 4))
+        column_in(library, self.library_buttons, self.tree, grows=self.tree, spacing=0)
+        self.library_dock = self.add_panel(mark("Library"), library, Qt.DockWidgetArea.LeftDockWidgetArea)
+        self.tree.setMinimumWidth(168)
         self.add_section("swatch", tr("Swatch"), self.swatch)
         self.add_section("filters", tr("Filters"), self.filters, is_open=False)
         self.add_section("palette", tr("Palette or Group"), self.palette_panel, is_open=False)
@@ -43,66 +55,27 @@ class SwatchWindow(SuiteWindow):
         self.note_cell = cells.cell(mark("Note"), tr("Notes on the colours shown"), elastic=True)
         self.link_cell = cells.cell(mark("Link"), tr("Connected programs of the suite"), right=True)
 
-    def _picture(self, pane: int, row: int) -> object:
-        return self.picture_of(pane, row)
-
     def complete(self) -> None:
         """End the File menu, and take up size and panels of the last time; after all parts are there."""
         self.add_quit()
         self.restore_layout()
 
-    # What is shown.
-
     def show_title(self, title: str, path: Path | None, *, clean: bool) -> None:
-        """Show which palette the pane in front has, and whether it is saved."""
         self.setWindowTitle(f"{title}[*]" if title else "[*]")
         self.setWindowFilePath(str(path) if path is not None else "")
         self.setWindowModified(not clean)
 
     @property
     def has_two_panes(self) -> bool:
-        """Whether the second pane is shown."""
         return not self.panes[1].isHidden()
 
     def show_second(self, shown: bool) -> None:
-        """Show the second pane, or one alone."""
         self.panes[1].setVisible(shown)
         if shown:
             half = max(1, self.pane_split.width() // 2)
             self.pane_split.setSizes([half, half])
 
-    # How it is built.
-
-    def _build_centre(self) -> None:
-        self.pane_split = QSplitter(Qt.Orientation.Horizontal)
-        self.pane_split.setObjectName("pane_split")
-        self.pane_split.setHandleWidth(8)
-        self.pane_split.setChildrenCollapsible(False)
-        for pane in self.panes:
-            self.pane_split.addWidget(pane)
-        self.panes[1].hide()
-        centre = QWidget()
-        box = QVBoxLayout(centre)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(0)
-        box.addWidget(self.bar)
-        box.addWidget(self.pane_split, 1)
-        self.set_centre(centre)
-
-    def _build_library(self) -> None:
-        inside = QWidget()
-        box = QVBoxLayout(inside)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(0)
-        self.library_buttons = QHBoxLayout()
-        self.library_buttons.setContentsMargins(8, 4, 8, 4)
-        box.addLayout(self.library_buttons)
-        box.addWidget(self.tree, 1)
-        self.library_dock = self.add_panel(mark("Library"), inside, Qt.DockWidgetArea.LeftDockWidgetArea)
-        self.tree.setMinimumWidth(168)
-
     def add_library_button(self, action: QAction) -> None:
-        """Put a command over the library as a button."""
         button = QToolButton()
         button.setDefaultAction(action)
         button.setAutoRaise(True)

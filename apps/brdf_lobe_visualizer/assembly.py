@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from brdf_qt.link.link import LiveLink
+from brdf_qt.program.feature import Feature
 from brdf_qt.program.program import Program
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
@@ -14,16 +15,18 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog
 
 from brdf_lobe_visualizer import remembered
+from brdf_lobe_visualizer.basis.part import Basis
+from brdf_lobe_visualizer.cuts.panel import Slices
+from brdf_lobe_visualizer.factors.part import Factors
 from brdf_lobe_visualizer.legend.control import LegendControl
 from brdf_lobe_visualizer.numbers.panel import AskPath, Numbers
-from brdf_lobe_visualizer.parts import PARTS, MakePart, build_parts
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.status import Status
-from brdf_lobe_visualizer.subjects.fits import Fits
-from brdf_lobe_visualizer.subjects.link_follow import KEY as DESIGNER
-from brdf_lobe_visualizer.subjects.link_follow import FollowedPaint
+from brdf_lobe_visualizer.subjects.fits import KEY as DESIGNER
+from brdf_lobe_visualizer.subjects.fits import Fits, FollowedPaint
 from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.sources_panel import SourcesPanel
+from brdf_lobe_visualizer.view3d.panel import Space
 from brdf_lobe_visualizer.window import LobeWindow
 
 _LOOK_EVERY_MS = 50
@@ -33,6 +36,12 @@ _ENDINGS = (
     "*.ase *.aco *.acb *.act *.gpl *.kpl *.sbz *.soc *.cxf *.pal *.csv *.css"
 )
 
+MakePart = Callable[[LobeSession, LobeWindow], Feature]
+PARTS: tuple[MakePart, ...] = (Space, Slices, Basis, Factors)
+"""What makes each part beside the window's own, in the order of the inspector: called with session and window.
+
+Parts are made before the window is shown: what is heavy to import or to make waits for ``window.first_painted``.
+"""
 AskFiles = Callable[[LobeWindow, str, str], Sequence[str]]
 """``(window, folder, filters) -> paths``: asks which files to open; tests answer for the user."""
 
@@ -74,7 +83,7 @@ class LobeVisualizer(Program):
         self._default = ""
         self._build_commands()
         self.features += (self.sources, self.fits, self.legend, self.followed)
-        self.features += build_parts(self.session, self.window, parts)
+        self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.features += (self.numbers, self.link)
         self.window.toolbar.addAction(self.numbers.action)
@@ -119,7 +128,6 @@ class LobeVisualizer(Program):
         self.session.tasks.stop()
 
     def ask_files(self) -> None:
-        """Ask which files to open, and open them."""
         folder = str(settings().value(_FOLDER_KEY, ""))
         filters = tr("Paints, palettes and measured files") + f" ({_ENDINGS});;" + tr("All files (*)")
         paths = self._ask_files(self.window, folder, filters)
@@ -143,8 +151,8 @@ class LobeVisualizer(Program):
         sources.recent_changed.connect(lambda: window.show_recent(sources.recent()))
         sources.palette_opened.connect(self.panel.add_palette)
         self.panel.open_requested.connect(sources.open_many)
-        self.legend.open_requested.connect(self.ask_files)
-        self.legend.list_requested.connect(self.show_list)
+        self.legend.legend.open_requested.connect(self.ask_files)
+        self.legend.legend.list_requested.connect(self.show_list)
         self.link.received.connect(self.followed.receive)
         self.link.peers_changed.connect(lambda _count: self.status.show_peers(self.link.peers))
         self.followed.arrived.connect(self.drop_default)
@@ -152,14 +160,8 @@ class LobeVisualizer(Program):
 
     def _build_commands(self) -> None:
         add = self.window.add_command
-        listed = add(
-            "file",
-            mark("Add from &Library…"),
-            "Ctrl+L",
-            self.show_list,
-            icon="list-plus",
-            tip=mark("Sample paints, measured paints of Table 1, models, opened palettes"),
-        )
+        tip = mark("Sample paints, measured paints of Table 1, models, opened palettes")
+        listed = add("file", mark("Add from &Library…"), "Ctrl+L", self.show_list, icon="list-plus", tip=tip)
         reset = add(
             "view",
             mark("Reset &View Options"),

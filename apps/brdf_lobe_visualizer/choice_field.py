@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import tr
@@ -19,9 +20,9 @@ class ChoiceField(QuietComboBox):
     ``chosen(key)`` is never emitted by :meth:`set_choice`.
     """
 
-    chosen = Signal(str)
+    chosen = Signal(object)
 
-    def __init__(self, titles: Mapping[str, str], default: str, parent: QWidget | None = None) -> None:
+    def __init__(self, titles: Mapping[Any, str], default: Any, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.default = default
         for key, title in titles.items():
@@ -31,11 +32,10 @@ class ChoiceField(QuietComboBox):
         self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
 
     @property
-    def choice(self) -> str:
-        """The key that is shown."""
-        return str(self.currentData())
+    def choice(self) -> Any:
+        return self.currentData()
 
-    def set_choice(self, key: str) -> None:
+    def set_choice(self, key: Any) -> None:
         """Show a choice without a signal."""
         self.setCurrentIndex(self.findData(key))
 

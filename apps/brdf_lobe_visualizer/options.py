@@ -66,31 +66,26 @@ class OptionState(QObject, Generic[T]):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._key, self._plain, self._choices, self._ranges = key, plain, choices, ranges
-        self._options = self._remembered()
-
-    @property
-    def options(self) -> T:
-        """The options as they are."""
-        return self._options
+        self._key, self.plain, self._choices, self._ranges = key, plain, choices, ranges
+        self.options = self._remembered()
 
     def set(self, *, remember: bool = True, **fields: Any) -> None:
         """Set options by name; numbers are brought into their range, other values raise :class:`ValueError`."""
         sound = {name: self._sound(name, value) for name, value in fields.items()}
-        options = replace(self._options, **sound)
-        if options != self._options:
-            self._options = options
+        options = replace(self.options, **sound)
+        if options != self.options:
+            self.options = options
             if remember:
                 settings().setValue(self._key, json.dumps(asdict(options)))
             self.changed.emit()
 
     def reset(self, *names: str) -> None:
         """Set options back, all where none is named."""
-        self.set(**{name: getattr(self._plain, name) for name in names or vars(self._plain)})
+        self.set(**{name: getattr(self.plain, name) for name in names or vars(self.plain)})
 
     def set_from_text(self, name: str, text: str) -> bool:
         """Set an option by words for this run, as a script does; False where there is no such option or value."""
-        plain = vars(self._plain).get(name)
+        plain = vars(self.plain).get(name)
         try:
             self.set(remember=False, **{name: text.split(",") if isinstance(plain, tuple) else text})
         except (AttributeError, ValueError, TypeError):
@@ -98,7 +93,7 @@ class OptionState(QObject, Generic[T]):
         return True
 
     def _sound(self, name: str, value: Any) -> Any:
-        plain = getattr(self._plain, name)
+        plain = getattr(self.plain, name)
         if isinstance(plain, str):
             if value not in self._choices[name]:
                 raise ValueError(f"{name} is one of {', '.join(self._choices[name])}")
@@ -121,7 +116,7 @@ class OptionState(QObject, Generic[T]):
         """Return the options of the last time; the defaults where there is none, or it is of another version."""
         try:
             kept = json.loads(str(settings().value(self._key, "{}")))
-            known = {name: self._sound(name, kept[name]) for name in vars(self._plain) if name in kept}
-            return replace(self._plain, **known)
+            known = {name: self._sound(name, kept[name]) for name in vars(self.plain) if name in kept}
+            return replace(self.plain, **known)
         except (ValueError, TypeError, KeyError):
-            return self._plain  # a settings file that another version or another hand wrote
+            return self.plain  # a settings file that another version or another hand wrote

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QScrollArea, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollArea, QSplitter, QWidget
 
 _SHOWN_KEY = "lobes/plots"
 _FIRST = 3
@@ -26,20 +27,15 @@ class PlotRow(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("plots")
-        self._plots: dict[str, QWidget] = {}
+        self.plots: dict[str, QWidget] = {}
+        """The plots by key, in order."""
         self.buttons: dict[str, ChoiceButton] = {}
         remembered = settings().value(_SHOWN_KEY)
         self._chosen = None if remembered is None else str(remembered).split()
-        self._head = QHBoxLayout()
-        self._head.setSpacing(8)
-        self._head.addStretch(1)
+        self._head = row_of(None)
         self._split = QSplitter(Qt.Orientation.Horizontal)
         self._split.setHandleWidth(8)
         self._split.setChildrenCollapsible(False)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        box.addLayout(self._head)
         # Where there is no room for the least that all of them need, they are scrolled and do not lie over one another.
         self._scroll = scroll = QScrollArea()
         scroll.setObjectName("plots_scroll")
@@ -48,27 +44,20 @@ class PlotRow(QWidget):
         scroll.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setWidget(self._split)
-        box.addWidget(scroll, 1)
+        column_in(self, self._head, scroll, grows=scroll, spacing=4)
         self.hide()
 
-    @property
-    def plots(self) -> dict[str, QWidget]:
-        """The plots by key, in order."""
-        return dict(self._plots)
-
     def add(self, key: str, title: str, plot: QWidget) -> None:
-        """Add a plot at the right."""
-        first = len(self._plots) < _FIRST if self._chosen is None else key in self._chosen
-        button = ChoiceButton(title)
-        button.setObjectName(f"plot_button_{key}")
-        button.setAccessibleName(tr("Show plot {name}").format(name=title))
+        first = len(self.plots) < _FIRST if self._chosen is None else key in self._chosen
+        spoken = tr("Show plot {name}").format(name=title)
+        button = described(ChoiceButton(title), name=f"plot_button_{key}", spoken=spoken)
         button.setChecked(first)
         button.clicked.connect(lambda: self.set_shown(key, button.isChecked()))
         self._head.insertWidget(self._head.count() - 1, button)
         self._split.addWidget(plot)
         self._split.setStretchFactor(self._split.count() - 1, 1)
         plot.setVisible(first)
-        self._plots[key], self.buttons[key] = plot, button
+        self.plots[key], self.buttons[key] = plot, button
         self._show_any()
         self.show()
 
@@ -81,12 +70,11 @@ class PlotRow(QWidget):
         self._split.setSizes([10_000] * self._split.count())
 
     def reset(self) -> None:
-        """Show the plots that a first start shows."""
-        for place, key in enumerate(self._plots):
+        for place, key in enumerate(self.plots):
             self.set_shown(key, place < _FIRST)
 
     def _show_any(self) -> None:
-        """Leave the room to the view above where no plot is chosen."""
+        # Where no plot is chosen, the room is left to the view above.
         some = bool(self.shown())
         self._scroll.setVisible(some)
         self.setMaximumHeight(_UNBOUND if some else self._head.sizeHint().height())
@@ -94,7 +82,7 @@ class PlotRow(QWidget):
     def set_shown(self, key: str, shown: bool, *, remember: bool = True) -> None:
         """Show or hide a plot, and remember it, unless it is for this run alone."""
         self.buttons[key].setChecked(shown)
-        self._plots[key].setVisible(shown)
+        self.plots[key].setVisible(shown)
         self._show_any()
         self.even()
         if remember:

@@ -14,36 +14,21 @@ if TYPE_CHECKING:
 def add_options(parser: argparse.ArgumentParser) -> None:
     """Declare the options."""
     view = parser.add_argument_group("the view of this run")
-    view.add_argument(
-        "--incidence",
-        type=incidence,
-        metavar="THETA,PHI",
-        help="direction of the light in degrees, such as 45,0 or 60,90",
-    )
+    light = "direction of the light in degrees, such as 45,0 or 60,90"
+    view.add_argument("--incidence", type=incidence, metavar="THETA,PHI", help=light)
     view.add_argument("--radius", choices=RADII, help="mapping from values to radii")
     view.add_argument("--channel", choices=CHANNELS, help="channel of surface colours and plots")
-    view.add_argument(
-        "--cosine", choices=COSINES, help="cosines that multiply f_r: light (N·L), both (N·L and N·V) or none"
-    )
-    view.add_argument(
-        "--show",
-        type=shown,
-        metavar="WHAT",
-        help="target, fit, both (target,fit), side-by-side or difference",
-    )
+    cosine = "cosines that multiply f_r: light (N·L), both (N·L and N·V) or none"
+    view.add_argument("--cosine", choices=COSINES, help=cosine)
+    what = "target, fit, both (target,fit), side-by-side or difference"
+    view.add_argument("--show", type=shown, metavar="WHAT", help=what)
     view.add_argument("--reference", type=int, metavar="N", help="index of the reference, from 1")
     view.add_argument("--front", type=int, metavar="N", help="index of the selected reflectance, from 1")
     view.add_argument("--plots", metavar="KEY,KEY", help="visible plots; all others are hidden")
     view.add_argument("--panels", metavar="KEY,KEY", help="visible panels: numbers, reflectances, factors")
     view.add_argument("--no-inspector", action="store_true", help="hide the inspector")
-    view.add_argument(
-        "--set",
-        action="append",
-        default=[],
-        type=_pair,
-        metavar="KEY=VALUE",
-        help="option of a view or panel; repeatable",
-    )
+    option = "option of a view or panel; repeatable"
+    view.add_argument("--set", action="append", default=[], type=_pair, metavar="KEY=VALUE", help=option)
 
 
 def incidence(text: str) -> tuple[float, float]:
@@ -86,10 +71,9 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
         keys = options.plots.split(",") if options.plots else []
         for key in window.plots.plots:
             window.plots.set_shown(key, key in keys, remember=False)
-    for key in options.panels.split(",") if options.panels else ():
-        dock = window.docks.get(key)
-        if dock is not None:
-            dock.show()
+    for key in (options.panels or "").split(","):
+        if key in window.docks:
+            window.docks[key].show()
     if options.no_inspector:
         window.inspector_dock.hide()
     for key, value in options.set:
@@ -100,10 +84,10 @@ def apply_view(program: LobeVisualizer, options: argparse.Namespace) -> None:
 def apply_subjects(program: LobeVisualizer, options: argparse.Namespace) -> None:
     """Choose front and reference by their places, once the subjects are there."""
     subjects = program.session.subjects
-    if options.front is not None and 1 <= options.front <= len(subjects):
-        program.session.set_front(subjects[options.front - 1].key)
-    if options.reference is not None and 1 <= options.reference <= len(subjects):
-        program.session.set_reference(subjects[options.reference - 1].key)
+    session = program.session
+    for number, choose in ((options.front, session.set_front), (options.reference, session.set_reference)):
+        if number is not None and 1 <= number <= len(subjects):
+            choose(subjects[number - 1].key)
 
 
 def _pair(text: str) -> tuple[str, str]:

@@ -38,7 +38,6 @@ class Status(QObject):
         self._show_light()
 
     def show_peers(self, roles: Sequence[str]) -> None:
-        """Show which programs are on the link."""
         named = [tr(_ROLES[role]) if role in _ROLES else role for role in roles]
         self._link.set(tr("Connected: {names}").format(names=", ".join(named)) if named else "")
 

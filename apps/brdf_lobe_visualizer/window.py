@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.main_window import SuiteWindow
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSplitter, QWidget
 
 from brdf_lobe_visualizer.plot_row import PlotRow
 
@@ -21,10 +22,29 @@ class LobeWindow(SuiteWindow):
         super().__init__("Lobe Visualizer")
         self.paint_menu.setTitle(tr("&Reflectance"))
         self.menus["reflectance"] = self.paint_menu
-        self._build_centre()
-        self._build_file_menu()
-
-    # What a part adds.
+        absent = described(
+            PlainLabel(tr("No 3-D view"), alignment=Qt.AlignmentFlag.AlignCenter), name="no_view"
+        )
+        self.plots = PlotRow()
+        self.top_split, self.centre_split = (
+            QSplitter(Qt.Orientation.Horizontal),
+            QSplitter(Qt.Orientation.Vertical),
+        )
+        self.top_split.addWidget(absent)
+        self.centre_split.addWidget(self.top_split)
+        self.centre_split.addWidget(self.plots)
+        self.centre_split.setStretchFactor(0, 3)
+        self.centre_split.setStretchFactor(1, 2)
+        for name, split in (("top_split", self.top_split), ("centre_split", self.centre_split)):
+            split.setObjectName(name)
+            split.setHandleWidth(8)
+            split.setChildrenCollapsible(False)
+        centre = QWidget()
+        column_in(centre, self.centre_split, margins=(8, 4, 8, 8))
+        super().set_centre(centre)
+        keys, ask = QKeySequence.StandardKey, lambda: self.open_requested.emit(None)
+        self.toolbar.addAction(self.add_action(self.file_menu, mark("&Open…"), ask, keys.Open, "folder-open"))
+        self.add_recent_menu()
 
     def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
         """Put the view in three dimensions into its place; with ``tab_hides_panels`` Tab on it toggles the panels."""
@@ -37,15 +57,6 @@ class LobeWindow(SuiteWindow):
             shortcut = QShortcut(QKeySequence(Qt.Key.Key_Tab), widget)
             shortcut.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
             shortcut.activated.connect(self.toggle_panels)
-
-    def add_beside(self, widget: QWidget) -> None:
-        """Put a widget at the right of the view: the legend."""
-        self.top_split.addWidget(widget)
-        self.top_split.setStretchFactor(self.top_split.count() - 1, 0)
-
-    def add_plot(self, key: str, title: str, widget: QWidget) -> None:
-        """Add a plot below the view, which its button shows or hides; ``title`` is translated already."""
-        self.plots.add(key, title, widget)
 
     def complete(self) -> None:
         """Settle what depends on every part: size and place of the panels."""
@@ -64,35 +75,3 @@ class LobeWindow(SuiteWindow):
         self.top_split.setSizes([max(self.width() - sum(widths), _VIEW_WIDTH), *widths])
         self.centre_split.setSizes([3 * self.height() // 5, 2 * self.height() // 5])
         self.plots.even()
-
-    def _build_file_menu(self) -> None:
-        keys = QKeySequence.StandardKey
-        opened = self.add_action(
-            self.file_menu, mark("&Open…"), lambda: self.open_requested.emit(None), keys.Open, "folder-open"
-        )
-        self.toolbar.addAction(opened)
-        self.add_recent_menu()
-
-    def _build_centre(self) -> None:
-        self.top_split = QSplitter(Qt.Orientation.Horizontal)
-        self.top_split.setObjectName("top_split")
-        self.top_split.setHandleWidth(8)
-        self.top_split.setChildrenCollapsible(False)
-        absent = PlainLabel(tr("No 3-D view"))
-        absent.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        absent.setObjectName("no_view")
-        self.top_split.addWidget(absent)
-        self.plots = PlotRow()
-        self.centre_split = QSplitter(Qt.Orientation.Vertical)
-        self.centre_split.setObjectName("centre_split")
-        self.centre_split.setHandleWidth(8)
-        self.centre_split.setChildrenCollapsible(False)
-        self.centre_split.addWidget(self.top_split)
-        self.centre_split.addWidget(self.plots)
-        self.centre_split.setStretchFactor(0, 3)
-        self.centre_split.setStretchFactor(1, 2)
-        centre = QWidget()
-        box = QVBoxLayout(centre)
-        box.setContentsMargins(8, 4, 8, 8)
-        box.addWidget(self.centre_split)
-        super().set_centre(centre)

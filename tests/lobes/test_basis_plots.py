@@ -7,8 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.basis.part import BASIS, Basis
-from brdf_lobe_visualizer.basis.run import BasisRun
+from brdf_lobe_visualizer.basis.part import BASIS, Basis, BasisRun
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
 from brdf_suite.fitting.basis_search.document import save_state

@@ -6,8 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.factors.part import Factors
-from brdf_lobe_visualizer.factors.view import grid_of, title_of
+from brdf_lobe_visualizer.factors.part import Factors, grid_of, title_of
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
 from brdf_suite.inspection.factor_pictures import angles_at, factor_pictures, factored_in

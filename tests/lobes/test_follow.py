@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.subjects.link_follow import KEY
+from brdf_lobe_visualizer.subjects.fits import KEY
 from brdf_qt.link.link import LiveLink
 
 from brdf_suite.documents.paint import Gloss, solid_paint

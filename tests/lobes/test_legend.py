@@ -165,7 +165,7 @@ def test_lines_take_another_colour_and_go_back(three) -> None:
     assert session.subject(key).colour == (1.0, 0.0, 0.0)
     dialog.reject()
     assert session.subject(key).colour == LINE_COLOURS[1]
-    control.set_colour(key, (0.1, 0.2, 0.3))
+    session.change(key, colour=(0.1, 0.2, 0.3))
     control.reset_lines()
     assert [s.colour for s in session.subjects] == list(LINE_COLOURS[:3])
     assert len({s.dash for s in session.subjects}) == 3

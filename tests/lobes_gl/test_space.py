@@ -355,7 +355,7 @@ def test_the_sweep_moves_the_light(space, program) -> None:
 
 
 def test_what_is_under_the_cursor_is_read(space, program) -> None:
-    from brdf_lobe_visualizer.view3d.probe import words_of
+    from brdf_lobe_visualizer.view3d.view import words_of
 
     shown(space, PlottedMaterial("a", "A", Material("A", lobe(5.0)), RED))
     at = space.view.project((0.0, 0.0, 0.2), space.view.rooms()[0])

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from brdf_color_swatch.export.dialog import QtExportDialogs, choices_of, with_ending
-from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.export.palette_export import suggested_file
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from brdf_suite.files.palettes import FORMATS, find_format, sniff

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.reading import read_palette_file
-from brdf_color_swatch.library.unsaved import UnsavedWork
+from brdf_color_swatch.library.loading import UnsavedWork, read_palette_file
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.window.dialogs import Answer
 from PySide6.QtWidgets import QPushButton

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.reading import read_palette_file
+from brdf_color_swatch.library.loading import read_palette_file
 from brdf_qt.window.dialogs import Overwrite
 from PySide6.QtWidgets import QPushButton
 

@@ -60,10 +60,10 @@ def test_a_filter_is_dragged_at_its_ends(swatch, names, qtbot) -> None:
 )
 def test_orders_run_both_ways(swatch, names, key: str, first: str) -> None:
     pane = swatch.window.panes[0]
-    pane.sort_requested.emit(key, False)
+    pane.model.sort_requested.emit(key, False)
     up = names(swatch)
     assert up[0] == first or key == "tags"
-    pane.sort_requested.emit(key, True)
+    pane.model.sort_requested.emit(key, True)
     assert sorted(names(swatch)) == sorted(up)
     assert names(swatch) != up
 

@@ -19,7 +19,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 from PySide6.QtPrintSupport import QPrintDialog, QPrinter
 
-from brdf_color_swatch.export.file_names import suggested_file
+from brdf_color_swatch.export.palette_export import suggested_file
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -94,9 +94,7 @@ class ContactSheets(SwatchFeature):
         self._print = window.add_command(
             "file", mark("&Print Contact Sheet…"), "Ctrl+P", self.print_sheet, "print", icon="printer"
         )
-        session.shown_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
+        self._enable_always()
 
     def export(self) -> None:
         """Ask for a file, and draw what is shown into it."""
@@ -110,8 +108,12 @@ class ContactSheets(SwatchFeature):
             self.draw(shown, path.absolute())
 
     def draw(self, palette: Palette, path: Path) -> None:
-        """Draw a palette into a file."""
-        self._submit(run_sheets, ((palette, path),), None, lambda paths: self._written(paths[0]))
+        self._submit(
+            run_sheets,
+            ((palette, path),),
+            None,
+            lambda _paths: self._done(tr("Saved: {name}").format(name=path.name), str(path)),
+        )
 
     def shown_palette(self) -> Palette | None:
         """Return what the pane in front shows, or what is selected of it, as a palette in that order."""
@@ -171,23 +173,14 @@ class ContactSheets(SwatchFeature):
         look = self._session.look
         surface = look.form if look.form in ("sphere", "panel") else "panel"
         self._show(0.0, "")
-        self._session.library.tasks.submit(
-            _KEY,
-            work,
-            SheetRequest(pages, look.booth, surface, columns),
-            done,
-            self._failed,
-            self._show,
-        )
+        request = SheetRequest(pages, look.booth, surface, columns)
+        self._session.library.tasks.submit(_KEY, work, request, done, self._failed, self._show)
 
     def _show(self, share: float, what: str) -> None:
         text = (
             tr("Rendering contact sheet: {name}").format(name=what) if what else tr("Rendering contact sheet")
         )
         self._window.progress.set_job(_KEY, share, text, lambda: self._session.library.tasks.cancel(_KEY))
-
-    def _written(self, path: Path) -> None:
-        self._done(tr("Saved: {name}").format(name=path.name), str(path))
 
     def _done(self, what: str, where: str) -> None:
         self._window.progress.end_job(_KEY)

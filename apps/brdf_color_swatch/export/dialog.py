@@ -1,4 +1,4 @@
-"""The question where a palette is exported to, and in which format: by the chosen line, or by the name's ending."""
+"""The question where a palette is exported to, under which name, and in which format: a line's or the ending's."""
 
 from __future__ import annotations
 
@@ -43,7 +43,6 @@ class QtExportDialogs(QtDialogs):
     def export_path(
         self, suggested: Path, choices: Sequence[Choice], chosen: Choice
     ) -> tuple[Path, Choice] | None:
-        """See :meth:`ExportDialogs.export_path`."""
         by_line = {choice.line: choice for choice in choices}
         dialog = QFileDialog(self._window, tr("Export Palette"), str(suggested.parent), ";;".join(by_line))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)

@@ -10,8 +10,8 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_color_swatch.export.dialog import choices_of, with_ending
-from brdf_color_swatch.export.file_names import suggested_file
 from brdf_color_swatch.feature import SwatchFeature
+from brdf_color_swatch.library.library import Item
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from brdf_suite.files.palettes.format import PaletteFormat
 
 _MOST_LISTED = 8
+_LONGEST = 100
 _KEY = "export"
 _USUAL = ".ase"
 
@@ -47,19 +48,14 @@ class PaletteExport(SwatchFeature):
         self._some = window.add_command(
             "file", mark("Export Se&lection…"), None, self.export_selected, "export_selected"
         )
-        session.selection_changed.connect(lambda _pane: self._enable())
-        session.shown_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
+        self._enable_always()
 
     def export_all(self) -> None:
-        """Ask for a file, and write the palette in front there."""
         palette = self._session.palette
         if palette is not None:
             self.export(palette)
 
     def export_selected(self) -> None:
-        """Ask for a file, and write what is selected there."""
         palette, chosen = self._session.palette, set(self._session.selected)
         if palette is not None and chosen:
             kept = tuple(entry for entry in palette.entries if entry.id in chosen)
@@ -93,14 +89,13 @@ class PaletteExport(SwatchFeature):
         self._submit(request, lambda lost: self._on_losses(request, lost))
 
     def _submit(self, request: _Request, done: Any) -> None:
+        todo = tr("Nothing was written. Choose another name or format.")
         self._session.library.tasks.submit(
             _KEY,
             _export_palette,
             request,
             done,
-            lambda error: self._window.show_message(
-                message_of(error, _KEY, todo=tr("Nothing was written. Choose another name or format."))
-            ),
+            lambda error: self._window.show_message(message_of(error, _KEY, todo=todo)),
         )
 
     def _on_losses(self, request: _Request, lost: tuple[str, ...]) -> None:
@@ -150,3 +145,13 @@ def _export_palette(request: _Request, progress: Progress) -> tuple[str, ...]:
             tr("{format} files cannot be exported. Choose another format.").format(format=known.title)
         )
     return losses(request.palette, known, request.path)
+
+
+def suggested_file(item: Item | None, name: str, ending: str) -> Path:
+    """Return a file beside the palette's own, or in the user's folder, called as the palette is.
+
+    What no system takes in the name of a file, or takes for a folder, is an underscore there.
+    """
+    folder = item.path.parent if item is not None and item.path is not None else Path.home()
+    clean = "".join(letter if letter.isalnum() or letter in " -_." else "_" for letter in name)
+    return folder / f"{clean[:_LONGEST].strip(' .') or 'palette'}{ending}"

@@ -44,10 +44,7 @@ class ColourSearch(SwatchFeature):
         )  # fmt: skip
         window.menus["paint"].addSeparator()
         window.toolbar.addAction(self._near)
-        session.selection_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        session.state_changed.connect(lambda _pane: self._enable())
-        self._enable()
+        self._enable_always()
 
     def find(self) -> None:
         """Order the pane by the difference to what is selected."""

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.grid.columns import codes_of
-from brdf_color_swatch.grid.rows import ANGLES_DEG
+from brdf_color_swatch.grid.rows import ANGLES_DEG, codes_of
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.appearance.colour.spaces import lab_to_lch
@@ -41,8 +41,7 @@ class _Pair(QWidget):
 
     def show_codes(self, codes: np.ndarray, description: str) -> None:
         self._codes = codes
-        self.setToolTip(plain_tip(description))
-        self.setAccessibleName(tr("Both paints at each angle"))
+        described(self, spoken=tr("Both paints at each angle"), tip=description)
         self.setAccessibleDescription(description)
         self.update()
 
@@ -67,8 +66,7 @@ class ComparePanel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.names = PlainLabel()
-        self.names.setWordWrap(True)
+        self.names, self.figures = PlainLabel(wordWrap=True), PlainLabel(wordWrap=True)
         self.pair = _Pair()
         self.table = QTableWidget(0, len(_HEADS))
         for column, (title, tip) in enumerate(zip(_HEADS, _TIPS, strict=True)):
@@ -83,13 +81,7 @@ class ComparePanel(QWidget):
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.table.horizontalHeader().setMinimumSectionSize(28)
-        self.figures = PlainLabel()
-        self.figures.setWordWrap(True)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        for widget in (self.names, self.pair, self.table, self.figures):
-            box.addWidget(widget)
+        column_in(self, self.names, self.pair, self.table, self.figures)
         self.show_entries([])
 
     def show_entries(self, entries: list[Entry]) -> None:
@@ -132,11 +124,8 @@ class ComparePanel(QWidget):
         flops = [_format_figure(flop) for flop in columns.flop]
         figures.append(tr("Flop {first} and {second}").format(first=flops[0], second=flops[1]))
         if np.isfinite(columns.gloss).any():
-            figures.append(
-                tr("Gloss 20°: {first} and {second} GU").format(
-                    first=_format_figure(columns.gloss[0]), second=_format_figure(columns.gloss[1])
-                )
-            )
+            first, second = (_format_figure(gloss) for gloss in columns.gloss)
+            figures.append(tr("Gloss 20°: {first} and {second} GU").format(first=first, second=second))
         self.figures.setText("\n".join(figures))
 
 
@@ -168,7 +157,6 @@ class PaintComparison(SwatchFeature):
         return other if len(other) == 2 and not chosen else []
 
     def compare(self) -> None:
-        """Open the comparison."""
         self._window.inspector_dock.show()
         self.section.set_open(True)
         self._show()

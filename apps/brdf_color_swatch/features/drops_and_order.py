@@ -41,11 +41,7 @@ class DropsAndOrder(SwatchFeature):
         for pane in window.panes:
             number = pane.number
             pane.dropped.connect(lambda event, row, number=number: self.drop_on_pane(number, event, row))
-        session.selection_changed.connect(lambda _pane: self._enable())
-        session.shown_changed.connect(lambda _pane: self._enable())
-        session.state_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
+        self._enable_always()
 
     def keep_order(self) -> None:
         """Make the order that is shown the palette's own."""

@@ -11,8 +11,16 @@ from PySide6.QtCore import QMimeData, QPoint
 from PySide6.QtGui import QGuiApplication, QKeySequence
 
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.features.entry_edits import OWNER, add_entries, count_words, what_words, with_date
+from brdf_color_swatch.features.entry_edits import (
+    OWNER,
+    add_entries,
+    count_words,
+    edit_and_reveal,
+    what_words,
+    with_date,
+)
 from brdf_color_swatch.features.transfer import Carried, carry, hexes_of, read_data
+from brdf_color_swatch.grid.pane import Pane
 from brdf_color_swatch.grid.view_state import Scope
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
@@ -29,22 +37,9 @@ class EditCommands(SwatchFeature):
         self._cut: Carried | None = None
         keys = QKeySequence.StandardKey
         add, edit = window.add_command, window.menus["edit"]
-        undo = add(
-            "edit",
-            mark("&Undo"),
-            keys.Undo,
-            session.library.history.undo,
-            "undo",
-            icon="arrow-counter-clockwise",
-        )
-        redo = add(
-            "edit",
-            mark("&Redo"),
-            "Ctrl+Shift+Z",
-            session.library.history.redo,
-            "redo",
-            icon="arrow-clockwise",
-        )
+        history = session.library.history
+        undo = add("edit", mark("&Undo"), keys.Undo, history.undo, "undo", icon="arrow-counter-clockwise")
+        redo = add("edit", mark("&Redo"), "Ctrl+Shift+Z", history.redo, "redo", icon="arrow-clockwise")
         redo.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
         edit.addSeparator()
         self._of_selected = [
@@ -57,12 +52,25 @@ class EditCommands(SwatchFeature):
             add("edit", mark("&Delete"), keys.Delete, self.delete, "delete", icon="trash"),
         ]
         edit.addSeparator()
-        add("edit", mark("Select &All"), keys.SelectAll, self.select_all, "select_all")
-        add("edit", mark("Select N&one"), "Ctrl+Shift+A", self.select_none, "select_none")
+        add("edit", mark("Select &All"), keys.SelectAll, lambda: self._pane.grid.selectAll(), "select_all")
+        add(
+            "edit",
+            mark("Select N&one"),
+            "Ctrl+Shift+A",
+            lambda: self._pane.grid.clearSelection(),
+            "select_none",
+        )
         add("edit", mark("&Invert Selection"), "Ctrl+I", self.invert, "invert")
         edit.addSeparator()
         self._of_selected += [
-            add("edit", mark("Re&name"), "F2", self.rename, "rename", icon="pencil-simple"),
+            add(
+                "edit",
+                mark("Re&name"),
+                "F2",
+                lambda: self._pane.rename_current(),
+                "rename",
+                icon="pencil-simple",
+            ),
             add("edit", mark("Ta&gs"), "Ctrl+T", lambda: self._focus("tags"), "tags", icon="tag"),
             add("edit", mark("Not&es"), "Ctrl+E", lambda: self._focus("notes"), "notes"),
         ]
@@ -72,15 +80,10 @@ class EditCommands(SwatchFeature):
         window.swatch.edited.connect(self.write)
         for pane in window.panes:
             number = pane.number
-            pane.renamed.connect(self._renamed)
+            pane.model.renamed.connect(self._renamed)
             pane.menu_requested.connect(self._menu)
             pane.model.mime_of = lambda ids, number=number: self._mime(number, ids)
-        session.selection_changed.connect(lambda _pane: self._enable())
-        session.shown_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
-
-    # Clipboard.
+        self._enable_always()
 
     def copy(self) -> None:
         """Put what is selected on the clipboard: whole, and as text and colour for other programs."""
@@ -128,21 +131,16 @@ class EditCommands(SwatchFeature):
             before = palette.entries[last + 1].id if last + 1 < len(palette) else None
             name = tr("Duplicate {what}").format(what=what_words(entries))
             copies = [replace(entry, id="") for entry in entries]
-            known = set(palette.by_id)
-            if self._session.edit(name, lambda old: edits.add_entries(old, copies, None, before)):
-                after = self._session.palette
-                assert after is not None
-                self._session.reveal(tuple(key for key in after.by_id if key not in known))
+            edit_and_reveal(self._session, name, lambda old: edits.add_entries(old, copies, None, before))
 
     def delete(self) -> None:
-        """Take what is selected out of the palette."""
         entries = self._session.selected_entries
         if entries:
             self._remove(tr("Delete {what}").format(what=what_words(entries)))
 
     def _remove(self, name: str) -> None:
         ids = self._session.selected
-        pane = self._window.panes[self._session.front]
+        pane = self._pane
         rows = [row for key in ids if (row := pane.model.row_of(key)) is not None]
         self._session.edit(name, lambda palette: edits.remove_entries(palette, ids))
         # What comes in their place is selected, so that the keys go on from there.
@@ -161,29 +159,14 @@ class EditCommands(SwatchFeature):
         palette = self._session.library.palette(key)
         return None if palette is None else self._carry([palette.entry(one) for one in ids], key)
 
-    # Selection.
-
-    def select_all(self) -> None:
-        """Select all that is shown."""
-        self._window.panes[self._session.front].grid.selectAll()
-
-    def select_none(self) -> None:
-        """Select nothing."""
-        self._window.panes[self._session.front].grid.clearSelection()
+    @property
+    def _pane(self) -> Pane:
+        return self._window.panes[self._session.front]
 
     def invert(self) -> None:
-        """Select what is not selected."""
-        pane = self._window.panes[self._session.front]
-        chosen = set(self._session.selected)
-        pane.grid.select_rows(
-            [row for row in range(pane.model.rowCount()) if pane.model.id_at(row) not in chosen]
-        )
-
-    # Names, tags and notes.
-
-    def rename(self) -> None:
-        """Write the current swatch's name anew, in its place."""
-        self._window.panes[self._session.front].rename_current()
+        chosen, model = set(self._session.selected), self._pane.model
+        rows = range(model.rowCount())
+        self._pane.grid.select_rows([row for row in rows if model.id_at(row) not in chosen])
 
     def _focus(self, key: str) -> None:
         self._window.inspector_dock.show()
@@ -193,10 +176,8 @@ class EditCommands(SwatchFeature):
     def _renamed(self, id_: str, key: str, text: str) -> None:
         if key == "name":
             if text:
-                self._session.edit(
-                    tr("Rename to “{name}”").format(name=text[:40]),
-                    lambda palette: with_date(edits.rename_entry(palette, id_, text), [id_]),
-                )
+                name = tr("Rename to “{name}”").format(name=text[:40])
+                self._edit(name, [id_], lambda palette: edits.rename_entry(palette, id_, text))
         else:
             self._change(tr("Change code"), [id_], lambda entry: replace(entry, code=text))
 
@@ -206,15 +187,11 @@ class EditCommands(SwatchFeature):
         if not ids:
             return
         if key == "name":
-            self._change(
-                tr("Rename {what}").format(what=count_words(len(ids))),
-                ids,
-                lambda entry: replace(entry, content=replace(entry.content, name=text)),
-            )
-        elif key == "code":
-            self._change(tr("Change code"), ids, lambda entry: replace(entry, code=text))
-        elif key == "notes":
-            self._change(tr("Change notes"), ids, lambda entry: replace(entry, notes=text))
+            name = tr("Rename {what}").format(what=count_words(len(ids)))
+            self._change(name, ids, lambda entry: replace(entry, content=replace(entry.content, name=text)))
+        elif key in ("code", "notes"):
+            name = tr("Change code") if key == "code" else tr("Change notes")
+            self._change(name, ids, lambda entry: replace(entry, **{key: text}))
         else:
             self._tag(ids, text)
 
@@ -225,17 +202,16 @@ class EditCommands(SwatchFeature):
         relative = len(ids) > 1 and all(word[0] in "+-" for word in words) and bool(words)
         name = tr("Change tags of {what}").format(what=count_words(len(ids)))
         if relative:
-            self._session.edit(
-                name, lambda palette: with_date(edits.tag_entries(palette, ids, add, drop), ids)
-            )
+            self._edit(name, ids, lambda palette: edits.tag_entries(palette, ids, add, drop))
         else:
             tags = tuple(dict.fromkeys(word for word in add if word))
             self._change(name, ids, lambda entry: replace(entry, tags=tags))
 
     def _change(self, name: str, ids: list[str], change: Callable[[Entry], Entry]) -> None:
-        self._session.edit(name, lambda palette: with_date(edits.change_entries(palette, ids, change), ids))
+        self._edit(name, ids, lambda palette: edits.change_entries(palette, ids, change))
 
-    # Menus.
+    def _edit(self, name: str, ids: list[str], change: Callable[[Palette], Palette]) -> None:
+        self._session.edit(name, lambda palette: with_date(change(palette), ids))
 
     def _menu(self, point: QPoint) -> None:
         keys = (

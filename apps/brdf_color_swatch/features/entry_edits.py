@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import uuid
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from brdf_qt.program.translation import tr
@@ -28,7 +28,6 @@ def add_entries(
     palette = session.palette
     if palette is None or not entries:
         return False
-    known = set(palette.by_id)
     if group is None:
         group = session.state.scope.group
     tag = session.state.scope.tag
@@ -36,7 +35,14 @@ def add_entries(
         # What is put where a tag is shown has that tag; otherwise it would vanish as it comes.
         entries = [replace(e, tags=tuple(dict.fromkeys((*e.tags, tag)))) for e in entries]
     with_dates = [entry if entry.date else replace(entry, date=today()) for entry in entries]
-    if not session.edit(name, lambda old: edits.add_entries(old, with_dates, group, before)):
+    return edit_and_reveal(session, name, lambda old: edits.add_entries(old, with_dates, group, before))
+
+
+def edit_and_reveal(session: PaletteSession, name: str, change: Callable[[Palette], Palette]) -> bool:
+    """Change the palette in front, and select and show the entries that came; True where that was done."""
+    before = session.palette
+    known = set() if before is None else set(before.by_id)
+    if not session.edit(name, change):
         return False
     after = session.palette
     assert after is not None

@@ -34,10 +34,7 @@ class GroupCommands(SwatchFeature):
         window.palette_panel.edited.connect(self.write_palette)
         window.tree.renamed.connect(self.rename_scope)
         window.tree.group_dropped.connect(self.move_group)
-        session.shown_changed.connect(lambda _pane: self._enable())
-        session.state_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
+        self._enable_always()
 
     def write_palette(self, key: str, text: str) -> None:
         """Write a field of the palette, or of the group that is shown."""
@@ -47,21 +44,12 @@ class GroupCommands(SwatchFeature):
             return
         name = tr("Change colour") if key == "colour" else tr("Change notes")
         if group:
-
-            def change(one: Group) -> Group:
-                return replace(one, colour=text) if key == "colour" else replace(one, notes=text)
-
             self._session.edit(
                 name,
-                lambda palette: edits.change_group(palette, group, change),
+                lambda palette: edits.change_group(palette, group, lambda one: replace(one, **{key: text})),
             )
         else:
-            self._session.edit(
-                name,
-                lambda palette: (
-                    replace(palette, colour=text) if key == "colour" else replace(palette, notes=text)
-                ),
-            )
+            self._session.edit(name, lambda palette: replace(palette, **{key: text}))
 
     def new_group(self) -> None:
         """Make a group within the one that is shown, of what is selected, and let it be named."""
@@ -77,12 +65,8 @@ class GroupCommands(SwatchFeature):
         ids = self._session.selected
 
         def make(old: Palette) -> Palette:
-            with_it = edits.with_group(old, Group(path))
-            return (
-                edits.change_entries(with_it, ids, lambda entry: replace(entry, group=path))
-                if ids
-                else with_it
-            )
+            old = edits.with_group(old, Group(path))
+            return edits.change_entries(old, ids, lambda entry: replace(entry, group=path)) if ids else old
 
         if self._session.edit(tr("New group"), make):
             self._window.tree.rename(Scope(scope.palette, path))
@@ -106,7 +90,6 @@ class GroupCommands(SwatchFeature):
             self._session.edit(name, lambda palette: edits.remove_group(palette, path, keep_entries=keep))
 
     def rename_scope(self, scope: Scope, name: str) -> None:
-        """Rename a palette, a group or a tag."""
         title = tr("Rename to “{name}”").format(name=name[:40])
         if scope.tag:
 
@@ -115,11 +98,8 @@ class GroupCommands(SwatchFeature):
                 return replace(entry, tags=tuple(tags))
 
             palette = self._session.library.palette(scope.palette)
-            ids = (
-                [entry.id for entry in palette.entries if scope.tag in entry.tags]
-                if palette is not None
-                else []
-            )
+            entries = () if palette is None else palette.entries
+            ids = [entry.id for entry in entries if scope.tag in entry.tags]
             done = self._session.edit(title, lambda old: edits.change_entries(old, ids, retag), scope.palette)
             new = replace(scope, tag=name)
         elif scope.group:

@@ -10,7 +10,7 @@ from typing import Any
 from brdf_qt.link.link import LiveLink
 from brdf_qt.link.messages import OFFER
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.message_bar import Message
+from brdf_qt.window.message_bar import Message, Severity
 from PySide6.QtCore import QProcess
 
 from brdf_color_swatch.feature import SwatchFeature
@@ -62,17 +62,13 @@ class PaintExchange(SwatchFeature):
             pane.action_requested.connect(lambda key: self.take() if key == "take" else None)
         self.link.received.connect(self._received)
         self.link.peers_changed.connect(lambda _count: self._show_peers())
-        session.selection_changed.connect(lambda _pane: self._enable())
-        session.front_changed.connect(self._enable)
-        self._enable()
+        self._enable_always()
         self._show_peers()
 
     def start(self) -> None:
-        """Look for the other programs."""
         self.link.start()
 
     def close(self) -> None:
-        """Leave the link."""
         self.link.close()
 
     def send(self, role: str) -> None:
@@ -84,14 +80,8 @@ class PaintExchange(SwatchFeature):
         package, name, *_ = _PROGRAMS[role]
         if not isinstance(paint, Paint):
             text = tr("“{paint}” consists of Cook-Torrance lobes; the live link sends designed paints only.")
-            self._window.show_message(
-                Message(
-                    "send",
-                    text.format(paint=paint.name),
-                    todo=tr("Open its file in {program}.").format(program=name),
-                    severity="warning",
-                )
-            )
+            todo = tr("Open its file in {program}.").format(program=name)
+            self._show_message("send", text.format(paint=paint.name), todo, "warning")
             return
         if role == "designer":
             # As a document of its own: what is edited there must not be replaced.
@@ -99,27 +89,21 @@ class PaintExchange(SwatchFeature):
         else:
             self.link.publish("paint", paint_to_json(paint))
         running = role in self.link.peers or (role == "lobes" and "lobe_visualizer" in self.link.peers)
-        if not running:
-            program, *arguments = child_command(package)
-            started = self.start_program(program, arguments)
-            if not (started[0] if isinstance(started, tuple) else started):
-                self._window.show_message(
-                    Message(
-                        "send",
-                        tr("{program} could not be started.").format(program=name),
-                        todo=tr("Start it manually; the paint is then sent to it."),
-                        severity="warning",
-                    )
-                )
-                return
-            self._window.show_message(
-                Message(
-                    "send",
-                    tr("Starting {program} with “{paint}”.").format(program=name, paint=paint.name),
-                )
-            )
-        else:
+        if running:
             self._window.dismiss_message("send")
+            return
+        program, *arguments = child_command(package)
+        started = self.start_program(program, arguments)
+        if started[0] if isinstance(started, tuple) else started:
+            text = tr("Starting {program} with “{paint}”.").format(program=name, paint=paint.name)
+            self._show_message("send", text)
+        else:
+            text = tr("{program} could not be started.").format(program=name)
+            todo = tr("Start it manually; the paint is then sent to it.")
+            self._show_message("send", text, todo, "warning")
+
+    def _show_message(self, key: str, text: str, todo: str = "", severity: Severity = "info") -> None:
+        self._window.show_message(Message(key, text, todo=todo, severity=severity))
 
     def take(self) -> None:
         """Put the paint being edited into the palette in front."""
@@ -142,9 +126,7 @@ class PaintExchange(SwatchFeature):
     def _report_no_paint(self) -> None:
         self._window.show_message(
             Message(
-                "take",
-                tr("No paint is being edited."),
-                todo=tr("Open a paint in Designer, then try again."),
+                "take", tr("No paint is being edited."), todo=tr("Open a paint in Designer, then try again.")
             )
         )
 
@@ -155,12 +137,7 @@ class PaintExchange(SwatchFeature):
             self._show_peers()
 
     def _show_peers(self) -> None:
-        names = {
-            "designer": "Designer",
-            "viewer": "Viewer",
-            "lobes": "Lobe Visualizer",
-            "swatch": "Color Swatch",
-        }
+        names = {role: name for role, (_package, name, *_) in _PROGRAMS.items()} | {"swatch": "Color Swatch"}
         peers = self.link.peers
         connected = ", ".join(names.get(role, role) for role in peers)
         text = tr("Connected: {programs}").format(programs=connected) if connected else tr("Not connected")

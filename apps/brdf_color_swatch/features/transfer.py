@@ -89,11 +89,9 @@ def read_data(data: QMimeData) -> Carried:
         paints = [path for path in files if path.suffix.lower() == PAINT_ENDING]
         entries = tuple(Entry(load_any_paint(path), id=new_id()) for path in paints)
         return Carried(entries, tuple(path for path in files if path not in paints))
-    text = data.text() if data.hasText() else ""
-    if text.strip():
-        found = entries_of_text(text)
-        if found:
-            return Carried(tuple(found))
+    found = entries_of_text(data.text()) if data.hasText() else []
+    if found:
+        return Carried(tuple(found))
     if data.hasColor():
         colour = QColor(data.colorData())
         values = (colour.redF(), colour.greenF(), colour.blueF())
@@ -115,14 +113,10 @@ def entries_of_text(text: str) -> list[Entry]:
         value = _json(stripped.encode("utf-8"))
         if isinstance(value, dict) and value.get("format") == "brdfpalette":
             palette = palette_from_json(value, "the clipboard")
-            return [_with_new_id(entry) for entry in palette.entries]
+            return [replace(entry, id=new_id()) for entry in palette.entries]
         return [_of_paint(value)]
-    found = []
-    for line in stripped.splitlines()[:_MOST_LINES]:
-        entry = _of_line(line[:2000])
-        if entry is not None:
-            found.append(entry)
-    return found
+    found = (_of_line(line[:2000]) for line in stripped.splitlines()[:_MOST_LINES])
+    return [entry for entry in found if entry is not None]
 
 
 def _of_line(line: str) -> Entry | None:
@@ -161,10 +155,6 @@ def _whole(content: bytes) -> Carried:
 
 def _of_paint(value: object) -> Entry:
     return Entry(any_paint_from_json(value, "the clipboard"), id=new_id())
-
-
-def _with_new_id(entry: Entry) -> Entry:
-    return replace(entry, id=new_id())
 
 
 def _json(content: bytes) -> object:

@@ -29,44 +29,20 @@ class ViewCommands(SwatchFeature):
         view, add = window.menus["view"], window.add_command
         view.addSeparator()
         for number, (key, text) in enumerate(_FORMS, 1):
-            add(
-                "view",
-                text,
-                f"{number}",
-                partial(session.set_look, form=key, as_list=False),
-                f"form_{key}_command",
-            )
+            act = partial(session.set_look, form=key, as_list=False)
+            add("view", text, f"{number}", act, f"form_{key}_command")
         self._list = add("view", mark("Show as &List"), "Ctrl+L", self._toggle_list, "list")
         self._list.setCheckable(True)
         view.addSeparator()
-        add(
-            "view",
-            mark("&Larger Swatches"),
-            "Ctrl++",
-            lambda: self._scale(_STEP),
-            "larger",
-            icon="magnifying-glass-plus",
-        )
-        add(
-            "view",
-            mark("S&maller Swatches"),
-            "Ctrl+-",
-            lambda: self._scale(1 / _STEP),
-            "smaller",
-            icon="magnifying-glass-minus",
-        )
+        larger, smaller = partial(self._scale, _STEP), partial(self._scale, 1 / _STEP)
+        add("view", mark("&Larger Swatches"), "Ctrl++", larger, "larger", icon="magnifying-glass-plus")
+        add("view", mark("S&maller Swatches"), "Ctrl+-", smaller, "smaller", icon="magnifying-glass-minus")
         add("view", mark("Searc&h"), "Ctrl+F", self._search, "search", icon="magnifying-glass")
-        add(
-            "view",
-            mark("Clear Filte&rs"),
-            "Ctrl+Backspace",
-            lambda: session.set_state(session.state.cleared()),
-            "clear",
-        )
+        clear = mark("Clear Filte&rs")
+        add("view", clear, "Ctrl+Backspace", lambda: session.set_state(session.state.cleared()), "clear")
         view.addSeparator()
-        self._second = add(
-            "view", mark("&Two Panes"), "F3", self._toggle_second, "two_panes", icon="book-open"
-        )
+        two = mark("&Two Panes")
+        self._second = add("view", two, "F3", self._toggle_second, "two_panes", icon="book-open")
         self._second.setCheckable(True)
         add("view", mark("Go to the &Other Pane"), "F6", self._other_pane, "other_pane")
         window.toolbar.addAction(self._second)

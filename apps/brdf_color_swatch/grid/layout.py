@@ -46,7 +46,6 @@ class GridLayout:
         self.count = self.parts[-1].first + self.parts[-1].count if self.parts else 0
 
     def box(self, place: int) -> Box:
-        """Return where the swatch at ``place`` lies."""
         part = bisect_right(self._firsts, place) - 1
         # An empty part begins where the next one does, which holds the swatch.
         line, column = divmod(place - self._firsts[part], self.columns)
@@ -57,7 +56,6 @@ class GridLayout:
         )
 
     def heading(self, part: int) -> Box:
-        """Return where the heading of a part lies."""
         return (GAP, self._tops[part], max(0, self.width - 2 * GAP), HEADING if self.parts[part].title else 0)
 
     def at(self, x: int, y: int) -> int | None:

@@ -87,32 +87,26 @@ class SwatchModel(QAbstractTableModel):
         self.mime_of: Callable[[list[str]], QMimeData | None] | None = None
 
     def show(self, shown: VisibleRows) -> None:
-        """Show other swatches."""
         self.beginResetModel()
         self.shown = shown
         self._by_id = None
         self.endResetModel()
 
     def id_at(self, row: int) -> str:
-        """Return the id of the swatch in a row."""
         return self.shown.rows.ids[self.shown.places[row]]
 
     def row_of(self, key: str) -> int | None:
-        """Return the row of a swatch; ``None`` where it is not shown."""
         if self._by_id is None:
             ids = self.shown.rows.ids
             self._by_id = {ids[place]: row for row, place in enumerate(self.shown.places)}
         return self._by_id.get(key)
 
     def entry_at(self, row: int) -> Entry:
-        """Return the entry in a row."""
         return self.shown.rows.entries[self.shown.places[row]]
 
     def ids_of(self, indexes: Sequence[QModelIndex]) -> list[str]:
         """Return the ids of some indexes, each once, in the order of the rows."""
         return [self.id_at(row) for row in sorted({index.row() for index in indexes})]
-
-    # What Qt asks.
 
     def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(self.shown.places)
@@ -172,8 +166,6 @@ class SwatchModel(QAbstractTableModel):
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         if column >= 0:
             self.sort_requested.emit(SORT_KEYS[column], order is Qt.SortOrder.DescendingOrder)
-
-    # Drag and drop; what is dropped is taken by the pane.
 
     def supportedDragActions(self) -> Qt.DropAction:
         return Qt.DropAction.MoveAction | Qt.DropAction.CopyAction

@@ -5,29 +5,65 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
-from brdf_qt.program.icons import icon
+from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, QItemSelectionModel, QModelIndex, QObject, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QDropEvent
+from PySide6.QtCore import (
+    QEvent,
+    QItemSelectionModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QPoint,
+    QRect,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QColor, QDropEvent, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFrame,
-    QHBoxLayout,
     QHeaderView,
     QProgressBar,
     QPushButton,
     QStackedWidget,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTableView,
-    QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from brdf_color_swatch.features.transfer import TAKEN
-from brdf_color_swatch.grid.chip_delegate import ChipDelegate
 from brdf_color_swatch.grid.grid import SwatchGrid
 from brdf_color_swatch.grid.model import SORT_KEYS, SwatchModel, VisibleRows
 from brdf_color_swatch.grid.tile import Tile
+
+_CHIP = 18
+
+
+class ChipDelegate(QStyledItemDelegate):
+    """Draws three chips, or one for a flat colour, and then the text."""
+
+    def paint(
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        model = index.model()
+        assert isinstance(model, SwatchModel)
+        inside = QStyleOptionViewItem(option)
+        inside.rect = option.rect.adjusted(3 * _CHIP + 8, 0, 0, 0)
+        super().paint(painter, inside, index)
+        place = model.shown.places[index.row()]
+        top, height = option.rect.top() + 3, option.rect.height() - 6
+        for number, code in enumerate(model.shown.rows.codes[place]):
+            chip = QRect(option.rect.left() + 4 + number * _CHIP, top, _CHIP, height)
+            painter.fillRect(chip, QColor(*(int(part) for part in code)))
+
+    def updateEditorGeometry(
+        self, editor: QWidget, option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex
+    ) -> None:
+        editor.setGeometry(option.rect.adjusted(3 * _CHIP + 8, 0, 0, 0))
+
 
 _WIDTHS = {"name": 200, "code": 96, "tags": 140, "date": 90, "gloss": 96, "flop": 56}
 
@@ -36,23 +72,20 @@ class Pane(QFrame):
     """Grid and list over one model and one selection.
 
     Signals: ``activated()``, ``selected(ids)``, ``opened(id)`` for Return or a double click,
-    ``renamed(id, key, text)``, ``sort_requested(key, descending)``, ``dropped(event, row)``,
+    ``dropped(event, row)``,
     ``menu_requested(point)`` in screen coordinates,
-    ``close_requested()``, ``action_requested(key)`` for a button of the empty page, ``seen_changed()``,
-    ``size_requested(size)``.
+    ``close_requested()``, ``action_requested(key)`` for a button of the empty page, ``seen_changed()``. What the user
+    edits, sorts or scales is emitted by :attr:`model` and :attr:`grid`.
     """
 
     activated = Signal()
     selected = Signal(object)
     opened = Signal(str)
-    renamed = Signal(str, str, str)
-    sort_requested = Signal(str, bool)
     dropped = Signal(object, int)
     menu_requested = Signal(QPoint)
     close_requested = Signal()
     action_requested = Signal(str)
     seen_changed = Signal()
-    size_requested = Signal(int)
 
     def __init__(
         self, number: int, picture_of: Callable[[int, int], object], parent: QWidget | None = None
@@ -61,7 +94,8 @@ class Pane(QFrame):
         self.number = number
         self._picture_of = picture_of
         self._quiet = False
-        self._note, self._bar, self._buttons = PlainLabel(), QProgressBar(), QHBoxLayout()
+        self._note = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter, minimumWidth=120)
+        self._bar, self._buttons = QProgressBar(), row_of(spacing=6)
         self.setObjectName(f"pane_{number}")
         self.setAccessibleName(tr("Swatches") if number == 0 else tr("Swatches, second pane"))
         self.model = SwatchModel(self)
@@ -74,18 +108,13 @@ class Pane(QFrame):
         self.stack = QStackedWidget()
         for page in (self.grid, self.list, self._note_page()):
             self.stack.addWidget(page)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(0)
-        box.addWidget(self.head)
-        box.addWidget(self.stack, 1)
+        column_in(self, self.head, self.stack, grows=self.stack, spacing=0)
         self._as_list = False
+        self.title = ""
+        """What is shown, in words."""
         self._join()
 
-    # What it shows.
-
     def tile_of(self, row: int) -> Tile:
-        """Return what the tile of a row shows."""
         shown = self.model.shown
         place = shown.places[row]
         return shown.rows.tile(place, self._picture_of(self.number, row), shown.figure.get(place))
@@ -129,7 +158,6 @@ class Pane(QFrame):
         self._turn()
 
     def show_as_list(self, as_list: bool) -> None:
-        """Show a list, or the grid."""
         self._as_list = as_list
         self._turn()
 
@@ -148,16 +176,11 @@ class Pane(QFrame):
 
     @property
     def view(self) -> QAbstractItemView:
-        """The view that is shown."""
         return self.list if self._as_list else self.grid
-
-    @property
-    def title(self) -> str:
-        """What is shown, in words."""
-        return self._title.text()
 
     def show_title(self, title: str, count: str, *, front: bool, two: bool) -> None:
         """Show what the pane is of; ``front``: it is the one that is worked in, of ``two`` where there are two."""
+        self.title = title
         self._title.setText(title)
         font = self._title.font()
         font.setBold(front)
@@ -190,38 +213,25 @@ class Pane(QFrame):
     def show_sort(self, key: str, *, descending: bool) -> None:
         """Show in the list's head what it is ordered by."""
         header = self.list.horizontalHeader()
-        header.blockSignals(True)
-        if key in SORT_KEYS:
-            order = Qt.SortOrder.DescendingOrder if descending else Qt.SortOrder.AscendingOrder
-            header.setSortIndicator(SORT_KEYS.index(key), order)
-        else:
-            header.setSortIndicator(-1, Qt.SortOrder.AscendingOrder)
-        header.blockSignals(False)
-
-    # How it is built.
+        descends = key in SORT_KEYS and descending
+        with QSignalBlocker(header):
+            header.setSortIndicator(
+                SORT_KEYS.index(key) if key in SORT_KEYS else -1,
+                Qt.SortOrder.DescendingOrder if descends else Qt.SortOrder.AscendingOrder,
+            )
 
     def _head(self) -> None:
         self.head = QWidget()
-        row = QHBoxLayout(self.head)
-        row.setContentsMargins(8, 2, 8, 2)
-        row.setSpacing(8)
         self.head.setMinimumHeight(30)
-        self._mark = PlainLabel("▸")
-        self._mark.setObjectName("front_mark")
-        self._mark.setToolTip(tr("Active pane"))
+        self._mark = described(PlainLabel("▸"), name="front_mark", tip=tr("Active pane"))
         self._title = ElidedLabel()
         self._count = PlainLabel()
         self._count.setForegroundRole(self._count.foregroundRole().PlaceholderText)
-        self._close = QToolButton()
-        self._close.setIcon(icon("x"))
-        self._close.setAutoRaise(True)
-        self._close.setToolTip(tr("Close pane"))
-        self._close.setAccessibleName(tr("Close pane"))
-        self._close.clicked.connect(self.close_requested)
-        row.addWidget(self._mark)
-        row.addWidget(self._title, 1)
-        row.addWidget(self._count)
-        row.addWidget(self._close)
+        self._close = icon_button("x", tr("Close pane"), self.close_requested.emit)
+        row = row_of(
+            self._mark, self._title, self._count, self._close, grows=self._title, margins=(8, 2, 8, 2)
+        )
+        self.head.setLayout(row)
         for widget in (self.head, self._mark, self._title, self._count):
             widget.installEventFilter(self)
 
@@ -230,31 +240,20 @@ class Pane(QFrame):
         page.setAcceptDrops(True)
         page.installEventFilter(self)
         self._noted = False
-        self._note.setWordWrap(True)
-        self._note.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._note.setMinimumWidth(120)
         self._bar.setRange(0, 0)
         self._bar.setTextVisible(False)
         self._bar.setMaximumWidth(240)
-        box = QVBoxLayout(page)
-        box.setContentsMargins(24, 24, 24, 24)
-        box.addStretch(2)
-        box.addWidget(self._note)
-        box.addWidget(self._bar, 0, Qt.AlignmentFlag.AlignHCenter)
-        middle = QHBoxLayout()
-        middle.addStretch(1)
-        middle.addLayout(self._buttons)
-        middle.addStretch(1)
-        box.addLayout(middle)
-        box.addStretch(3)
+        bar, buttons = row_of(None, self._bar, None), row_of(None, self._buttons, None)
+        margins = (24, 24, 24, 24)
+        box = column_in(page, None, self._note, bar, buttons, None, spacing=6, margins=margins)
+        # A little above the middle.
+        box.setStretch(0, 2)
+        box.setStretch(4, 3)
         return page
 
     def _join(self) -> None:
-        self.model.renamed.connect(self.renamed)
-        self.model.sort_requested.connect(self.sort_requested)
         self.grid.dropped.connect(self.dropped)
         self.grid.seen_changed.connect(self.seen_changed)
-        self.grid.size_requested.connect(self.size_requested)
         self.grid.selectionModel().selectionChanged.connect(lambda *_: self._report_selected())
         self.grid.selectionModel().currentChanged.connect(lambda now, _before: self._speak(now))
         for view in (self.grid, self.list):
@@ -291,12 +290,8 @@ class Pane(QFrame):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.MouseButtonPress):
             self.activated.emit()
-        if event.type() == QEvent.Type.MouseButtonPress and watched in (
-            self.head,
-            self._mark,
-            self._title,
-            self._count,
-        ):
+        heads = (self.head, self._mark, self._title, self._count)
+        if event.type() == QEvent.Type.MouseButtonPress and watched in heads:
             # The keys go where the click has gone.
             self.view.setFocus(Qt.FocusReason.MouseFocusReason)
         if (

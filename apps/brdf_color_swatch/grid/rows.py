@@ -1,4 +1,4 @@
-"""What a list of swatches is made of: the entries of a palette with their figures as arrays, worked out once each."""
+"""What a list of swatches is made of: the entries of a palette with their figures and colours, worked out once each."""
 
 from __future__ import annotations
 
@@ -11,11 +11,13 @@ import numpy as np
 from brdf_qt.program.translation import tr
 
 from brdf_color_swatch.grid.tile import Tile
+from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, lab_to_working, srgb_encode
 from brdf_suite.appearance.colour.flat_colours import display_notes
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry
-from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns
+from brdf_suite.palettes.columns import MAIN_ANGLES_DEG, Columns, ColumnsWork
 from brdf_suite.palettes.search import Texts
+from brdf_suite.progress import Progress
 
 ANGLES_DEG = MAIN_ANGLES_DEG
 """The angles that quality control of flake finishes reads, from the face to the flop."""
@@ -41,12 +43,10 @@ class Rows:
 
     @staticmethod
     def empty() -> Rows:
-        """Return no rows at all."""
         return Rows(Columns.of(()), np.zeros((0, 3, 3), np.uint8))
 
     @property
     def entries(self) -> tuple[Entry, ...]:
-        """The entries."""
         return self.columns.entries
 
     @property
@@ -71,7 +71,6 @@ class Rows:
 
     @cached_property
     def has_codes(self) -> bool:
-        """Whether any entry has a code."""
         return any(entry.code for entry in self.entries)
 
     @cached_property
@@ -81,11 +80,9 @@ class Rows:
 
     @cached_property
     def ids(self) -> tuple[str, ...]:
-        """The entries' ids."""
         return tuple(entry.id for entry in self.entries)
 
     def __len__(self) -> int:
-        """Return the number of entries."""
         return len(self.entries)
 
     def name(self, place: int) -> str:
@@ -171,3 +168,38 @@ def _number(value: float, decimals: int) -> str:
         return ""
     text = f"{value:.{decimals}f}"
     return text.replace("-", "−")
+
+
+_STEP = 25
+
+
+def rows_of(entries: Sequence[Entry], before: Rows | None = None) -> Rows:
+    """Return the rows of entries, with what is read; what ``before`` has of the same contents is taken from it."""
+    work = ColumnsWork(entries, known=None if before is None else before.columns)
+    columns = work.columns
+    codes = np.empty((len(columns), 3, 3), np.uint8)
+    known = {} if before is None else {id(e.content): place for place, e in enumerate(before.entries)}
+    places = np.fromiter((known.get(id(e.content), -1) for e in columns.entries), int, len(columns))
+    kept = places >= 0
+    if before is not None:
+        codes[kept] = before.codes[places[kept]]
+    codes[~kept] = codes_of(columns.main[~kept])
+    return Rows(columns, codes)
+
+
+def finish_rows(rows: Rows, progress: Progress) -> Rows:
+    """Return rows with what was not read worked out from the reflectances: a millisecond a paint, for a thread."""
+    work = ColumnsWork(rows.entries, known=rows.columns)
+    whole = max(1, work.left)
+    while work.step(_STEP):
+        progress(1.0 - work.left / whole, "")
+    columns = work.columns
+    return Rows(columns, codes_of(columns.main))
+
+
+def codes_of(lab: np.ndarray) -> np.ndarray:
+    """Return sRGB codes (..., 3) of L*a*b* (D65, 10°), clipped to what a screen shows; mid grey where it is NaN."""
+    linear = lab_to_working(np.nan_to_num(lab)) @ WORKING_TO_SRGB.T
+    codes = np.rint(255.0 * srgb_encode(np.clip(linear, 0.0, 1.0))).astype(np.uint8)
+    codes[~np.isfinite(lab).all(axis=-1)] = 119
+    return codes

@@ -65,7 +65,6 @@ class TilePainter:
         return (self.size + 2 * _PAD, self.size + 2 * _PAD + self.lines * self._line + 2)
 
     def picture_box(self, box: QRect) -> QRect:
-        """Return where in a tile the picture lies."""
         return QRect(box.left() + _PAD, box.top() + _PAD, self.size, self.size)
 
     def name_box(self, box: QRect) -> QRect:
@@ -73,7 +72,6 @@ class TilePainter:
         return QRect(box.left() + 2, box.top() + 2 * _PAD + self.size - 2, box.width() - 4, self._line + 4)
 
     def paint(self, painter: QPainter, box: QRect, tile: Tile, look: Look) -> None:
-        """Draw a tile."""
         role = QPalette.ColorRole
         if look.selected:
             painter.fillRect(box, self.palette.color(role.Highlight))

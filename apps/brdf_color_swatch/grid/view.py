@@ -111,8 +111,6 @@ class GridView(QAbstractItemView):
         self.setModel(model)
         self.verticalScrollBar().valueChanged.connect(lambda _value: self.seen_changed.emit())
 
-    # How large, and where.
-
     def set_size(self, size: int) -> None:
         """Show pictures of ``size`` pixels; what was at the top stays there."""
         size = min(SIZES[1], max(SIZES[0], size))
@@ -158,8 +156,6 @@ class GridView(QAbstractItemView):
                 left, y, w, h = self.layout_.box(row)
                 if y + h > top and y < top + height:
                     self.viewport().update(left, y - top, w, h)
-
-    # What Qt's views must say.
 
     def reset(self) -> None:
         super().reset()
@@ -235,8 +231,6 @@ class GridView(QAbstractItemView):
     def isIndexHidden(self, index: QModelIndex | QPersistentModelIndex) -> bool:
         return index.column() != 0
 
-    # Painting.
-
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self.viewport())
         # Pictures that have come are painted where they lie, and not all that lies between them.
@@ -303,8 +297,6 @@ class GridView(QAbstractItemView):
         if self._band is not None:
             painter.setPen(accent)
             painter.drawRect(self._band.adjusted(0, 0, -1, -1))
-
-    # What changes around it.
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

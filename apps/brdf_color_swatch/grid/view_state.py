@@ -64,7 +64,6 @@ class PaneState:
         return self.sort == "own" and self.near is None and self.duplicates is None
 
     def range_of(self, key: str) -> tuple[float, float]:
-        """Return the ends of a filter."""
         for name, low, high in self.ranges:
             if name == key:
                 return low, high
@@ -92,7 +91,6 @@ class Look:
     as_list: bool = False
 
     def to_json(self) -> dict[str, Any]:
-        """Return it as plain values."""
         return asdict(self)
 
     @staticmethod

@@ -1,4 +1,4 @@
-"""The autosave of palettes of any size: what takes long is encoded by a thread, and a scroll goes on meanwhile."""
+"""The autosave of palettes of any size, encoded by a thread while it takes long."""
 
 from __future__ import annotations
 

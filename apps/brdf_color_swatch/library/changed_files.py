@@ -8,7 +8,7 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_color_swatch.feature import SwatchFeature
-from brdf_color_swatch.library.reading import Read
+from brdf_color_swatch.library.loading import Read
 from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette

@@ -62,12 +62,10 @@ class History(QObject):
 
     @property
     def can_undo(self) -> bool:
-        """Whether there is something to take back."""
         return bool(self._done)
 
     @property
     def can_redo(self) -> bool:
-        """Whether there is something to do again."""
         return bool(self._undone)
 
     def undo(self) -> None:

@@ -6,9 +6,10 @@ Nothing here is a widget. An item of the library is a file that may not be read 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from brdf_qt.documents.files import DocumentFiles, DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
@@ -21,12 +22,56 @@ from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.export.dialog import ExportDialogs
-from brdf_color_swatch.grid.columns import finish_rows, rows_of
-from brdf_color_swatch.grid.rows import Rows
+from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
 from brdf_color_swatch.library.autosave import PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
-from brdf_color_swatch.library.item import Item, OpenPalette
 from brdf_suite.documents.palette import Palette
+
+State = Literal["closed", "reading", "open", "wrong"]
+
+
+@dataclass(eq=False)
+class OpenPalette:
+    """A palette in memory. ``base`` is what its file held when it was read or written last, for a merge."""
+
+    store: DocumentStore[Palette]
+    files: DocumentFiles[Palette]
+    recovery: Recovery[Palette]
+    watch: FileWatch
+    rows: Rows
+    base: Palette
+    origin: Path | None = None
+    """The foreign file that it was imported from; it has none of its own then."""
+
+
+@dataclass(eq=False)
+class Item:
+    """One line of the library. ``key`` is its own for the run of the program."""
+
+    key: str
+    path: Path | None
+    name: str
+    state: State = "closed"
+    problem: str = ""
+    palette: OpenPalette | None = None
+    waiting: list[Callable[[], None]] = field(default_factory=list)
+
+    def run_waiting(self) -> None:
+        """Call those that wait for the palette."""
+        waiting, self.waiting = self.waiting, []
+        for then in waiting:
+            then()
+
+    @property
+    def title(self) -> str:
+        """The palette's name once it is known, and until then the file's."""
+        return self.palette.store.value.name if self.palette is not None else self.name
+
+    @property
+    def is_clean(self) -> bool:
+        """Whether all of it is in a file."""
+        return self.palette is None or self.palette.store.is_clean
+
 
 KEY = "library"
 
@@ -34,16 +79,13 @@ KEY = "library"
 class Library(QObject):
     """The palettes of the library: holds, changes, saves and closes them.
 
-    Signals
-    -------
-    items_changed()
-        A palette came, went, or has another title or state.
-    palette_changed(key)
-        What a palette holds is something else now; its rows are there.
-    message(Message), settled(str)
-        A message for the user; the key of a message that no longer holds.
-    changed_outside(key)
-        The file of an open palette holds something that neither this program wrote nor read.
+    Signals:
+
+    - ``items_changed()``: a palette came, went, or has another title or state.
+    - ``palette_changed(key)``: what a palette holds is something else now; its rows are there.
+    - ``message(Message)``, ``settled(str)``: a message for the user; the key of a message that no longer holds.
+    - ``changed_outside(key)``: the file of an open palette holds something that neither this program wrote nor
+      read.
     """
 
     items_changed = Signal()
@@ -66,15 +108,12 @@ class Library(QObject):
         self._numbers = itertools.count(1)
         self._items: dict[str, Item] = {}
 
-    # What there is.
-
     @property
     def items(self) -> tuple[Item, ...]:
         """The palettes in the library's order."""
         return tuple(self._items.values())
 
     def item(self, key: str) -> Item | None:
-        """Return the item of a key; ``None`` where it is gone."""
         return self._items.get(key)
 
     def palette(self, key: str) -> Palette | None:
@@ -86,14 +125,6 @@ class Library(QObject):
         """Return the rows of a palette; none where it is not read."""
         item = self._items.get(key)
         return item.palette.rows if item is not None and item.palette is not None else Rows.empty()
-
-    def open_keys(self) -> list[str]:
-        """Return the keys of what is read."""
-        return [item.key for item in self.items if item.palette is not None]
-
-    def key_of_store(self, store: DocumentStore[Palette]) -> str | None:
-        """Return the key of the palette that a store holds."""
-        return next((i.key for i in self.items if i.palette is not None and i.palette.store is store), None)
 
     def add_path(self, path: Path) -> str:
         """Put a file into the library, unread; return its key, also where it was there already."""
@@ -179,17 +210,12 @@ class Library(QObject):
         return recovery
 
     def empty_store(self) -> DocumentStore[Palette]:
-        """Return a store with a new palette."""
         return DocumentStore(self._format.new(), self)
 
     def _any_files(self) -> DocumentFiles[Palette]:
         """Return the file dialogs of any palette, for questions that belong to none."""
-        for item in self.items:
-            if item.palette is not None:
-                return item.palette.files
-        return DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
-
-    # Changes.
+        files = (item.palette.files for item in self.items if item.palette is not None)
+        return next(files, None) or DocumentFiles(self.empty_store(), self._format, self.dialogs, self)
 
     def edit(self, name: str, *edits: tuple[str, Palette]) -> bool:
         """Make each palette another, all of it one step called ``name``; False where nothing changed."""
@@ -202,7 +228,7 @@ class Library(QObject):
 
     def keys_of(self, step: Step) -> list[str]:
         """Return the palettes that a step changed."""
-        return [key for store in step.stores if (key := self.key_of_store(store)) is not None]
+        return [i.key for i in self.items if i.palette is not None and i.palette.store in step.stores]
 
     def _changed(self, item: Item, palette: Palette) -> None:
         assert item.palette is not None
@@ -252,7 +278,6 @@ class Library(QObject):
         settings().setValue(KEY, [str(path) for path in paths if path is not None])
 
     def remember_file(self, path: Path) -> None:
-        """Add a file to the recent files."""
         self._any_files().remember(path)
 
     def recent(self) -> list[Path]:
@@ -260,10 +285,7 @@ class Library(QObject):
         return self._any_files().recent()
 
     def fails(self, error: Exception, key: str, todo: str = "") -> None:
-        """Report an error to the user."""
         self.message.emit(message_of(error, key, todo=todo))
-
-    # Files.
 
     def save(self, key: str) -> bool:
         """Save a palette, asking for a file where it has none; True where it is saved."""
@@ -315,8 +337,6 @@ class Library(QObject):
         """Put the files of the last run into the library, unread; those that are gone are left out."""
         found: Any = settings().value(KEY, [])
         names = [found] if isinstance(found, str) else list(found or [])
-        self.add_files(Path(name) for name in names)
-
-    def add_files(self, paths: Iterable[Path]) -> list[str]:
-        """Put files into the library, unread; return the keys of those that are there."""
-        return [self.add_path(path) for path in paths if path.is_file()]
+        for path in map(Path, names):
+            if path.is_file():
+                self.add_path(path)

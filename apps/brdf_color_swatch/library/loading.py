@@ -1,18 +1,72 @@
-"""Reads the palettes of the library in the background: when first needed, and again when their file has changed."""
+"""Reads the palettes of the library in the background: when first needed, and again when their file has changed.
+
+A file is read with its rows, and with what the user is to know about it; unsaved work of earlier runs is recovered.
+"""
 
 from __future__ import annotations
 
 import gc
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
+from brdf_qt.documents.recovery import Recovered
+from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_color_swatch.export.dialog import open_filters
+from brdf_color_swatch.grid.rows import Rows, rows_of
 from brdf_color_swatch.library.library import Library
-from brdf_color_swatch.library.reading import Read, read_palette_file
 from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
+from brdf_suite.errors import DocumentError, FileError
+from brdf_suite.progress import Progress
+
+OURS = "brdfpalette"
+
+
+@dataclass(frozen=True, eq=False)
+class Read:
+    """What a file held. ``is_ours``: it is a ``.brdfpalette``, which holds all that a palette has."""
+
+    path: Path
+    palette: Palette
+    rows: Rows
+    stamp: FileStamp | None
+    is_ours: bool
+    notices: tuple[str, ...] = ()
+
+
+def read_palette_file(path: Path, progress: Progress) -> Read:
+    """Read ``path`` of any format; raise :class:`~brdf_suite.errors.FileError` where it cannot be."""
+    # Before the content: a change in between is then asked about once too often, never lost.
+    stamp = stamp_of(path)
+    progress(0.0, path.name)
+    palette, notes, ours = _content(path)
+    progress(0.8, path.name)
+    return Read(path.absolute(), palette, rows_of(palette.entries), stamp, ours, notes)
+
+
+def _content(path: Path) -> tuple[Palette, tuple[str, ...], bool]:
+    own: DocumentError | None = None
+    if path.suffix.lower() == PALETTE_ENDING:
+        try:
+            return load_palette(path), (), True
+        except DocumentError as error:
+            # Perhaps another program's file under our ending; otherwise this is the error to report.
+            own = error
+    # With it come the parsers of every format, which our own palettes need not wait for.
+    from brdf_suite.files.palettes import read_palette
+
+    try:
+        read = read_palette(path)
+    except FileError:
+        if own is not None:
+            raise own from None
+        raise
+    return read.palette, tuple(read.notes), read.format.name == OURS
+
 
 _MANY = 1000
 
@@ -136,3 +190,40 @@ class PaletteLoader:
         opened.base = read.palette
         self._library.settled.emit(f"outside {key}")
         self._library.items_changed.emit()
+
+
+class UnsavedWork:
+    """Recovers the autosaves of ended runs into a library."""
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        # Finds what earlier runs left, and never writes: its document is always clean.
+        self._finder = library.recovery_of(library.empty_store())
+
+    def find(self) -> list[Recovered[Palette]]:
+        return self._finder.found()
+
+    def recover(self, found: Recovered[Palette]) -> str:
+        """Open unsaved work of a run that was ended."""
+        item = next((i for i in self._library.items if found.path is not None and i.path == found.path), None)
+        if item is None:
+            item = self._library.add_item(found.path, found.value.name)
+        if item.palette is None:
+            # Its file may be being read for the pane that shows it; the recovered work replaces it.
+            self._library.tasks.cancel(f"read {item.key}")
+            self._library.fill(item, found.value, found.path, clean=False, stamp=found.stamp)
+            assert item.palette is not None
+            if item.palette.recovery.write():
+                item.palette.recovery.drop(found)
+            item.run_waiting()
+        else:
+            # It is open, and perhaps changed: the recovered one comes as a step that can be undone.
+            self._library.history.apply(tr("Recover unsaved work"), [(item.palette.store, found.value)])
+            item.palette.recovery.drop(found)
+        return item.key
+
+    def discard(self, found: Recovered[Palette]) -> None:
+        self._finder.drop(found)
+
+    def close(self) -> None:
+        self._finder.close(keep=False)

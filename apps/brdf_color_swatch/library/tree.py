@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.layouts import described
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QPoint, QRect, QSize, Qt, Signal
@@ -24,7 +25,7 @@ from PySide6.QtWidgets import QAbstractItemView, QTreeWidget, QTreeWidgetItem, Q
 
 from brdf_color_swatch.features.transfer import can_take
 from brdf_color_swatch.grid.view_state import Scope
-from brdf_color_swatch.library.item import Item
+from brdf_color_swatch.library.library import Item
 
 _SCOPE = Qt.ItemDataRole.UserRole
 _TAGS = Scope("", (), "\0tags")
@@ -55,8 +56,7 @@ class LibraryTree(QTreeWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("library")
-        self.setAccessibleName(tr("Library: palettes, groups and tags"))
+        described(self, name="library", spoken=tr("Library: palettes, groups and tags"))
         self.setHeaderHidden(True)
         self.setFrameShape(QTreeWidget.Shape.NoFrame)
         self.setEditTriggers(QAbstractItemView.EditTrigger.EditKeyPressed)
@@ -92,12 +92,8 @@ class LibraryTree(QTreeWidget):
             if line.scope not in known or line.scope in opened:
                 made.setExpanded(True)
         for item in self._all():
-            if self._scope(item) in opened or (
-                item.parent() is not None
-                and self._scope(item).group
-                and self._scope(item) not in opened
-                and not known
-            ):
+            inner_group = item.parent() is not None and self._scope(item).group
+            if self._scope(item) in opened or (inner_group and not known):
                 item.setExpanded(True)
         self._mark_chosen()
         self.verticalScrollBar().setValue(top)
@@ -120,8 +116,6 @@ class LibraryTree(QTreeWidget):
     def scopes(self) -> list[Scope]:
         """Return what all lines stand for, from top to bottom."""
         return [self._scope(item) for item in self._all()]
-
-    # Lines.
 
     def _build_item(self, line: _Line) -> QTreeWidgetItem:
         item = QTreeWidgetItem([line.text])
@@ -153,15 +147,11 @@ class LibraryTree(QTreeWidget):
         return scope if isinstance(scope, Scope) else Scope()
 
     def item_of(self, scope: Scope) -> QTreeWidgetItem | None:
-        """Return the line of a scope; ``None`` where there is none."""
         return next((item for item in self._all() if self._scope(item) == scope), None)
 
     def _mark_chosen(self) -> None:
         item = self.item_of(self._chosen) or self.item_of(Scope(self._chosen.palette))
-        if item is not None:
-            self.setCurrentItem(item)
-        else:
-            self.setCurrentItem(None)  # type: ignore[call-overload]  # Qt takes a null pointer for none
+        self.setCurrentItem(item)  # type: ignore[arg-type]  # Qt takes a null pointer for none
 
     def _choose(self, item: QTreeWidgetItem | None) -> None:
         if item is None or self._quiet:
@@ -187,8 +177,6 @@ class LibraryTree(QTreeWidget):
         item = self.itemAt(point)
         scope = self._scope(item) if item is not None else Scope()
         self.menu_requested.emit(scope, self.viewport().mapToGlobal(point))
-
-    # Drops.
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if event.source() is self or can_take(event.mimeData()):

@@ -6,13 +6,14 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext
-from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.map.points import MapPoints
@@ -52,36 +53,20 @@ class ColourMap(SwatchFeature):
         kind = str(settings().value(_KEY, ""))
         self.chosen_kind = kind if kind in _KINDS else ""
         self.kind = self.chosen_kind or "flop"
-        inside = QWidget()
-        box = QVBoxLayout(inside)
-        box.setContentsMargins(8, 4, 8, 8)
-        box.setSpacing(4)
-        head = QHBoxLayout()
-        head.setSpacing(4)
-        self.kinds = QuietComboBox()
-        self.kinds.setObjectName("map_kind")
-        self.kinds.setAccessibleName(tr("Type of map"))
+        self.kinds = described(QuietComboBox(), name="map_kind", spoken=tr("Type of map"))
         for place, (key, (title, tip)) in enumerate(_KINDS.items()):
             self.kinds.addItem(tr(title), key)
             self.kinds.setItemData(place, tr(tip), Qt.ItemDataRole.ToolTipRole)
         self.kinds.activated.connect(lambda _place: self.choose(self.kinds.currentData()))
-        head.addWidget(self.kinds)
-        self.lasso = ChoiceButton(tr("Lasso"))
-        self.lasso.setObjectName("map_lasso")
-        self.lasso.setToolTip(
-            tr("Left drag selects swatches with a lasso. Ctrl adds to the selection, Alt removes")
-        )
+        tip = tr("Left drag selects swatches with a lasso. Ctrl adds to the selection, Alt removes")
+        self.lasso = described(ChoiceButton(tr("Lasso")), name="map_lasso", tip=tip)
         self.lasso.toggled.connect(self._set_lasso)
-        head.addStretch(1)
-        head.addWidget(self.lasso)
-        box.addLayout(head)
         self.stack = QStackedWidget()
         self.stack.setMinimumSize(200, 160)
-        self.note = PlainLabel()
-        self.note.setWordWrap(True)
-        self.note.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.note = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self.stack.addWidget(self.note)
-        box.addWidget(self.stack, 1)
+        inside, head = QWidget(), row_of(self.kinds, None, self.lasso, spacing=4)
+        column_in(inside, head, self.stack, grows=self.stack, spacing=4, margins=(8, 4, 8, 8))
         self.dock = window.add_dock("map", mark("Map"), inside, Qt.DockWidgetArea.RightDockWidgetArea)
         self.action = window.add_command(
             "view", mark("Colour &Map"), "Ctrl+M", self.toggle, "map", icon="map-trifold"
@@ -98,15 +83,12 @@ class ColourMap(SwatchFeature):
 
     @property
     def is_idle(self) -> bool:
-        """Whether the map shows what the pane shows."""
         return self.dock.isHidden() or (self._built and not self._soon.isActive())
 
     def toggle(self) -> None:
-        """Show or hide the map."""
         self._set_shown(self.dock.isHidden())
 
     def choose(self, kind: str) -> None:
-        """Show another map."""
         self.chosen_kind = kind
         settings().setValue(_KEY, kind)
         self._show()

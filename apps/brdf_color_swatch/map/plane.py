@@ -10,8 +10,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from brdf_color_swatch.map.lasso import LassoLine, inside, nearest
-from brdf_color_swatch.map.points import MapPoints
+from brdf_color_swatch.map.points import LassoLine, MapPoints, inside, nearest
 
 _AXES = {
     "flop": (mark("Lightness L* at 45°"), mark("Flop index")),

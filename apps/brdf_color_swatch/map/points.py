@@ -1,10 +1,11 @@
-"""What both maps show: a point for each swatch that is shown, with its colour; which are selected."""
+"""What both maps share: a point for each swatch that is shown, with its colour; and the lasso that selects points."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from brdf_color_swatch.grid.model import VisibleRows
 from brdf_color_swatch.grid.rows import Rows
@@ -29,7 +30,6 @@ class MapPoints:
 
     @staticmethod
     def of(shown: VisibleRows) -> MapPoints:
-        """Return the points of what a pane shows."""
         rows: Rows = shown.rows
         places = np.asarray(shown.places, int)
         ids = rows.ids
@@ -56,5 +56,83 @@ class MapPoints:
         return np.stack([self.flop, self.gloss], axis=1)
 
     def __len__(self) -> int:
-        """Return the number of points."""
         return len(self.ids)
+
+
+LEAST_PX = 6.0
+"""A shorter way is a click."""
+REACH_PX = 10.0
+"""How far from a point a click finds it."""
+
+
+def inside(points: npt.ArrayLike, polygon: npt.ArrayLike) -> npt.NDArray[np.bool_]:
+    """Return which points (n, 2) lie inside a closed polygon (m, 2), by the even-odd rule; NaN lies nowhere.
+
+    Crossings of a ray to the right are counted (Shimrat 1962), half open at the ends of each side, so that a
+    vertex counts once.
+
+    >>> inside([[0.5, 0.5], [2.0, 0.5]], [[0, 0], [1, 0], [1, 1], [0, 1]]).tolist()
+    [True, False]
+    """
+    points, corners = np.asarray(points, float), np.asarray(polygon, float)
+    found = np.zeros(len(points), bool)
+    if len(corners) < 3:
+        return found
+    x, y = points[:, 0], points[:, 1]
+    # A hand draws a few hundred corners: a pass over the points for each.
+    for (x1, y1), (x2, y2) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        between = (y1 > y) != (y2 > y)
+        # On which side of the line a point lies; without a division, which a flat side would make overflow.
+        side = (y - y1) * (x2 - x1) - (x - x1) * (y2 - y1)
+        found ^= between & ((side > 0.0) if y2 > y1 else (side < 0.0))
+    return found
+
+
+def nearest(points: npt.ArrayLike, at: tuple[float, float], depth: npt.ArrayLike | None = None) -> int | None:
+    """Return which point (n, 2) in pixels a click at ``at`` means; ``None`` where none is within reach.
+
+    Of several within a few pixels the one nearest to the eye is meant, where ``depth`` (n,) says which that is.
+    """
+    points = np.asarray(points, float)
+    if not len(points):
+        return None
+    away = np.hypot(points[:, 0] - at[0], points[:, 1] - at[1])
+    away = np.where(np.isfinite(away), away, np.inf)
+    best = float(away.min())
+    if best > REACH_PX:
+        return None
+    if depth is None:
+        return int(away.argmin())
+    close = np.flatnonzero(away <= best + 3.0)
+    return int(close[np.argmin(np.asarray(depth, float)[close])])
+
+
+class LassoLine:
+    """The line while it is drawn, in pixels."""
+
+    def __init__(self) -> None:
+        self.points: list[tuple[float, float]] = []
+
+    @property
+    def is_drawn(self) -> bool:
+        """Whether a line is being drawn."""
+        return bool(self.points)
+
+    @property
+    def is_click(self) -> bool:
+        """Whether the way is so short that a point is meant and no area."""
+        first = np.asarray(self.points[0])
+        return bool(np.hypot(*(np.asarray(self.points) - first).T).max() < LEAST_PX)
+
+    def begin(self, x: float, y: float) -> None:
+        self.points = [(x, y)]
+
+    def extend(self, x: float, y: float) -> None:
+        """Go on to a point; a step of less than a pixel is left out."""
+        last = self.points[-1]
+        if abs(x - last[0]) + abs(y - last[1]) >= 1.0:
+            self.points.append((x, y))
+
+    def end(self) -> None:
+        """The line is closed, or given up."""
+        self.points = []

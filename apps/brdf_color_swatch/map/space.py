@@ -15,9 +15,8 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPalette, QVector3D
 from PySide6.QtWidgets import QToolTip, QWidget
 
-from brdf_color_swatch.map.lasso import LassoLine, inside, nearest
 from brdf_color_swatch.map.plane import draw_line, mode_of
-from brdf_color_swatch.map.points import MapPoints
+from brdf_color_swatch.map.points import LassoLine, MapPoints, inside, nearest
 
 _REACH = 80.0
 _TOP = 100.0
@@ -76,10 +75,7 @@ class SpaceMap(SpaceView):
         if self.line.is_drawn:
             draw_line(painter, self.line, self.palette())
 
-    # What is shown.
-
     def show_points(self, points: MapPoints) -> None:
-        """Show the points."""
         self._points = points
         known = np.isfinite(points.lab).all(axis=1)
         side = _SIZE if known.sum() < _MANY else 0.55 * _SIZE
@@ -128,8 +124,6 @@ class SpaceMap(SpaceView):
         """Return where the swatches (n, 2) are in this widget, and how far away (n,)."""
         lab = self._points.lab if self._points is not None else np.zeros((0, 3))
         return self.project(lab[:, [1, 2, 0]])
-
-    # The mouse.
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         at = event.position()

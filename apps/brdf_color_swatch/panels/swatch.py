@@ -7,13 +7,13 @@ from datetime import datetime
 
 import numpy as np
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QTextOption
-from PySide6.QtWidgets import QFormLayout, QLineEdit, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QLineEdit, QPlainTextEdit, QWidget
 
-from brdf_color_swatch.grid.columns import codes_of
-from brdf_color_swatch.grid.rows import group_title
+from brdf_color_swatch.grid.rows import codes_of, group_title
 from brdf_suite.appearance.colour.flat_colours import flat_labs
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Paint
@@ -94,8 +94,7 @@ class SwatchPanel(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.title = PlainLabel()
-        self.title.setWordWrap(True)
+        self.title = PlainLabel(wordWrap=True)
         self.chips = _Chips()
         self.fields: dict[str, QLineEdit] = {}
         self._shown: dict[str, str] = {}
@@ -104,9 +103,7 @@ class SwatchPanel(QWidget):
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.ExpandingFieldsGrow)
         labels = {"name": tr("Name"), "code": tr("Code"), "tags": tr("Tags")}
         for key, label in labels.items():
-            field = QLineEdit()
-            field.setObjectName(f"swatch_{key}")
-            field.setAccessibleName(label)
+            field = described(QLineEdit(), name=f"swatch_{key}", spoken=label)
             field.setMinimumWidth(60)
             field.editingFinished.connect(lambda key=key: self._finished(key))
             field.installEventFilter(self)
@@ -115,24 +112,14 @@ class SwatchPanel(QWidget):
         self.fields["name"].setMaxLength(200)
         self.fields["code"].setMaxLength(200)
         self.fields["tags"].setPlaceholderText(tr("comma-separated"))
-        self.fields["tags"].setToolTip(
-            tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
-        )
-        self.notes = _Notes()
-        self.notes.setObjectName("swatch_notes")
-        self.notes.setAccessibleName(tr("Notes"))
+        tip = tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
+        self.fields["tags"].setToolTip(tip)
+        self.notes = described(_Notes(), name="swatch_notes", spoken=tr("Notes"))
         self.notes.finished.connect(lambda text: self.edited.emit("notes", text))
         form.addRow(tr("Notes"), self.notes)
-        self.figures = PlainLabel()
+        self.figures = PlainLabel(wordWrap=True)
         self.figures.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.figures.setWordWrap(True)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        box.addWidget(self.title)
-        box.addWidget(self.chips)
-        box.addLayout(form)
-        box.addWidget(self.figures)
+        column_in(self, self.title, self.chips, form, self.figures)
         self.show_entries([], "")
 
     def show_entries(self, entries: Sequence[Entry], figures: str) -> None:
@@ -171,7 +158,6 @@ class SwatchPanel(QWidget):
         self.figures.setVisible(bool(figures))
 
     def focus(self, key: str) -> None:
-        """Put the cursor into a field."""
         field = self.notes if key == "notes" else self.fields[key]
         field.setFocus(Qt.FocusReason.ShortcutFocusReason)
         field.selectAll()

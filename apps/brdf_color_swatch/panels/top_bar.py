@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.layouts import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
@@ -13,7 +14,6 @@ from PySide6.QtWidgets import (
     QBoxLayout,
     QButtonGroup,
     QComboBox,
-    QHBoxLayout,
     QLineEdit,
     QSizePolicy,
     QToolButton,
@@ -53,10 +53,13 @@ class SearchField(QLineEdit):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName("search")
+        described(
+            self,
+            name="search",
+            spoken=tr("Search names, codes, tags and notes"),
+            tip=tr("Every word must occur in name, code, tags, notes or group (Ctrl+F)"),
+        )
         self.setPlaceholderText(tr("Search names, codes, tags, notes"))
-        self.setAccessibleName(tr("Search names, codes, tags and notes"))
-        self.setToolTip(tr("Every word must occur in name, code, tags, notes or group (Ctrl+F)"))
         self.setClearButtonEnabled(True)
         self.addAction(icon("magnifying-glass"), QLineEdit.ActionPosition.LeadingPosition)
         self._timer = QTimer(self, singleShot=True, interval=_SEARCH_AFTER_MS)
@@ -78,41 +81,32 @@ class SearchField(QLineEdit):
 
 
 class TopBar(QWidget):
-    """Signals: ``searched(text)``, ``sort_chosen(key)``, ``turned()`` (the other way round), ``form_chosen(form)``,
-    ``size_chosen(pixels)``, ``light_chosen(name)``, ``list_chosen(bool)``, ``left_downwards()``.
+    """Signals: ``sort_chosen(key)``, ``turned()`` (the other way round), ``form_chosen(form)``,
+    ``size_chosen(pixels)``, ``light_chosen(name)``, ``list_chosen(bool)``; and those of :attr:`search`.
     """
 
-    searched = Signal(str)
     sort_chosen = Signal(str)
     turned = Signal()
     form_chosen = Signal(str)
     size_chosen = Signal(int)
     light_chosen = Signal(str)
     list_chosen = Signal(bool)
-    left_downwards = Signal()
 
     def __init__(self, lights: list[str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.search = SearchField()
-        self.search.searched.connect(self.searched)
-        self.search.left_downwards.connect(self.left_downwards)
-        self.sort = QuietComboBox()
-        self.sort.setObjectName("sort")
-        self.sort.setAccessibleName(tr("Order of the swatches"))
-        self.sort.setToolTip(tr("Order of the swatches. Swatches can be moved by hand in palette order"))
+        tip = tr("Order of the swatches. Swatches can be moved by hand in palette order")
+        self.sort = described(QuietComboBox(), name="sort", spoken=tr("Order of the swatches"), tip=tip)
         for key, title in SORT_TITLES.items():
             self.sort.addItem(tr(title), key)
         self.sort.activated.connect(lambda _place: self.sort_chosen.emit(self.sort.currentData()))
-        self.light = QuietComboBox()
-        self.light.setObjectName("light")
-        self.light.setAccessibleName(tr("Light for all swatches"))
-        self.light.setToolTip(tr("Light for all swatches"))
+        tip = tr("Light for all swatches")
+        self.light = described(QuietComboBox(), name="light", spoken=tip, tip=tip)
         for name in lights:
             label = "Light booth" if name == "booth" else name.replace("_", " ").capitalize()
             self.light.addItem(tr(label), name)
         self.light.activated.connect(lambda _place: self.light_chosen.emit(self.light.currentData()))
-        self.way = QToolButton()
-        self.way.setObjectName("way")
+        self.way = described(QToolButton(), name="way")
         self.way.setAutoRaise(True)
         self.way.clicked.connect(self.turned)
         self.forms = QButtonGroup(self)
@@ -121,48 +115,34 @@ class TopBar(QWidget):
         self._box = QBoxLayout(QBoxLayout.Direction.LeftToRight, self)
         self._box.setContentsMargins(8, 6, 8, 2)
         self._box.setSpacing(8)
-        first, row = QHBoxLayout(), QHBoxLayout()
-        for line, share in ((first, 3), (row, 1)):
-            line.setSpacing(8)
-            self._box.addLayout(line, share)
         self.search.setMinimumWidth(72)
+        self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         for box in (self.sort, self.light):
             # In a narrow window they give way; their lists are as wide as their texts.
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             box.setMinimumContentsLength(7)
             box.view().setMinimumWidth(box.view().sizeHintForColumn(0) + 32)
-        self.search.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        first.addWidget(self.search, 3)
-        first.addWidget(self.sort)
-        first.addWidget(self.way)
         for key, (title, sign, tip) in _FORM_TITLES.items():
-            button = ChoiceButton("")
-            button.setIcon(icon(sign))
-            button.setObjectName(f"form_{key}")
-            button.setToolTip(plain_tip(f"{tr(title)}: {tr(tip)}"))
-            button.setAccessibleName(tr(title))
+            button = _form_button(sign, f"form_{key}", tr(title), f"{tr(title)}: {tr(tip)}")
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(lambda _=False, key=key: self.form_chosen.emit(key))
-            self.forms.addButton(button)
             button.setProperty("form", key)
-            row.addWidget(button)
-        self.list_button = ChoiceButton("")
-        self.list_button.setIcon(icon("rows"))
-        self.list_button.setObjectName("as_list")
-        self.list_button.setToolTip(tr("List with columns (Ctrl+L)"))
-        self.list_button.setAccessibleName(tr("List with columns"))
+            self.forms.addButton(button)
+        self.list_button = _form_button(
+            "rows", "as_list", tr("List with columns"), tr("List with columns (Ctrl+L)")
+        )
         self.list_button.clicked.connect(self.list_chosen)
-        row.addWidget(self.list_button)
-        self.size_slider = QuietSlider(Qt.Orientation.Horizontal)
-        self.size_slider.setObjectName("size")
+        self.size_slider = described(
+            QuietSlider(Qt.Orientation.Horizontal), name="size", spoken=tr("Swatch size in pixels")
+        )
         self.size_slider.setRange(*SIZES)
         self.size_slider.setMinimumWidth(48)
         self.size_slider.setMaximumWidth(140)
-        self.size_slider.setAccessibleName(tr("Swatch size in pixels"))
         self.size_slider.valueChanged.connect(self.size_chosen)
         self._paint_grey()
-        row.addWidget(self.size_slider, 1)
-        row.addWidget(self.light)
+        self._box.addLayout(row_of(self.search, self.sort, self.way, grows=self.search), 3)
+        buttons = (*self.forms.buttons(), self.list_button)
+        self._box.addLayout(row_of(*buttons, self.size_slider, self.light, grows=self.size_slider), 1)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -183,12 +163,10 @@ class TopBar(QWidget):
             slider.setPalette(colours)
 
     def show_state(self, state: PaneState) -> None:
-        """Show what narrows and orders the pane in front."""
         with QSignalBlocker(self.search):
             if self.search.text().strip() != state.text.strip():
                 self.search.setText(state.text)
-        place = self.sort.findData(state.sort)
-        self.sort.setCurrentIndex(place)
+        self.sort.setCurrentIndex(self.sort.findData(state.sort))
         self.way.setIcon(icon("sort-descending" if state.descending else "sort-ascending"))
         self.way.setEnabled(state.sort not in ("own", "nearest"))
         direction = (
@@ -200,7 +178,6 @@ class TopBar(QWidget):
         self.way.setAccessibleName(direction)
 
     def show_look(self, look: Look) -> None:
-        """Show form, size and light."""
         for button in self.forms.buttons():
             button.setChecked(button.property("form") == look.form and not look.as_list)
         self.list_button.setChecked(look.as_list)
@@ -213,3 +190,9 @@ class TopBar(QWidget):
         place = self.light.findData(look.booth)
         if place >= 0:
             self.light.setCurrentIndex(place)
+
+
+def _form_button(sign: str, name: str, spoken: str, tip: str) -> ChoiceButton:
+    button = described(ChoiceButton(""), name=name, spoken=spoken, tip=tip)
+    button.setIcon(icon(sign))
+    return button

@@ -36,7 +36,6 @@ class PaintsIn:
 
     @property
     def count(self) -> int:
-        """How many there are."""
         return len(self.stamps)
 
 
@@ -118,5 +117,5 @@ class FolderPaints(QObject):
         self.busy = False
         folder = self._folder
         if folder is not None:  # a folder that cannot be walked has no paints to offer
-            self._session.show_message(message_of(error, _TASK))
+            self._session.messages.show_message(message_of(error, _TASK))
             self._arrived(PaintsIn(folder, (), ""))

@@ -1,7 +1,8 @@
 """The part of the window that shows the lobes' basis: which exponents for how many lobes, and what they are worth.
 
 It shows a search: that of the shipped paints, of a folder of the user's, or one in a file, also while it runs; a search
-of a folder can be started here. Beside the search's errors stands that of the selected reflectance, live.
+of a folder can be started here, in a process of its own. Beside the search's errors stands that of the selected
+reflectance, live.
 """
 
 from __future__ import annotations
@@ -12,18 +13,19 @@ from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.fields.labels import ElidedLabel
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings, state_folder
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.window.progress_strip import ProgressStrip
+from brdf_qt.work.command_process import CommandProcess
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWidget
 
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
-from brdf_lobe_visualizer.basis.plots import BasisPlots
-from brdf_lobe_visualizer.basis.run import MOST_LOBES, BasisRun
+from brdf_lobe_visualizer.basis.plots import MOST_LOBES, BasisPlots
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
@@ -32,10 +34,32 @@ from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.resources import resource, resource_root
 
-# The search is much to import for a start, and this plot is often hidden: what is of it is imported where it is used.
 if TYPE_CHECKING:
     from brdf_suite.fitting.basis_search.stored import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
+
+
+class BasisRun(CommandProcess):
+    """One search over the paints of ``folder``, written to ``output``."""
+
+    def __init__(self, folder: Path, output: Path, lobes: int, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.folder, self.output, self.lobes = folder, output, lobes
+
+    @property
+    def state(self) -> Path:
+        """The file that holds what is found so far."""
+        return self.output.with_name(self.output.name + ".part")
+
+    def start(self) -> None:
+        """Begin, or resume from what is kept."""
+        from brdf_suite.fitting.basis_search.workers import usable_cores  # much to import for a start
+
+        # A core is left to the windows.
+        workers = max(1, usable_cores() - 1)
+        words = ["basis", "--database", str(self.folder), "-o", str(self.output)]
+        self.run_command(*words, "--lobes", str(self.lobes), "--workers", str(workers))
+
 
 BASIS = "basis"
 _FOLDER_KEY = "lobes/basis_folder"
@@ -52,13 +76,11 @@ class BasisView(QWidget):
         self.plots = BasisPlots()
         self.note = ElidedLabel()
         self.progress = ProgressStrip()
-        self.search = QPushButton(tr("Search"))
-        self.search.setObjectName("basis_search")
-        self.search.setToolTip(tr("Search for the exponents that best fit these paints. Takes minutes."))
-        self.database = QToolButton()
-        self.database.setObjectName("basis_database")
+        tip = tr("Search for the exponents that best fit these paints. Takes minutes.")
+        self.search = described(QPushButton(tr("Search")), name="basis_search", tip=tip)
+        tip = tr("Paints that the search optimises the lobes for")
+        self.database = described(QToolButton(), name="basis_database", tip=tip)
         self.database.setText(tr("Database"))
-        self.database.setToolTip(tr("Paints that the search optimises the lobes for"))
         self.database.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.database)
         menu.setToolTipsVisible(True)
@@ -70,17 +92,8 @@ class BasisView(QWidget):
         self.reset = menu.addAction(tr("Sample Paints"))
         self.reset.setToolTip(tr("Return to the sample paints and their search"))
         self.database.setMenu(menu)
-        head = QHBoxLayout()
-        head.setSpacing(4)
-        head.addWidget(self.note, 1)
-        for button in (self.search, self.database):
-            head.addWidget(button)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        box.addLayout(head)
-        box.addWidget(self.plots, 1)
-        box.addWidget(self.progress)
+        head = row_of(self.note, self.search, self.database, grows=self.note, spacing=4)
+        column_in(self, head, self.plots, self.progress, grows=self.plots, spacing=4)
 
 
 class Basis(Feature, QObject):
@@ -90,7 +103,8 @@ class Basis(Feature, QObject):
         super().__init__(window)
         self._session, self.window = session, window
         self.view = BasisView()
-        self.folder = _remembered_folder()
+        kept = str(settings().value(_FOLDER_KEY, "") or "")
+        self.folder = Path(kept) if kept and Path(kept).is_dir() else _shipped()
         self.search: StoredSearch | None = None
         self.run: BasisRun | None = None
         self._source: Path | None = None
@@ -101,12 +115,12 @@ class Basis(Feature, QObject):
         self.paints = FolderPaints(session, self)
         self.paints.changed.connect(self.show_note)
         self._output_of: tuple[Path, Path] | None = None
-        window.add_plot(BASIS, tr("Basis"), self.view)
+        window.plots.add(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
         self.view.choose.triggered.connect(self._choose_folder)
         self.view.open.triggered.connect(self._choose_file)
         self.view.reset.triggered.connect(self.show_shipped)
-        window.add_command("view", mark("Show the Basis"), None, self._show)
+        window.add_command("view", mark("Show the Basis"), None, lambda: window.plots.set_shown(BASIS, True))
         self._timer = make_timer(self, self._refresh)
         for signal in (session.subjects_changed, session.front_changed):
             signal.connect(self._timer.start)
@@ -125,7 +139,6 @@ class Basis(Feature, QObject):
             self.run.stop()
 
     def show_shipped(self) -> None:
-        """Show the shipped paints and their search."""
         self.show_folder(_shipped())
 
     def show_folder(self, folder: Path) -> None:
@@ -162,7 +175,7 @@ class Basis(Feature, QObject):
         if not paints.count:
             self._drop_search()
             error = FileError(self.folder, tr("there is no paint ({ending})").format(ending=PAINT_ENDING))
-            self._session.show_message(message_of(error, BASIS))
+            self._session.messages.show_message(message_of(error, BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
@@ -175,13 +188,8 @@ class Basis(Feature, QObject):
         self.view.progress.set_job(BASIS, 0.0, words, run.cancel)
         run.start()
 
-    # What is shown.
-
     def _is_shown(self) -> bool:
         return BASIS in self.window.plots.shown()
-
-    def _show(self) -> None:
-        self.window.plots.set_shown(BASIS, True)
 
     def _refresh(self) -> None:
         if not self._is_shown():
@@ -212,9 +220,9 @@ class Basis(Feature, QObject):
         else:
             try:
                 self.search = load_search(self._source)
-                self._session.dismiss_message(BASIS)
+                self._session.messages.dismiss_message(BASIS)
             except SuiteError as error:
-                self._session.show_message(message_of(error, BASIS))
+                self._session.messages.show_message(message_of(error, BASIS))
         if self._built:
             self.view.plots.show_search(self.search)
             self.show_note()
@@ -240,12 +248,20 @@ class Basis(Feature, QObject):
         self.view.note.setText(" · ".join(words))
 
     def _name(self) -> str:
-        if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
+        if self._is_other():
+            assert self._source is not None
             return self._source.name
         return tr("Sample paints") if self.folder == _shipped() else self.folder.name
 
+    def _is_other(self) -> bool:
+        """Whether a search is shown that is neither the folder's nor the shipped one."""
+        return self._source is not None and self._source.parent not in (
+            self._output().parent,
+            _stored().parent,
+        )
+
     def _is_stale(self, search: StoredSearch) -> bool:
-        if self._source is not None and self._source.parent not in (self._output().parent, _stored().parent):
+        if self._is_other():
             return False  # a file of its own: its paints are unknown
         paints = self.paints.known
         # Until the folder has been looked at nothing is said; without a sum the paints have gone.
@@ -257,8 +273,6 @@ class Basis(Feature, QObject):
             place = hashlib.sha256(str(self.folder.resolve()).encode()).hexdigest()[:16]
             self._output_of = self.folder, state_folder("basis") / f"{place}.json"
         return self._output_of[1]
-
-    # The selected reflectance.
 
     def _ask_own(self) -> None:
         """Ask a thread for the errors of the front subject; one at a time, the newest next."""
@@ -280,30 +294,28 @@ class Basis(Feature, QObject):
             _TASK,
             _errors,
             (front.reflectance, bases),
-            lambda errors: self._own_arrived(front, wanted, errors),
-            lambda error: self._own_failed(wanted, error),
+            lambda errors: self._own_ended(front, wanted, errors),
+            lambda error: self._own_ended(front, wanted, None, error),
         )
 
-    def _own_arrived(
-        self, subject: PlottedMaterial, wanted: tuple[Any, Any], errors: ErrorsOverCount
+    def _own_ended(
+        self,
+        subject: PlottedMaterial,
+        wanted: tuple[Any, Any],
+        errors: ErrorsOverCount | None,
+        error: Exception | None = None,
     ) -> None:
         self._working = False
         self._own_of = wanted
         front = self._session.front
-        if front is not None and front.key == subject.key:
+        if error is not None:
+            self.view.plots.show_own(None, None)
+            self._session.messages.show_message(message_of(error, _TASK))
+        elif front is not None and front.key == subject.key:
             self.view.plots.show_own(front, errors)
-            self._session.dismiss_message(_TASK)
+            self._session.messages.dismiss_message(_TASK)
         self.show_note()
         self._ask_own()
-
-    def _own_failed(self, wanted: tuple[Any, Any], error: Exception) -> None:
-        self._working = False
-        self._own_of = wanted
-        self.view.plots.show_own(None, None)
-        self._session.show_message(message_of(error, _TASK))
-        self._ask_own()
-
-    # The search.
 
     def _moved(self, fraction: float, words: str) -> None:
         run = self.run
@@ -321,7 +333,7 @@ class Basis(Feature, QObject):
 
     def _failed(self, words: str) -> None:
         self._ended()
-        self._session.show_message(message_of(SuiteError(words), BASIS))
+        self._session.messages.show_message(message_of(SuiteError(words), BASIS))
 
     def _ended(self) -> None:
         self.view.progress.end_job(BASIS)
@@ -331,8 +343,6 @@ class Basis(Feature, QObject):
             self.run = None
         self.show_note()
         self.paints.look()  # changes in subfolders are not reported
-
-    # What the user chooses.
 
     def _choose_folder(self) -> None:
         name = QFileDialog.getExistingDirectory(self.window, tr("Folder of Paints"), str(self.folder))
@@ -360,8 +370,3 @@ def _shipped() -> Path:
 
 def _stored() -> Path:
     return Path(str(resource("basis", STORED_NAME)))
-
-
-def _remembered_folder() -> Path:
-    kept = str(settings().value(_FOLDER_KEY, "") or "")
-    return Path(kept) if kept and Path(kept).is_dir() else _shipped()

@@ -10,7 +10,6 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QBrush, QColor, QPalette, QPen, QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QHBoxLayout, QWidget
 
-from brdf_lobe_visualizer.basis.run import MOST_LOBES
 from brdf_lobe_visualizer.cuts.crosshair import Readout, Row
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.subjects.subjects import DASHES, PlottedMaterial, Srgb
@@ -19,6 +18,8 @@ if TYPE_CHECKING:  # much to import for a start
     from brdf_suite.fitting.basis_search.stored import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
 
+MOST_LOBES = 11
+"""The greatest number of lobes that a search tries."""
 _BESIDE = 1.3
 """Wider than so many times the height, the plots stand beside each other."""
 _ERROR_TICKS = (0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0)
@@ -39,7 +40,6 @@ class BasisPlots(QWidget):
         self._box.setSpacing(8)
 
     def build(self) -> None:
-        """Make the plots and show what was set so far."""
         if self.exponents is not None:
             return
         from brdf_lobe_visualizer.cuts.plot_items import SlicePlot, band, rings, text
@@ -78,7 +78,6 @@ class BasisPlots(QWidget):
         self._draw()
 
     def show_search(self, search: StoredSearch | None) -> None:
-        """Draw a search's counts; None: there is none."""
         self.search = search
         self._draw()
 
@@ -141,12 +140,10 @@ class BasisPlots(QWidget):
         self._own_dots.setData(x=own_x, y=own_y)
         for item, (line, x, y) in zip(self._names, drawn, strict=False):
             item.setText(line.title if len(line.title) <= 24 else line.title[:23] + "…")
-            if line.is_front:  # its end lies among the others
-                item.setAnchor((0.0, 1.0))
-                item.setPos(float(x[0]) + 0.1, float(y[0]))
-            else:
-                item.setAnchor((1.0, 1.0))
-                item.setPos(float(x[-1]) + 0.4, float(y[-1]))
+            # The front's end lies among the others.
+            end, anchor, shift = (0, 0.0, 0.1) if line.is_front else (-1, 1.0, 0.4)
+            item.setAnchor((anchor, 1.0))
+            item.setPos(float(x[end]) + shift, float(y[end]))
         for number_of, item in enumerate(self._names):
             item.setVisible(number_of < len(drawn))
         values = np.concatenate([y for _, _, y in drawn]) if drawn else np.zeros(0)
@@ -163,20 +160,16 @@ class BasisPlots(QWidget):
             Row(tr("lobe {number}").format(number=place + 1), self._grey(), "target", exponent)
             for place, exponent in enumerate(result.exponents)
         ]
-        head = _lobes(result.count)
-        self.readouts[0].show_rows(head, rows, tr("exponents"), at_right=False)
+        self.readouts[0].show_rows(_lobes(result.count), rows, tr("exponents"), at_right=False)
 
     def read_errors(self, x: float) -> None:
         result = self._result_at(x)
         rows: list[Row] = []
         if result is not None:
-            rows = [
-                Row(tr("mean"), self._grey(), "target", float(np.mean(result.errors))),
-                Row(tr("worst paint"), self._grey(), "target", max(result.errors)),
-            ]
             assert self.search is not None
-            worst = self.search.paints[int(np.argmax(result.errors))]
-            rows[1] = Row(tr("worst: {name}").format(name=worst), self._grey(), "target", max(result.errors))
+            worst = tr("worst: {name}").format(name=self.search.paints[int(np.argmax(result.errors))])
+            figures = ((tr("mean"), float(np.mean(result.errors))), (worst, max(result.errors)))
+            rows = [Row(title, self._grey(), "target", value) for title, value in figures]
         count = round(x)
         if self.own is not None and count in self.own[1].counts:
             subject, errors = self.own

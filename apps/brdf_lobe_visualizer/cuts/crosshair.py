@@ -36,17 +36,11 @@ def rows_at(lines: Lines, angle_deg: float) -> tuple[float, tuple[Row, ...]]:
     """Return the angle of the cut that is nearest to ``angle_deg``, and the values of all lines there."""
     angles = lines.cut.angle_deg
     place = int(np.argmin(np.abs(angles - angle_deg)))
-    rows = tuple(
-        Row(
-            line.title,
-            line.colour,
-            line.kind,
-            float(line.value[place]),
-            line.filled is not None and bool(line.filled[place]),
-        )
-        for line in sorted(lines.lines, key=lambda line: not line.is_front)
-    )
-    return float(angles[place]), rows
+    rows = []
+    for line in sorted(lines.lines, key=lambda line: not line.is_front):
+        filled = line.filled is not None and bool(line.filled[place])
+        rows.append(Row(line.title, line.colour, line.kind, float(line.value[place]), filled))
+    return float(angles[place]), tuple(rows)
 
 
 class Readout(QLabel):

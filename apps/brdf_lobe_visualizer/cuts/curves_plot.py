@@ -8,14 +8,15 @@ from typing import Any, get_args
 import numpy as np
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.layouts import described, row_of
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.crosshair import rows_at
 from brdf_lobe_visualizer.cuts.line_plot import LinePlot
-from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
+from brdf_lobe_visualizer.cuts.lines import Lines, largest
 from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, number, quantity
@@ -39,29 +40,25 @@ class CurvesPlot(LinePlot):
         self._free = False
         self._named: tuple[Any, ...] | None = None
         self._view: tuple[Any, ...] | None = None
-        head = QHBoxLayout()
-        head.setSpacing(4)
         self.axis_buttons: dict[Axis, ChoiceButton] = {}
         for axis in get_args(Axis):
-            button = ChoiceButton(AXIS_LETTERS[axis])
-            button.setObjectName(f"axis_{axis}")
-            button.setToolTip(plain_tip(f"{tr(AXIS_TITLES[axis])}\n{tr(AXIS_TIPS[axis])}"))
-            button.setAccessibleName(tr(AXIS_TITLES[axis]))
+            title = tr(AXIS_TITLES[axis])
+            button = described(
+                ChoiceButton(AXIS_LETTERS[axis]),
+                name=f"axis_{axis}",
+                spoken=title,
+                tip=f"{title}\n{tr(AXIS_TIPS[axis])}",
+            )
             button.clicked.connect(lambda _on=False, axis=axis: self._choose(axis))
             self.axis_buttons[axis] = button
-            head.addWidget(button)
-        head.addSpacing(8)
-        self.log_value = ChoiceButton(tr("log y"))
-        self.log_value.setToolTip(tr("Logarithmic value axis. Differences are signed and stay linear."))
+        tip = tr("Logarithmic value axis. Differences are signed and stay linear.")
+        self.log_value = described(ChoiceButton(tr("log y")), tip=tip)
         self.log_value.clicked.connect(lambda on: state.set(log_value=on))
-        self.log_angle = ChoiceButton(tr("log x"))
-        self.log_angle.setToolTip(
-            tr("Logarithmic angle axis, for peaks. For γ, only the side towards the normal is shown.")
-        )
+        tip = tr("Logarithmic angle axis, for peaks. For γ, only the side towards the normal is shown.")
+        self.log_angle = described(ChoiceButton(tr("log x")), tip=tip)
         self.log_angle.clicked.connect(lambda on: state.set(log_angle=on))
-        head.addWidget(self.log_value)
-        head.addWidget(self.log_angle)
-        head.addStretch(1)
+        head = row_of(*self.axis_buttons.values(), self.log_value, self.log_angle, None, spacing=4)
+        head.insertSpacing(len(self.axis_buttons), 8)
         self._box.insertLayout(0, head)
         self.show_options(state.options)
 
@@ -75,7 +72,6 @@ class CurvesPlot(LinePlot):
         self.plot.zoomed.connect(self._set_free)
 
     def show_options(self, options: SliceOptions) -> None:
-        """Show which axes are chosen."""
         for axis, button in self.axis_buttons.items():
             button.setChecked(axis == options.axis)
         self.log_value.setChecked(options.log_value)
@@ -89,14 +85,12 @@ class CurvesPlot(LinePlot):
             self.draw()
 
     def frame(self) -> None:
-        """Show all of the lines again."""
         self._free = False
         if self.plot is not None:
             self.draw()
 
     @property
     def logs(self) -> tuple[bool, bool]:
-        """Whether the axes of angle and of value are logarithmic."""
         signed = self.lines is not None and self.lines.signed
         options = self._state.options
         return options.log_angle and options.axis != "theta_o", options.log_value and not signed
@@ -117,32 +111,25 @@ class CurvesPlot(LinePlot):
         if self.show_empty() or lines is None:
             return
         log_x, log_y = self.logs
-        self.plot.show_lines([(line, *self._placed(line, lines, log_x, log_y)) for line in lines.lines])
-        self._draw_points(lines, log_x, log_y)
+        drawn = []
+        for line in lines.lines:
+            y = line.value if line.filled is None else np.where(line.filled, np.nan, line.value)
+            drawn.append((line, *_logs(lines.cut.angle_deg, y, log_x, log_y)))
+        self.plot.show_lines(drawn)
+        drawn = []
+        for line, points in self.sampled_lines():
+            x, y = _logs(points.angle_deg, points.value, log_x, log_y)
+            known = np.isfinite(x) & np.isfinite(y)
+            drawn.append((line, x[known], y[known]))
+        self.plot.show_points(drawn)
         front = next((line for line in lines.lines if line.is_front and line.filled is not None), None)
-        bands = [] if front is None else _bands(lines.cut.angle_deg, front.filled, log_x)
+        bands = [] if front is None else bands_of(lines.cut.angle_deg, front.filled, log_x)
         self.bands.show_bands(bands, self.palette())
         self._name_axes(lines, log_x, log_y)
         self._place_marks(lines.cut.axis, log_x)
         if not self._free:
             self._frame(lines, log_x, log_y)
         self._show_residual(lines, bool(bands))
-
-    def _placed(self, line: Line, lines: Lines, log_x: bool, log_y: bool) -> tuple[Floats, Floats]:
-        x, y = lines.cut.angle_deg, line.value
-        if line.filled is not None:
-            y = np.where(line.filled, np.nan, y)
-        return _logs(x, y, log_x, log_y)
-
-    def _draw_points(self, lines: Lines, log_x: bool, log_y: bool) -> None:
-        drawn = []
-        for line in lines.lines:
-            points = lines.points.get(line.key)
-            if points is not None and (line.kind == "target" or self._options.shown == "fit"):
-                x, y = _logs(points.angle_deg, points.value, log_x, log_y)
-                known = np.isfinite(x) & np.isfinite(y)
-                drawn.append((line, x[known], y[known]))
-        self.plot.show_points(drawn)
 
     def _name_axes(self, lines: Lines, log_x: bool, log_y: bool) -> None:
         named = (lines.cut.axis, quantity(self._options), log_x, log_y)
@@ -171,9 +158,8 @@ class CurvesPlot(LinePlot):
 
     def _frame(self, lines: Lines, log_x: bool, log_y: bool) -> None:
         angles = lines.cut.angle_deg
-        if log_x:
-            x = (np.log10(FINEST_DEG), np.log10(max(90.0, float(angles[-1]))))
-        else:
+        x = (np.log10(FINEST_DEG), np.log10(max(90.0, float(angles[-1]))))
+        if not log_x:
             x = (15.0 * np.floor(angles[0] / 15.0 + 1e-9), 15.0 * np.ceil(angles[-1] / 15.0 - 1e-9))
         y = _value_range(lines, log_y)
         view = (x, y)
@@ -215,12 +201,8 @@ class CurvesPlot(LinePlot):
         self._cross.setPos(np.log10(max(angle, FINEST_DEG)) if self.logs[0] else angle)
         self._cross.setVisible(True)
         low, high = self.plot.viewRange()[0]
-        self.readout.show_rows(
-            degrees(self.lines.cut.axis, angle),
-            rows,
-            quantity(self._options),
-            at_right=x < 0.5 * (low + high),
-        )
+        head, at_right = degrees(self.lines.cut.axis, angle), x < 0.5 * (low + high)
+        self.readout.show_rows(head, rows, quantity(self._options), at_right=at_right)
 
     def _set_free(self) -> None:
         self._free = True
@@ -248,27 +230,16 @@ def _logs(x: Floats, y: Floats, log_x: bool, log_y: bool) -> tuple[Floats, Float
     return x, y
 
 
-def bands_of(angle_deg: Floats, holes: Bools | None) -> list[tuple[float, float]]:
+def bands_of(angle_deg: Floats, holes: Bools | None, log_x: bool) -> list[tuple[float, float]]:
     """Return the spans (from, to) of the angles at which ``holes`` is set, half way to their neighbours."""
     if holes is None or not holes.any():
         return []
     edges = np.concatenate((angle_deg[:1], 0.5 * (angle_deg[1:] + angle_deg[:-1]), angle_deg[-1:]))
     steps = np.diff(np.concatenate(([0], holes.astype(np.int8), [0])))
-    return [
-        (float(edges[a]), float(edges[b]))
-        for a, b in zip(np.flatnonzero(steps == 1), np.flatnonzero(steps == -1), strict=True)
-    ]
-
-
-def _bands(angle_deg: Floats, holes: Any, log_x: bool) -> list[tuple[float, float]]:
-    bands = bands_of(angle_deg, holes)
-    if not log_x:
-        return bands
-    return [
-        (float(np.log10(max(low, FINEST_DEG))), float(np.log10(high)))
-        for low, high in bands
-        if high > FINEST_DEG
-    ]
+    bands = np.column_stack((edges[np.flatnonzero(steps == 1)], edges[np.flatnonzero(steps == -1)]))
+    if log_x:
+        bands = np.log10(np.maximum(bands[bands[:, 1] > FINEST_DEG], FINEST_DEG))
+    return [(low, high) for low, high in bands.tolist()]
 
 
 def _short(lines: Lines, error: SliceError) -> str:

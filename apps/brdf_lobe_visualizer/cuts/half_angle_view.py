@@ -64,10 +64,8 @@ class HalfAngleView(SliceImageView):
         self._phi_d_deg = 90.0
 
     def set_slice(self, phi_d_deg: float, by_root: bool) -> None:
-        """Say which slice is shown."""
         self._phi_d_deg, self._by_root = phi_d_deg, by_root
 
     def head_at(self, _column: int, x: float, y: float) -> str:
-        """Return the angles at a place of the picture."""
         theta_h = float(np.degrees(theta_h_at(x, by_root=self._by_root)))
         return f"{degrees('theta_h', theta_h)}  {degrees('theta_d', 90.0 * (1.0 - y))}  φd {self._phi_d_deg:.0f}°"

@@ -46,13 +46,11 @@ class Layout:
     step_y: float
 
     def place_of(self, row: int, column: int) -> QRectF:
-        """Return where a picture is drawn."""
         row, column = (column, row) if self.turned else (row, column)
         return QRectF(self.left + column * self.step_x, self.top + row * self.step_y, self.side, self.side)
 
     @property
     def whole(self) -> QRectF:
-        """Return what all pictures together cover."""
         return QRectF(
             self.left,
             self.top,

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.crosshair import Readout, Row
 from brdf_lobe_visualizer.cuts.images import Grid, ImageGrid
@@ -23,25 +27,17 @@ class SliceImageView(QWidget):
 
     def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
+        described(self, name=name, spoken=title)
         self.setMinimumSize(220, 140)
-        self.images = ImageGrid()
-        self.images.setAccessibleName(title)
-        self.setAccessibleName(title)
+        self.images = described(ImageGrid(), spoken=title)
         self.readout = Readout(self.images)
-        self.working = PlainLabel(tr("updating…"), self.images)
-        self.working.setObjectName("working")
+        self.working = described(PlainLabel(tr("updating…"), self.images, margin=2), name="working")
         self.working.setAutoFillBackground(True)
-        self.working.setMargin(2)
         self.working.hide()
         self._late = make_timer(self, self._show_late, _LATE_MS)
-        self.empty = PlainLabel(tr("No reflectance shown. Add one."))
-        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.empty.setWordWrap(True)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.addWidget(self.empty, 1)
-        box.addWidget(self.images, 1)
+        text = tr("No reflectance shown. Add one.")
+        self.empty = PlainLabel(text, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        column_in(self, self.empty, self.images, grows=self.images).setStretch(0, 1)
         self.images.hide()
         self.images.hovered.connect(self._read)
         self.images.left.connect(self.readout.hide)
@@ -72,7 +68,6 @@ class SliceImageView(QWidget):
 
     @property
     def grid(self) -> Grid:
-        """What is shown."""
         return self.images.grid
 
     def head_at(self, column: int, x: float, y: float) -> str:
@@ -81,9 +76,7 @@ class SliceImageView(QWidget):
 
     def value_at(self, row: int, column: int, x: float, y: float) -> float:
         """Return the value at a place of a picture; NaN where there is none."""
-        value = self.grid.pictures[row, column].value
-        rows, columns = value.shape
-        return float(value[min(int(y * rows), rows - 1), min(int(x * columns), columns - 1)])
+        return float(_at(self.grid.pictures[row, column].value, x, y))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -93,21 +86,19 @@ class SliceImageView(QWidget):
     def _read(self, _row: int, column: int, x: float, y: float) -> None:
         rows = []
         for number, title in enumerate(self.grid.rows):
-            at = (number, column)
-            if at not in self.grid.pictures:
-                continue
-            picture = self.grid.pictures[at]
-            value = self.value_at(*at, x, y)
-            holes = picture.holes
-            filled = False
-            if holes is not None:
-                size_y, size_x = holes.shape
-                filled = bool(holes[min(int(y * size_y), size_y - 1), min(int(x * size_x), size_x - 1)])
-            rows.append(Row(title, self._colour, "target", value, filled and value == value))
+            if (number, column) in self.grid.pictures:
+                holes = self.grid.pictures[number, column].holes
+                value = self.value_at(number, column, x, y)
+                filled = holes is not None and bool(_at(holes, x, y)) and value == value
+                rows.append(Row(title, self._colour, "target", value, filled))
         bar = self.grid.bar
-        unit = UNIT if bar is None else bar.title
-        self.readout.show_rows(self.head_at(column, x, y), rows, unit, at_right=self._at_left(column, x))
-
-    def _at_left(self, column: int, x: float) -> bool:
         place = self.images.place_of(0, column)
-        return place.left() + x * place.width() < self.images.width() / 2.0
+        at_left = place.left() + x * place.width() < self.images.width() / 2.0
+        unit = UNIT if bar is None else bar.title
+        self.readout.show_rows(self.head_at(column, x, y), rows, unit, at_right=at_left)
+
+
+def _at(values: np.ndarray, x: float, y: float) -> Any:
+    """Return what of ``values`` (rows, columns) is at shares of width and height."""
+    rows, columns = values.shape
+    return values[min(int(y * rows), rows - 1), min(int(x * columns), columns - 1)]

@@ -94,7 +94,6 @@ class ImageGrid(QWidget):
         self._layout: Layout | None = None
 
     def show_grid(self, grid: Grid) -> None:
-        """Draw another grid."""
         self.grid = grid
         self._images = {at: _image(picture) for at, picture in grid.pictures.items()}
         self._layout = None
@@ -102,11 +101,9 @@ class ImageGrid(QWidget):
 
     @property
     def placed(self) -> Layout:
-        """Where everything goes in the room that there is."""
         if self._layout is None:
             grid, metrics = self.grid, QFontMetricsF(self.font())
             axes, bar = grid.axes, grid.bar
-            widest = max((metrics.horizontalAdvance(text) for _, text in axes.y_ticks), default=0.0)
             ticks = None
             if bar is not None:
                 ticks = max((metrics.horizontalAdvance(text) for _, text in bar.ticks), default=0.0)
@@ -114,7 +111,7 @@ class ImageGrid(QWidget):
                 line=metrics.height(),
                 titled_rows=any(grid.rows),
                 titled_columns=any(grid.columns),
-                y_ticks=widest + 8.0 if axes.y_ticks else 0.0,
+                y_ticks=self._y_ticks(metrics),
                 y_name=bool(axes.y),
                 x_ticks=bool(axes.x_ticks),
                 x_name=bool(axes.x),
@@ -124,7 +121,6 @@ class ImageGrid(QWidget):
         return self._layout
 
     def place_of(self, row: int, column: int) -> QRectF:
-        """Return where a picture is drawn."""
         return self.placed.place_of(row, column)
 
     def at(self, position: QPointF) -> tuple[int, int, float, float] | None:
@@ -132,12 +128,8 @@ class ImageGrid(QWidget):
         for row, column in self.grid.pictures:
             place = self.place_of(row, column)
             if place.contains(position):
-                return (
-                    row,
-                    column,
-                    (position.x() - place.left()) / place.width(),
-                    (position.y() - place.top()) / place.height(),
-                )
+                away = position - place.topLeft()
+                return row, column, away.x() / place.width(), away.y() / place.height()
         return None
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -226,27 +218,16 @@ class ImageGrid(QWidget):
         axes, line, layout = self.grid.axes, metrics.height(), self.placed
         whole = layout.whole
         for number in range(layout.columns if axes.x_ticks else 0):
-            left, foot, right = whole.left() + number * layout.step_x, whole.bottom(), -1e9
-            for share, label in axes.x_ticks:
-                wide = metrics.horizontalAdvance(label)
-                x = left + share * layout.side
-                painter.drawLine(QPointF(x, foot), QPointF(x, foot + 3.0))
-                # The last number of one picture and the first of the next would lie on each other.
-                last = share > 0.999 and number + 1 < layout.columns
-                if x - 0.5 * wide > right + 3.0 and not last:
-                    painter.drawText(QPointF(x - 0.5 * wide, foot + 4.0 + metrics.ascent()), label)
-                    right = x + 0.5 * wide
+            left, foot = whole.left() + number * layout.step_x, whole.bottom()
+            # The last number of one picture and the first of the next would lie on each other.
+            _draw_x_ticks(
+                painter, metrics, axes.x_ticks, left, foot, layout.side, last=number + 1 == layout.columns
+            )
             name = metrics.elidedText(axes.x, Qt.TextElideMode.ElideRight, layout.side)
             painter.drawText(QRectF(left, foot + line + 2.0, layout.side, line), _CENTRE, name)
         for number in range(layout.rows if axes.y_ticks else 0):
-            foot, above = whole.top() + number * layout.step_y + layout.side, 1e9
-            for share, label in axes.y_ticks:
-                y = foot - share * layout.side
-                painter.drawLine(QPointF(whole.left() - 3.0, y), QPointF(whole.left(), y))
-                if y + 0.4 * line < above - 0.4 * line:
-                    wide = metrics.horizontalAdvance(label)
-                    painter.drawText(QPointF(whole.left() - wide - 5.0, y + 0.35 * metrics.ascent()), label)
-                    above = y
+            foot = whole.top() + number * layout.step_y + layout.side
+            _draw_y_ticks(painter, metrics, axes.y_ticks, whole.left(), foot, layout.side, way=-1.0)
             place = QRectF(whole.left(), foot - layout.side, layout.side, layout.side)
             _upwards(painter, metrics, whole.left() - self._y_ticks(metrics) - 0.5 * line, place, axes.y)
 
@@ -261,37 +242,64 @@ class ImageGrid(QWidget):
         else:
             place = QRectF(whole.right() + GAP, whole.top(), BAR, whole.height())
             codes = np.ascontiguousarray(bar.codes[::-1, None])
-        image = QImage(
-            codes.data, codes.shape[1], codes.shape[0], 3 * codes.shape[1], QImage.Format.Format_RGB888
-        )
-        painter.drawImage(place, image)
+        high, wide = codes.shape[:2]
+        painter.drawImage(place, QImage(codes.data, wide, high, 3 * wide, QImage.Format.Format_RGB888))
         painter.drawRect(place)
-        if not below:
-            widest, above = 0.0, 1e9
-            for share, label in sorted(bar.ticks):
-                y = place.bottom() - share * place.height()
-                painter.drawLine(QPointF(place.right(), y), QPointF(place.right() + 3.0, y))
-                if y + 0.4 * line < above - 0.4 * line:
-                    painter.drawText(QPointF(place.right() + 5.0, y + 0.35 * metrics.ascent()), label)
-                    above = y
-                widest = max(widest, metrics.horizontalAdvance(label))
+        ticks = sorted(bar.ticks)
+        if below:
+            _draw_x_ticks(painter, metrics, ticks, place.left(), place.bottom(), place.width())
+            title = metrics.elidedText(bar.title, Qt.TextElideMode.ElideRight, place.width())
+            room = QRectF(place.left(), place.bottom() + 4.0 + line, place.width(), line)
+            painter.drawText(room, _CENTRE, title)
+        else:
+            _draw_y_ticks(painter, metrics, ticks, place.right(), place.bottom(), place.height(), way=1.0)
+            widest = max((metrics.horizontalAdvance(label) for _, label in ticks), default=0.0)
             _upwards(painter, metrics, place.right() + 8.0 + widest + 0.5 * line, place, bar.title)
-            return
-        right = -1e9
-        for share, label in sorted(bar.ticks):
-            x, wide = place.left() + share * place.width(), metrics.horizontalAdvance(label)
-            painter.drawLine(QPointF(x, place.bottom()), QPointF(x, place.bottom() + 3.0))
-            if x - 0.5 * wide > right + 3.0:
-                painter.drawText(QPointF(x - 0.5 * wide, place.bottom() + 4.0 + metrics.ascent()), label)
-                right = x + 0.5 * wide
-        title = metrics.elidedText(bar.title, Qt.TextElideMode.ElideRight, place.width())
-        painter.drawText(
-            QRectF(place.left(), place.bottom() + 4.0 + line, place.width(), line), _CENTRE, title
-        )
 
     def _y_ticks(self, metrics: QFontMetricsF) -> float:
         ticks = self.grid.axes.y_ticks
         return max(metrics.horizontalAdvance(text) for _, text in ticks) + 8.0 if ticks else 0.0
+
+
+def _draw_x_ticks(
+    painter: QPainter,
+    metrics: QFontMetricsF,
+    ticks: Sequence[tuple[float, str]],
+    left: float,
+    foot: float,
+    width: float,
+    *,
+    last: bool = True,
+) -> None:
+    """Draw ticks below ``foot`` with the numbers that have room; without ``last``, none at the right end."""
+    right = -1e9
+    for share, label in ticks:
+        x, wide = left + share * width, metrics.horizontalAdvance(label)
+        painter.drawLine(QPointF(x, foot), QPointF(x, foot + 3.0))
+        if x - 0.5 * wide > right + 3.0 and (last or share <= 0.999):
+            painter.drawText(QPointF(x - 0.5 * wide, foot + 4.0 + metrics.ascent()), label)
+            right = x + 0.5 * wide
+
+
+def _draw_y_ticks(
+    painter: QPainter,
+    metrics: QFontMetricsF,
+    ticks: Sequence[tuple[float, str]],
+    edge: float,
+    foot: float,
+    height: float,
+    *,
+    way: float,
+) -> None:
+    """Draw ticks at the right of ``edge`` (``way`` 1) or at its left (-1), with the numbers that have room."""
+    above, line = 1e9, metrics.height()
+    for share, label in ticks:
+        y = foot - share * height
+        painter.drawLine(QPointF(edge, y), QPointF(edge + 3.0 * way, y))
+        if y + 0.4 * line < above - 0.4 * line:
+            x = edge + 5.0 if way > 0.0 else edge - 5.0 - metrics.horizontalAdvance(label)
+            painter.drawText(QPointF(x, y + 0.35 * metrics.ascent()), label)
+            above = y
 
 
 def _upwards(painter: QPainter, metrics: QFontMetricsF, x: float, beside: QRectF, text: str) -> None:

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from types import ModuleType
 from typing import Any
 
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QPalette, QPen
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.crosshair import Readout
-from brdf_lobe_visualizer.cuts.lines import Lines
+from brdf_lobe_visualizer.cuts.lines import Line, Lines
 from brdf_lobe_visualizer.cuts.pens import grey_pen
 from brdf_lobe_visualizer.options import Options
+from brdf_suite.inspection.slices.values import SlicePoints
 
 
 class LinePlot(QWidget):
@@ -27,27 +30,20 @@ class LinePlot(QWidget):
 
     def __init__(self, name: str, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setObjectName(name)
+        described(self, name=name, spoken=title)
         self.setMinimumSize(220, 140)
-        self.setAccessibleName(title)
         self.lines: Lines | None = None
         """What is drawn."""
         self._theta_deg = 0.0
         self._options = Options()
         self.plot: Any = None
         self._cross: Any = None
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(4)
-        self.empty = PlainLabel(tr("No reflectance shown. Add one, or show one in the legend."))
-        self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.empty.setWordWrap(True)
-        self._box.addWidget(self.empty, 1)
+        text = tr("No reflectance shown. Add one, or show one in the legend.")
+        self.empty = PlainLabel(text, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self.note = ElidedLabel()
-        self._box.addWidget(self.note)
+        self._box = column_in(self, self.empty, self.note, grows=self.empty, spacing=4)
 
     def build(self) -> None:
-        """Make the plot and show what was set so far."""
         if self.plot is not None:
             return
         from brdf_lobe_visualizer.cuts import plot_items
@@ -80,7 +76,6 @@ class LinePlot(QWidget):
         raise NotImplementedError
 
     def redress(self) -> None:
-        """Take the theme's colours and draw again."""
         self.plot.dress()
         self.dress()
         self.readout.setPalette(QPalette(self.palette()))
@@ -94,6 +89,13 @@ class LinePlot(QWidget):
         if none:
             self.note.setText("")
         return none
+
+    def sampled_lines(self) -> Iterator[tuple[Line, SlicePoints]]:
+        """Yield the lines whose subject has samples near the cut that are drawn, with these samples."""
+        for line in () if self.lines is None else self.lines.lines:
+            points = self.lines.points.get(line.key) if self.lines is not None else None
+            if points is not None and (line.kind == "target" or self._options.shown == "fit"):
+                yield line, points
 
     def pen(self, alpha: float, style: Qt.PenStyle) -> QPen:
         """Return a pen of the theme's text, ``alpha`` of its strength."""

@@ -64,26 +64,13 @@ class Lines:
 
     def reversed_over(self, cut: Slice, theta_deg: float) -> Lines:
         """Return the lines over ``cut``, the same directions the other way round: γ = ``theta_deg`` - θo."""
-        return Lines(
-            cut,
-            tuple(
-                replace(
-                    line,
-                    value=line.value[::-1],
-                    filled=None if line.filled is None else line.filled[::-1],
-                )
-                for line in self.lines
-            ),
-            {
-                key: replace(points, angle_deg=theta_deg - points.angle_deg)
-                for key, points in self.points.items()
-            },
-            {
-                key: replace(error, worst_deg=theta_deg - error.worst_deg)
-                for key, error in self.errors.items()
-            },
-            self.signed,
-        )
+        lines = [
+            replace(line, value=line.value[::-1], filled=None if line.filled is None else line.filled[::-1])
+            for line in self.lines
+        ]
+        points = {key: replace(p, angle_deg=theta_deg - p.angle_deg) for key, p in self.points.items()}
+        errors = {key: replace(e, worst_deg=theta_deg - e.worst_deg) for key, e in self.errors.items()}
+        return Lines(cut, tuple(lines), points, errors, self.signed)
 
 
 class SliceLines:
@@ -137,7 +124,7 @@ class SliceLines:
         try:
             values = evaluate(reflectance, cuts, cosine=cosine)
         except Exception as error:  # noqa: BLE001 - an error of a model is reported, and the others are drawn
-            self._session.show_message(message_of(error, f"slices {subject.key} {which}"))
+            self._session.messages.show_message(message_of(error, f"slices {subject.key} {which}"))
             values = [np.full((len(cut.angle_deg), 3), np.nan) for cut in cuts]
         self._kept[at] = (source, cuts, cosine, values)
         return values
@@ -162,32 +149,23 @@ class SliceLines:
             fit = None if fits is None else channel_of(fits[number], options.channel)
             is_front = front is not None and subject.key == front.key
             filled = None if subject.measured is None else ~subject.measured(cut.wi, cut.wo)
-
-            def line(
-                kind: Kind,
-                value: Floats,
-                s: PlottedMaterial = subject,
-                f: bool = is_front,
-                h: Bools | None = filled,
-            ) -> Line:
-                return Line(s.key, s.title, kind, s.colour, s.dash, f, value, None if kind == "fit" else h)
-
-            if fit is not None:
-                error = slice_error(cut.angle_deg, target, fit)
-                if error is not None:
-                    errors[subject.key] = error
+            line = Line(
+                subject.key, subject.title, "target", subject.colour, subject.dash, is_front, target, filled
+            )
+            error = None if fit is None else slice_error(cut.angle_deg, target, fit)
+            if error is not None:
+                errors[subject.key] = error
             if options.shown == "difference":
-                other = reference if reference is not None else fit
                 # Against the compared one: how much more this one has. Against the fit: how much the fit has more.
                 if reference is not None:
-                    lines.append(line("difference", target - reference))
-                elif other is not None:
-                    lines.append(line("difference", other - target))
+                    lines.append(replace(line, kind="difference", value=target - reference))
+                elif fit is not None:
+                    lines.append(replace(line, kind="difference", value=fit - target))
                 continue
             if options.shown != "fit" or fit is None:
-                lines.append(line("target", target))
+                lines.append(line)
             if fit is not None:
-                lines.append(line("fit", fit))
+                lines.append(replace(line, kind="fit", value=fit, filled=None))
             if subject.samples is not None:
                 near = points_near(
                     cut, subject.samples, isotropic=subject.samples.isotropic, cosine=options.cosine
@@ -213,9 +191,10 @@ def largest(lines: Sequence[Line]) -> float:
 
 def csv_of(lines: Lines, angle: str, quantity: str, incidence_deg: tuple[float, float]) -> str:
     """Return the lines over their angle; ``angle`` and ``quantity`` name columns, with their units."""
+    names = {"target": "{name}", "fit": tr("{name}, fit"), "difference": tr("{name}, difference")}
     columns: list[tuple[str, Floats]] = []
     for line in lines.lines:
-        columns.append((f"{_name(line)}: {quantity}", line.value))
+        columns.append((f"{names[line.kind].format(name=line.title)}: {quantity}", line.value))
         if line.filled is not None and line.filled.any():
             measured = np.where(line.filled, 0.0, 1.0)
             columns.append((tr("{name}: measured (1) or filled in (0)").format(name=line.title), measured))
@@ -224,11 +203,3 @@ def csv_of(lines: Lines, angle: str, quantity: str, incidence_deg: tuple[float, 
         theta=f"{theta:g}", phi=f"{phi:g}"
     )
     return slices_csv(angle, lines.cut.angle_deg, columns, title)
-
-
-def _name(line: Line) -> str:
-    if line.kind == "fit":
-        return tr("{name}, fit").format(name=line.title)
-    if line.kind == "difference":
-        return tr("{name}, difference").format(name=line.title)
-    return line.title

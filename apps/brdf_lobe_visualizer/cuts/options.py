@@ -21,27 +21,17 @@ EV_RANGE = (-10.0, 10.0)
 class SliceOptions:
     """The options; the defaults are what a reset goes back to. Angles are degrees.
 
-    Attributes
-    ----------
-    axis
-        The angle under the curves.
-    log_value, log_angle
-        Logarithmic axes of the curves.
-    follow
-        The cut over θh is at the θd of the mirror configuration, which is the incidence; else at ``theta_d_deg``.
-    theta_d_deg, theta_h_deg, phi_d_deg
-        Where the cuts over θh and θd, and the half-angle image, are.
-    incidences_deg
-        Those of the unrolled hemispheres.
-    tone, ev
-        How images become codes, and stops above the exposure that fits their values.
-    by_root
-        θh of the half-angle image by its root, as measured tables have it.
-    polar
-        The radius of the polar plot: ``"range"`` is that of the views, but logarithmic where values lie so far apart
-        that nothing but their peak would be seen.
-    samples
-        Measured samples are drawn.
+    - ``axis``: the angle under the curves.
+    - ``log_value``, ``log_angle``: logarithmic axes of the curves.
+    - ``follow``: the cut over θh is at the θd of the mirror configuration, which is the incidence; else at
+      ``theta_d_deg``.
+    - ``theta_d_deg``, ``theta_h_deg``, ``phi_d_deg``: where the cuts over θh and θd, and the half-angle image, are.
+    - ``incidences_deg``: those of the unrolled hemispheres.
+    - ``tone``, ``ev``: how images become codes, and stops above the exposure that fits their values.
+    - ``by_root``: θh of the half-angle image by its root, as measured tables have it.
+    - ``polar``: the radius of the polar plot: ``"range"`` is that of the views, but logarithmic where values lie so
+      far apart that nothing but their peak would be seen.
+    - ``samples``: measured samples are drawn.
     """
 
     axis: Axis = "gamma"

@@ -24,7 +24,7 @@ from brdf_lobe_visualizer.cuts import half_angle_view, unrolled_view
 from brdf_lobe_visualizer.cuts.curves_plot import CurvesPlot
 from brdf_lobe_visualizer.cuts.half_angle_view import HalfAngleView
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
-from brdf_lobe_visualizer.cuts.images import Grid
+from brdf_lobe_visualizer.cuts.images import Axes, Grid
 from brdf_lobe_visualizer.cuts.lines import SliceLines, csv_of
 from brdf_lobe_visualizer.cuts.options import SliceState
 from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
@@ -68,27 +68,20 @@ class Slices(Feature, QObject):
         self._running: set[str] = set()
         self._built = False
         for key, plot in {**self._lines, **self._images}.items():
-            window.add_plot(key, tr(_TITLES[key]), plot)
+            window.plots.add(key, tr(_TITLES[key]), plot)
         self.section = SlicesSection(self.state)
         window.add_section("slices", tr("Slices"), self.section, is_open=False)
         window.add_command("edit", mark("Copy Curves"), "Ctrl+Shift+C", self.copy_curves)
         window.add_command("file", mark("Save Curves as CSV…"), None, self._save_curves)
         self._timer = make_timer(self, self.draw_now)
-        for signal in (
-            session.subjects_changed,
-            session.front_changed,
-            session.visibility_changed,
-            session.incidence_changed,
-            session.options_changed,
-        ):
+        for signal in session.changes:
             signal.connect(self._all_stale)
         self.state.changed.connect(self._options_changed)
-        window.plots.shown_changed.connect(self._plot_shown)
+        window.plots.shown_changed.connect(lambda _key, _shown: self._timer.start())
         window.first_painted.connect(self._build)
 
     @property
     def is_idle(self) -> bool:
-        """Whether all that is shown is drawn."""
         shown = set(self._shown())
         return self._built and not self._timer.isActive() and not (self._stale | self._running) & shown
 
@@ -110,16 +103,15 @@ class Slices(Feature, QObject):
                 self._ask(key)
 
     def copy_curves(self) -> None:
-        """Put the curves on the clipboard, as CSV."""
         QGuiApplication.clipboard().setText(self.curves_csv())
 
     def save_curves(self, path: Path) -> None:
         """Write the curves as CSV; an error is shown as a message."""
         try:
             write_atomically(path, self.curves_csv().encode())
-            self._session.dismiss_message("curves")
+            self._session.messages.dismiss_message("curves")
         except SuiteError as error:
-            self._session.show_message(message_of(error, "curves"))
+            self._session.messages.show_message(message_of(error, "curves"))
 
     def curves_csv(self) -> str:
         """Return the curves of the chosen axis, whether they are shown or not."""
@@ -129,9 +121,9 @@ class Slices(Feature, QObject):
         )
 
     def _save_curves(self) -> None:
-        name, _ = QFileDialog.getSaveFileName(
-            self.window, tr("Save Curves as CSV"), "curves.csv", tr("Comma-separated values (*.csv)")
-        )
+        filters = tr("Comma-separated values (*.csv)")
+        title = tr("Save Curves as CSV")
+        name, _ = QFileDialog.getSaveFileName(self.window, title, "curves.csv", filters)
         if name:
             self.save_curves(Path(name))
 
@@ -155,8 +147,6 @@ class Slices(Feature, QObject):
                 turned = found if own.axis == cut.axis else found.reversed_over(own, incidence[0])
                 self.curves.show_lines(turned, incidence[0], options)
             self._stale.discard(key)
-
-    # Images.
 
     def _ask(self, key: str) -> None:
         """Ask a thread for a plot's images, unless it shows them already."""
@@ -182,40 +172,37 @@ class Slices(Feature, QObject):
         )
 
     def _arrived(self, key: str, request: Request, grid: Grid, lights: tuple[Any, ...], colour: Srgb) -> None:
-        self._running.discard(key)
-        self._images[key].set_stale(False)
         self._made[key] = request
         self.unrolled.set_lights(*lights[:2]) if key == UNROLLED else self.half_angle.set_slice(*lights[2:])
         self._images[key].show_grid(grid, colour)
-        self._session.dismiss_message(f"slices/{key}")
-        if key in self._stale:
-            self._timer.start()
+        self._session.messages.dismiss_message(f"slices/{key}")
+        self._ended(key)
 
     def _failed(self, key: str, error: Exception) -> None:
+        self._session.messages.show_message(message_of(error, f"slices/{key}"))
+        self._ended(key)
+
+    def _ended(self, key: str) -> None:
         self._running.discard(key)
         self._images[key].set_stale(False)
-        self._session.show_message(message_of(error, f"slices/{key}"))
         if key in self._stale:
             self._timer.start()
 
     def _lights(self) -> tuple[Any, ...]:
-        options, phi = self.state.options, self._azimuth()
+        # Images are made for the azimuth of the incidence, also where it does not matter.
+        options, phi = self.state.options, self._session.incidence[1]
         return options.incidences_deg, phi, options.phi_d_deg, options.by_root
-
-    def _azimuth(self) -> float:
-        """Return the azimuth that images are made for: that of the incidence, also where it does not matter."""
-        return self._session.incidence[1]
 
     def _request(self, key: str) -> Request | None:
         subject, session, options = self._session.front, self._session, self.state.options
         if subject is None:
             return None
-        phi, shown = self._azimuth(), session.options.shown
+        phi, shown = session.incidence[1], session.options.shown
         other = session.reference if shown == "difference" else None
         if key == UNROLLED:
             angles = options.incidences_deg
             pairs = tuple(unrolled_view.pairs_of(angle, phi) for angle in angles)
-            columns, axes = unrolled_view.columns_of(angles), unrolled_view.AXES
+            columns, axes = tuple(f"{angle:g}°" for angle in angles), Axes()
         else:
             pairs = (half_angle_view.pairs_of(options.phi_d_deg, phi, options.by_root),)
             columns, axes = ("",), half_angle_view.axes_of(options.by_root)
@@ -244,8 +231,6 @@ class Slices(Feature, QObject):
             places=places,
         )
 
-    # What is stale.
-
     def _build(self) -> None:
         self._built = True
         self.polar.build()
@@ -263,11 +248,6 @@ class Slices(Feature, QObject):
     def _options_changed(self) -> None:
         self.curves.show_options(self.state.options)
         self._all_stale()
-
-    def _plot_shown(self, _key: str, _shown: bool) -> None:
-        self._timer.start()
-
-    # The cuts.
 
     def _curves_cut(self) -> Slice:
         theta, phi = self._session.incidence
@@ -290,13 +270,11 @@ class Slices(Feature, QObject):
         if key not in self._cuts:
             for old in [at for at in self._cuts if at[0] == kind]:
                 del self._cuts[old]
-            if kind == "gamma":
-                self._cuts[key] = self._plane().over("gamma", angles[0])
-            else:
-                makers: dict[str, Callable[..., Slice]] = {
-                    "plane": plane_slice,
-                    "theta_h": half_slice,
-                    "theta_d": difference_slice,
-                }
-                self._cuts[key] = makers[kind](*angles)
+            makers: dict[str, Callable[..., Slice]] = {
+                "gamma": lambda theta, _phi: self._plane().over("gamma", theta),
+                "plane": plane_slice,
+                "theta_h": half_slice,
+                "theta_d": difference_slice,
+            }
+            self._cuts[key] = makers[kind](*angles)
         return self._cuts[key]

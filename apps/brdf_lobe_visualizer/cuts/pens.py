@@ -1,9 +1,9 @@
-"""Pens, brushes and greys of the slices' plots: a line has its subject's colour and dash in every plot."""
+"""Pens, brushes and greys of the plots: a line has its subject's colour and dash in every plot and in the legend."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QBrush, QColor, QPalette, QPen
+from PySide6.QtCore import QPointF, QSize, Qt
+from PySide6.QtGui import QBrush, QColor, QIcon, QPainter, QPalette, QPen, QPixmap
 
 from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
@@ -71,3 +71,20 @@ def hatching_brush(palette: QPalette) -> QBrush:
     colour = QColor(palette.color(QPalette.ColorRole.Text))
     colour.setAlphaF(0.35)
     return QBrush(colour, Qt.BrushStyle.BDiagPattern)
+
+
+LINE_SIZE = QSize(28, 14)
+
+
+def line_icon(srgb: Srgb, dash: Dash, ratio: float = 1.0) -> QIcon:
+    """Return the line as an icon of :data:`LINE_SIZE`, for a screen of ``ratio`` pixels per point."""
+    picture = QPixmap(LINE_SIZE * ratio)
+    picture.setDevicePixelRatio(ratio)
+    picture.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(picture)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    middle = LINE_SIZE.height() / 2
+    painter.setPen(dashed_pen(QColor.fromRgbF(*srgb), 3.0, dash))
+    painter.drawLine(QPointF(1.0, middle), QPointF(LINE_SIZE.width() - 1.0, middle))
+    painter.end()
+    return QIcon(picture)

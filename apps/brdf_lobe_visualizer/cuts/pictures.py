@@ -16,7 +16,7 @@ from brdf_qt.program.translation import tr
 from brdf_lobe_visualizer.cuts.images import Axes, Grid, Picture, ScaleBar
 from brdf_lobe_visualizer.subjects.subjects import Measured, SamplePoints
 from brdf_lobe_visualizer.words import UNIT, plain
-from brdf_suite.arrays import Bytes, Floats
+from brdf_suite.arrays import Bools, Bytes, Floats
 from brdf_suite.inspection.lobe_surface.colour import difference_map, value_map
 from brdf_suite.inspection.slices.images import (
     DECADES,
@@ -60,17 +60,15 @@ class Request:
     places: Callable[[SamplePoints, int], Floats] | None = None
 
     def gives_same(self, other: Request) -> bool:
-        """Whether the pictures of ``other`` are the same."""
         plain = ("title", "difference", "columns", "channel", "cosine", "tone", "ev", "quantity", "axes")
-        same = ("reflectance", "measured", "samples")
+        one, two = (
+            (r.reflectance, r.measured, r.samples, r.other and r.other[1], *r.pairs) for r in (self, other)
+        )
         return (
             all(getattr(self, name) == getattr(other, name) for name in plain)
-            and all(getattr(self, name) is getattr(other, name) for name in same)
-            and len(self.pairs) == len(other.pairs)
-            and all(a is b for a, b in zip(self.pairs, other.pairs, strict=True))
+            and len(one) == len(two)
+            and all(a is b for a, b in zip(one, two, strict=True))
             and _same_weights(self.weights, other.weights)
-            and (self.other is None) == (other.other is None)
-            and (self.other is None or other.other is None or self.other[1] is other.other[1])
         )
 
 
@@ -94,7 +92,9 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
         report(progress, 0.5, request.title)
         fits = [image_of(request.weights, pairs, cosine=request.cosine) for pairs in request.pairs]
     white = _white(targets, request)
-    holes = [_holes(request, pairs) for pairs in request.pairs]
+    holes: list[Bools | None] = [None] * len(columns)
+    if request.measured is not None:
+        holes = [~request.measured(np.broadcast_to(p.wi, p.wo.shape), p.wo) & p.above for p in request.pairs]
     rows = [tr("target")]
     pictures = {
         (0, column): _picture(targets[column], request, white, column, holes[column], first=True)
@@ -106,7 +106,8 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
             error = image_error(targets[column], fits[column])
             notes: tuple[str, ...] = ()
             if error is not None:
-                share = _percent(error.relative)
+                share = f"{100.0 * error.relative:.{0 if error.relative >= 0.1 else 1}f}"
+                share = share if np.isfinite(error.relative) else "–"
                 notes = (tr("RMS {share} %").format(share=share), f"{share} %")
             pictures[1, column] = _picture(fits[column], request, white, column, None, notes=notes)
     if request.difference:
@@ -114,14 +115,7 @@ def make_grid(request: Request, progress: Progress | None = None) -> Grid:
         if pictures_of:
             rows.append(title)
             pictures |= pictures_of
-    bar = _bar(request, white)
-    return Grid(tuple(rows), request.columns, pictures, bar, request.axes)
-
-
-def _percent(share: float) -> str:
-    if not np.isfinite(share):
-        return "–"
-    return f"{100.0 * share:.{0 if share >= 0.1 else 1}f}"
+    return Grid(tuple(rows), request.columns, pictures, _bar(request, white), request.axes)
 
 
 def _differences(
@@ -141,15 +135,10 @@ def _differences(
     # Half of the pixels in a hundred may end beyond the map: one spike would leave all else grey.
     end = float(np.quantile(known, 0.995)) if known.size else 0.0
     end = nice_above(end) if end > 0.0 else 1.0
-    pictures = {
-        (row, column): Picture(
-            mapped_codes(np.clip(0.5 + 0.5 * value / end, 0.0, 1.0), difference_map()),
-            value,
-            ~request.pairs[column].above,
-            _not_finite(value, request.pairs[column]),
-        )
-        for column, value in enumerate(values)
-    }
+    pictures = {}
+    for column, (value, pairs) in enumerate(zip(values, request.pairs, strict=True)):
+        codes = mapped_codes(np.clip(0.5 + 0.5 * value / end, 0.0, 1.0), difference_map())
+        pictures[row, column] = Picture(codes, value, ~pairs.above, _not_finite(value, pairs))
     return f"{title}  (±{plain(end)})", pictures
 
 
@@ -158,7 +147,7 @@ def _picture(
     request: Request,
     white: float,
     column: int,
-    holes: np.ndarray[Any, np.dtype[np.bool_]] | None,
+    holes: Bools | None,
     *,
     notes: tuple[str, ...] = (),
     first: bool = False,
@@ -180,16 +169,9 @@ def _picture(
     return Picture(codes, one, ~pairs.above, gone, points, notes)
 
 
-def _not_finite(value: Floats, pairs: Pairs) -> np.ndarray[Any, np.dtype[np.bool_]] | None:
+def _not_finite(value: Floats, pairs: Pairs) -> Bools | None:
     gone = ~np.isfinite(value) & pairs.above
     return gone if gone.any() else None
-
-
-def _holes(request: Request, pairs: Pairs) -> np.ndarray[Any, np.dtype[np.bool_]] | None:
-    if request.measured is None:
-        return None
-    wi = np.broadcast_to(pairs.wi, pairs.wo.shape)
-    return np.asarray(~request.measured(wi, pairs.wo)) & pairs.above
 
 
 def _white(targets: list[Floats], request: Request) -> float:
@@ -204,16 +186,11 @@ def _white(targets: list[Floats], request: Request) -> float:
 
 
 def _bar(request: Request, white: float) -> ScaleBar:
-    places = np.linspace(0.0, 1.0, _BAR_STEPS)
-    codes: Bytes = (
-        np.repeat(np.rint(255.0 * places).astype(np.uint8)[:, None], 3, axis=1)
-        if request.channel == "colour"
-        else value_map()
-    )
-    if request.tone == "log":
-        values = [white * 10.0 ** (-k) for k in range(int(DECADES) + 1)]
-    else:
-        values = [white * share for share in (1.0, 0.5, 0.2, 0.05, 0.0)]
+    codes: Bytes = value_map()
+    if request.channel == "colour":
+        codes = np.repeat(np.linspace(0, 255, _BAR_STEPS).round().astype(np.uint8)[:, None], 3, axis=1)
+    decades = [10.0 ** (-k) for k in range(int(DECADES) + 1)]
+    values = [white * share for share in (decades if request.tone == "log" else (1.0, 0.5, 0.2, 0.05, 0.0))]
     ticks = tuple((float(share_of(value, request.tone, white)), plain(value)) for value in values)
     title = request.quantity if request.quantity.endswith(f"({UNIT})") else f"{request.quantity} ({UNIT})"
     return ScaleBar(codes, ticks, title)

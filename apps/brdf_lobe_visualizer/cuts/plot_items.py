@@ -31,7 +31,6 @@ class LineItem(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no typ
         self._pen = QPen()
 
     def set_pen(self, pen: QPen) -> None:
-        """Draw with this pen."""
         self._pen = pen
         self.update()
 
@@ -106,7 +105,6 @@ class SlicePlot(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         self._points: list[pg.ScatterPlotItem] = []
 
     def dress(self) -> None:
-        """Take the greys of the theme."""
         palette = self.palette()
         self.setBackground(palette.color(QPalette.ColorRole.Base))
         for side in ("bottom", "left"):
@@ -184,7 +182,6 @@ class HoleBands(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no ty
         self.setZValue(-20)
 
     def show_bands(self, bands: Sequence[tuple[float, float]], palette: QPalette) -> None:
-        """Hatch these spans."""
         self._brush = hatching_brush(palette)
         if list(bands) != self._bands:
             self._bands = list(bands)
@@ -258,6 +255,11 @@ def upright() -> pg.InfiniteLine:
     line = pg.InfiniteLine(angle=90, movable=False)
     line.setZValue(-5)
     return line
+
+
+def level(value: float) -> pg.InfiniteLine:
+    """Return a line from side to side that stands for a value."""
+    return pg.InfiniteLine(pos=value, angle=0, movable=False)
 
 
 def text(words: str = "", anchor: tuple[float, float] = (0.5, 0.5)) -> pg.TextItem:

@@ -114,7 +114,7 @@ class PolarPlot(LinePlot):
                 radius = np.where(line.filled, np.nan, radius)
             drawn.append((line, radius * sine, radius * cosine))
         self.plot.show_lines(drawn)
-        self._draw_points(lines, scale)
+        self._draw_points(scale)
         self._place(self._light, self._light_name, -self._theta_deg, tr("light"))
         self._place(self._mirror, self._mirror_name, self._theta_deg, tr("mirror"))
         words = [quantity(self._options), tr(_SCALES[scale])]
@@ -133,13 +133,11 @@ class PolarPlot(LinePlot):
         chosen: Scale = self._options.radius
         return "log" if chosen != "log" and spread_of(lines) > _SPREAD[chosen] else chosen
 
-    def _draw_points(self, lines: Lines, scale: Scale) -> None:
+    def _draw_points(self, scale: Scale) -> None:
         drawn: list[tuple[Line, Floats, Floats]] = []
-        for line in lines.lines:
-            points = lines.points.get(line.key)
-            if points is not None and (line.kind == "target" or self._options.shown == "fit"):
-                radius, theta = radius_of(points.value, scale, self.outer), np.radians(points.angle_deg)
-                drawn.append((line, radius * np.sin(theta), radius * np.cos(theta)))
+        for line, points in self.sampled_lines():
+            radius, theta = radius_of(points.value, scale, self.outer), np.radians(points.angle_deg)
+            drawn.append((line, radius * np.sin(theta), radius * np.cos(theta)))
         self.plot.show_points(drawn)
 
     def _ring(self, scale: Scale) -> None:

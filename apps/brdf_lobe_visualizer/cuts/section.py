@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
+from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QHBoxLayout,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtWidgets import QPushButton, QWidget
 
-from brdf_lobe_visualizer.cuts.options import EV_RANGE, POLARS, Polar, SliceOptions, SliceState
-from brdf_suite.inspection.slices.images import TONES, Tone
+from brdf_lobe_visualizer.cuts.options import EV_RANGE, Polar, SliceState
+from brdf_lobe_visualizer.option_form import OptionForm
+from brdf_suite.inspection.slices.images import Tone
 
-_TONES: dict[Tone, str] = {
-    "gamma": mark("Gamma (sRGB)"),
-    "log": mark("Logarithmic, 4 decades"),
-}
+_TONES: dict[Tone, str] = {"gamma": mark("Gamma (sRGB)"), "log": mark("Logarithmic, 4 decades")}
 _POLARS: dict[Polar, str] = {
     "range": mark("Automatic"),
     "linear": mark("Linear"),
@@ -38,124 +30,60 @@ class SlicesSection(QWidget):
         super().__init__(parent)
         self.setObjectName("slices_section")
         self._state = state
-        plain = SliceOptions()
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        form = Form()
-        box.addWidget(form)
-        self.follow = QCheckBox(tr("At the incidence"))
-        self.follow.clicked.connect(lambda on: state.set(follow=on))
+        form = self._form = OptionForm(state)
         form.add_row(
             tr("θd of the θh cut"),
-            self.follow,
+            form.tick("follow", tr("At the incidence")),
             tr("θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value"),
         )
-        self.theta_d = self._angle(form, "theta_d_deg", tr("θd"), 89.9, plain.theta_d_deg, "")
-        self.theta_h = self._angle(
-            form,
-            "theta_h_deg",
-            tr("θh of the θd cut"),
-            89.9,
-            plain.theta_h_deg,
-            tr("θh of the cut over θd"),
+        angle = (0.0, 89.9, 1.0)
+        self.theta_d = form.number("theta_d_deg", tr("θd"), tr("θd"), "°", angle, 1)
+        name, tip = tr("θh of the θd cut"), tr("θh of the cut over θd")
+        form.number("theta_h_deg", name, name, "°", angle, 1, tip)
+        tip = tr(
+            "Azimuth of the light about the half vector, for the cuts over θh and θd and the half-angle image"
         )
-        self.phi_d = self._angle(
-            form,
-            "phi_d_deg",
-            tr("φd"),
-            180.0,
-            plain.phi_d_deg,
-            tr(
-                "Azimuth of the light about the half vector, for the cuts over θh and θd and the half-angle image"
-            ),
-        )
-        self.phi_d_slider = QuietSlider(Qt.Orientation.Horizontal)
+        form.number("phi_d_deg", tr("φd"), tr("φd"), "°", (0.0, 180.0, 1.0), 1, tip)
+        self.phi_d_slider = described(QuietSlider(Qt.Orientation.Horizontal), spoken=tr("φd, degrees"))
         self.phi_d_slider.setRange(0, 180)
         self.phi_d_slider.setSingleStep(1)
         self.phi_d_slider.setPageStep(15)
-        self.phi_d_slider.setAccessibleName(tr("φd, degrees"))
         self.phi_d_slider.valueChanged.connect(lambda value: state.set(phi_d_deg=float(value)))
         form.add_wide(self.phi_d_slider)
         self.incidences = [
-            NumberField(tr("Light"), "°", 0.0, 89.0, 1.0, 1, angle) for angle in plain.incidences_deg
+            NumberField(tr("Light"), "°", 0.0, 89.0, 1.0, 1, angle) for angle in state.plain.incidences_deg
         ]
-        lights, row = QWidget(), QHBoxLayout()
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        lights.setLayout(row)
+        lights = QWidget()
+        lights.setLayout(row_of(*self.incidences, spacing=4))
         for number, field in enumerate(self.incidences):
             field.edited.connect(lambda value, number=number: self._set_incidence(number, value))
             field.setAccessibleName(tr("Light of column {number}, degrees").format(number=number + 1))
-            row.addWidget(field)
-        form.add_row(
-            tr("Unrolled at"),
-            lights,
-            tr("Incidences of the unrolled hemispheres (10°, 40° and 70° in the paper)"),
+        tip = tr("Incidences of the unrolled hemispheres (10°, 40° and 70° in the paper)")
+        form.add_row(tr("Unrolled at"), lights, tip)
+        form.choice(
+            "tone", _TONES, tr("Images"), tr("Mapping from values to brightness, shown by the scale bar")
         )
-        self.tone = QuietComboBox()
-        for tone in TONES:
-            self.tone.addItem(tr(_TONES[tone]), tone)
-        self.tone.activated.connect(lambda index: state.set(tone=self.tone.itemData(index)))
-        form.add_row(tr("Images"), self.tone, tr("Mapping from values to brightness, shown by the scale bar"))
-        self.ev = NumberField(tr("Exposure"), "EV", *EV_RANGE, 0.5, 1, 0.0)
-        self.ev.edited.connect(lambda value: state.set(ev=value))
-        form.add_row(
-            tr("Exposure"),
-            self.ev,
-            tr("Stops above the automatic exposure of the selected reflectance"),
-        )
-        self.spacing = QuietComboBox()
-        for by_root, title in _SPACING.items():
-            self.spacing.addItem(tr(title), by_root)
-        self.spacing.activated.connect(lambda index: state.set(by_root=bool(self.spacing.itemData(index))))
-        form.add_row(tr("θh of images"), self.spacing, tr("Spacing of θh along the half-angle image"))
-        self.polar = QuietComboBox()
-        for polar in POLARS:
-            self.polar.addItem(tr(_POLARS[polar]), polar)
-        self.polar.activated.connect(lambda index: state.set(polar=self.polar.itemData(index)))
-        form.add_row(
-            tr("Polar radius"),
-            self.polar,
-            tr("Mapping from values to radii of the polar plot. Automatic: logarithmic for high peaks."),
-        )
-        self.samples = QCheckBox(tr("Measured samples"))
-        self.samples.setToolTip(
-            tr("Draw samples near a cut as rings, and samples of an image's incidence as dots")
-        )
-        self.samples.clicked.connect(lambda on: state.set(samples=on))
-        form.add_wide(self.samples)
-        self.reset = QPushButton(tr("Reset Slices"))
-        self.reset.setObjectName("reset_slices")
+        tip = tr("Stops above the automatic exposure of the selected reflectance")
+        form.number("ev", tr("Exposure"), tr("Exposure"), "EV", (*EV_RANGE, 0.5), 1, tip)
+        form.choice("by_root", _SPACING, tr("θh of images"), tr("Spacing of θh along the half-angle image"))
+        tip = tr("Mapping from values to radii of the polar plot. Automatic: logarithmic for high peaks.")
+        form.choice("polar", _POLARS, tr("Polar radius"), tip)
+        tip = tr("Draw samples near a cut as rings, and samples of an image's incidence as dots")
+        form.add_wide(described(form.tick("samples", tr("Measured samples")), tip=tip))
+        self.reset = described(QPushButton(tr("Reset Slices")), name="reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
-        box.addWidget(self.reset)
+        column_in(self, form, self.reset)
         state.changed.connect(self.show_options)
         self.show_options()
 
     def show_options(self) -> None:
-        """Show the options as they are, without a signal."""
         options = self._state.options
-        self.follow.setChecked(options.follow)
+        self._form.show_now()
         self.theta_d.setEnabled(not options.follow)
-        self.theta_d.set_value(options.theta_d_deg)
-        self.theta_h.set_value(options.theta_h_deg)
-        self.phi_d.set_value(options.phi_d_deg)
-        self.phi_d_slider.blockSignals(True)
-        self.phi_d_slider.setValue(round(options.phi_d_deg))
-        self.phi_d_slider.blockSignals(False)
+        with QSignalBlocker(self.phi_d_slider):
+            self.phi_d_slider.setValue(round(options.phi_d_deg))
         for field, angle in zip(self.incidences, options.incidences_deg, strict=True):
             field.set_value(angle)
-        self.tone.setCurrentIndex(self.tone.findData(options.tone))
-        self.ev.set_value(options.ev)
-        self.samples.setChecked(options.samples)
-        self.polar.setCurrentIndex(self.polar.findData(options.polar))
-        self.spacing.setCurrentIndex(self.spacing.findData(options.by_root))
-
-    def _angle(self, form: Form, key: str, name: str, most: float, default: float, tip: str) -> NumberField:
-        field = NumberField(name, "°", 0.0, most, 1.0, 1, default)
-        field.edited.connect(lambda value: self._state.set(**{key: value}))
-        form.add_row(name, field, tip)
-        return field
 
     def _set_incidence(self, number: int, value: float) -> None:
         angles = list(self._state.options.incidences_deg)

@@ -9,7 +9,6 @@ from brdf_qt.program.translation import tr
 from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
-from brdf_lobe_visualizer.cuts.images import Axes
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints
 from brdf_lobe_visualizer.words import degrees
 from brdf_suite.arrays import Floats
@@ -21,18 +20,12 @@ from brdf_suite.inspection.slices.images import Pairs, unrolled_pairs, view_of
 SIZE = 112
 NEAR_DEG = 2.5
 """Samples are shown where their light is so near to a picture's."""
-AXES = Axes()
 
 
 @functools.lru_cache(maxsize=12)
 def pairs_of(theta_deg: float, phi_deg: float, size: int = SIZE) -> Pairs:
     """Return the pairs of one picture, the same object for the same angles."""
     return unrolled_pairs(theta_deg, phi_deg, size)
-
-
-def columns_of(incidences_deg: tuple[float, ...]) -> tuple[str, ...]:
-    """Return the columns' titles."""
-    return tuple(f"{theta:g}°" for theta in incidences_deg)
 
 
 def sample_places(
@@ -64,11 +57,9 @@ class UnrolledView(SliceImageView):
         self._phi_deg = 0.0
 
     def set_lights(self, incidences_deg: tuple[float, ...], phi_deg: float) -> None:
-        """Say where the columns' lights stand."""
         self._incidences, self._phi_deg = incidences_deg, phi_deg
 
     def head_at(self, column: int, x: float, y: float) -> str:
-        """Return the angles at a place of a column's pictures."""
         view = view_of(x, y)
         light = light_at(self._incidences[column], self._phi_deg)
         gamma = float(np.degrees(angle_between(mirror(light), view)))

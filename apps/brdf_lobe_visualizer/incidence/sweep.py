@@ -28,11 +28,9 @@ class SweepControl(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether the light moves."""
         return self._timer.isActive()
 
     def set_running(self, on: bool) -> None:
-        """Start or stop it."""
         if on == self.running:
             return
         if on:
@@ -43,7 +41,6 @@ class SweepControl(QObject):
         self.running_changed.emit(on)
 
     def toggle(self) -> None:
-        """Start it, or stop it."""
         self.set_running(not self.running)
 
     def advance(self, seconds: float) -> None:

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QObject
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QColorDialog, QMenu
 
+from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.legend.errors import LegendErrors
 from brdf_lobe_visualizer.legend.legend import Legend, LegendRow
-from brdf_lobe_visualizer.legend.line import colour_of, line_icon
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial, Srgb
+from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, Dash, PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 
 LONGEST_TITLE = 200
@@ -38,28 +38,20 @@ _DASH_NAMES: dict[Dash, str] = {
 
 
 class LegendControl(Feature, QObject):
-    """The legend, its commands in the menu Reflectance, and the errors beside the rows.
-
-    Signals: ``open_requested()``, ``list_requested()``.
-    """
-
-    open_requested = Signal()
-    list_requested = Signal()
+    """The legend, its commands in the menu Reflectance, and the errors beside the rows."""
 
     def __init__(self, session: LobeSession, window: LobeWindow) -> None:
         super().__init__(window)
         self._session, self._window = session, window
         self.errors = LegendErrors(session, self)
         self.legend = Legend(session)
-        window.add_beside(self.legend)
+        window.top_split.addWidget(self.legend)
         self._build_commands()
         legend = self.legend
         legend.renamed.connect(self.rename)
-        legend.colour_requested.connect(self.next_colour)
-        legend.dash_requested.connect(self.next_dash)
-        legend.menu_requested.connect(lambda at: window.paint_menu.popup(at))
-        legend.open_requested.connect(self.open_requested)
-        legend.list_requested.connect(self.list_requested)
+        legend.colour_requested.connect(lambda key: self._change_to_next(key, "colour", LINE_COLOURS))
+        legend.dash_requested.connect(lambda key: self._change_to_next(key, "dash", DASHES))
+        legend.menu_requested.connect(window.paint_menu.popup)
         for signal in (
             session.subjects_changed,
             session.front_changed,
@@ -71,11 +63,9 @@ class LegendControl(Feature, QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether the errors are there."""
         return self.errors.is_idle
 
     def close(self) -> None:
-        """End the work on errors."""
         self.errors.close()
 
     def rename(self, key: str, title: str) -> None:
@@ -85,23 +75,12 @@ class LegendControl(Feature, QObject):
             self._session.change(key, title=title)
         self._show()
 
-    def set_colour(self, key: str, colour: Srgb) -> None:
-        """Give a subject's line a colour."""
-        self._session.change(key, colour=colour)
-
-    def next_colour(self, key: str) -> None:
-        """Give a subject's line the next of the colours."""
+    def _change_to_next(self, key: str, name: str, known: Sequence[object]) -> None:
         subject = self._session.subject(key)
         if subject is not None:
-            place = LINE_COLOURS.index(subject.colour) if subject.colour in LINE_COLOURS else -1
-            self.set_colour(key, LINE_COLOURS[(place + 1) % len(LINE_COLOURS)])
-
-    def next_dash(self, key: str) -> None:
-        """Give a subject's line the next dash."""
-        subject = self._session.subject(key)
-        if subject is not None:
-            place = DASHES.index(subject.dash)
-            self._session.change(key, dash=DASHES[(place + 1) % len(DASHES)])
+            value = vars(subject)[name]
+            place = known.index(value) if value in known else -1
+            self._session.change(key, **{name: known[(place + 1) % len(known)]})
 
     def blink(self) -> None:
         """Show the front alone, then the reference alone, in turn."""
@@ -128,16 +107,12 @@ class LegendControl(Feature, QObject):
         found = self.errors.error(subject.key)
         error, details = "", []
         if found is not None:
-            error = f"{100.0 * found.errors.away.relative_rms:.3g} %"
-            error = f"({error})" if self.errors.is_stale(subject.key) else error
-            details.append(
-                tr(
-                    "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
-                ).format(
-                    rms=f"{100.0 * found.errors.away.relative_rms:.3g} %",
-                    all=f"{100.0 * found.errors.whole.relative_rms:.3g} %",
-                )
+            away, whole = (f"{100.0 * e.relative_rms:.3g} %" for e in (found.errors.away, found.errors.whole))
+            error = f"({away})" if self.errors.is_stale(subject.key) else away
+            text = tr(
+                "Relative RMS difference: {rms} away from the mirror direction, {all} over all directions"
             )
+            details.append(text.format(rms=away, all=whole))
             if found.delta_e is not None:
                 details.append(
                     tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}")
@@ -157,30 +132,21 @@ class LegendControl(Feature, QObject):
             tip=tip,
         )
 
-    # Commands.
-
     def _build_commands(self) -> None:
         add, menu = self._window.add_command, "reflectance"
         self._shown = add(menu, mark("S&how"), "Ctrl+H", None)
         self._solo = add(menu, mark("So&lo"), "Ctrl+Shift+H", None)
-        self._reference = add(
-            menu,
-            mark("Set as &Reference"),
-            "Ctrl+R",
-            None,
-            tip=mark("Compute differences and errors against this reflectance"),
-        )
-        for action, slot in (
-            (self._shown, lambda on: self._for_front(lambda key: self._session.set_hidden(key, not on))),
-            (self._solo, lambda on: self._for_front(lambda key: self._session.set_solo(key, on))),
-            (
-                self._reference,
-                lambda on: self._for_front(lambda key: self._session.set_reference(key if on else None)),
-            ),
+        tip = mark("Compute differences and errors against this reflectance")
+        self._reference = add(menu, mark("Set as &Reference"), "Ctrl+R", None, tip=tip)
+        session = self._session
+        for action, act in (
+            (self._shown, lambda key, on: session.set_hidden(key, not on)),
+            (self._solo, session.set_solo),
+            (self._reference, lambda key, on: session.set_reference(key if on else None)),
         ):
             action.setCheckable(True)
             # Not toggled: the ticks also follow the front, which is no command.
-            action.triggered.connect(slot)
+            action.triggered.connect(lambda on, act=act: self._for_front(lambda key: act(key, on)))
         rename = add(menu, mark("Re&name"), None, lambda: self._for_front(self.legend.edit_title))
         self._build_line_menu()
         up = add(menu, mark("Move &Up"), "Ctrl+Shift+Up", lambda: self._move(-1))
@@ -188,7 +154,7 @@ class LegendControl(Feature, QObject):
         gone = add(
             menu, mark("Re&move"), "Ctrl+Backspace", lambda: self._for_front(self._session.remove), icon="x"
         )
-        self._of_front: list[QAction] = [
+        self._of_front = [
             self._shown,
             self._solo,
             self._reference,
@@ -200,16 +166,11 @@ class LegendControl(Feature, QObject):
         ]
         self._window.paint_menu.addSeparator()
         add(menu, mark("Show &All"), "Ctrl+Shift+A", self._session.show_all, icon="eye")
-        add(menu, mark("Remove All &Others"), None, self._remove_others)
+        add(menu, mark("Remove All &Others"), None, lambda: self._for_front(self._remove_others))
         add(menu, mark("Ne&xt Reflectance"), "Ctrl+Tab", lambda: self._step(1))
         add(menu, mark("Pre&vious Reflectance"), "Ctrl+Shift+Tab", lambda: self._step(-1))
-        self._blink = add(
-            menu,
-            mark("Al&ternate with Reference"),
-            "B",
-            self.blink,
-            tip=mark("Show the selected reflectance and the reference alternately"),
-        )
+        tip = mark("Show the selected reflectance and the reference alternately")
+        self._blink = add(menu, mark("Al&ternate with Reference"), "B", self.blink, tip=tip)
 
     def _build_line_menu(self) -> None:
         self._line = QMenu(tr("L&ine"), self._window.paint_menu)
@@ -217,7 +178,9 @@ class LegendControl(Feature, QObject):
         for name, colour in zip(_COLOUR_NAMES, LINE_COLOURS, strict=True):
             action = self._line.addAction(line_icon(colour, "solid"), tr(name))
             action.triggered.connect(
-                lambda _=False, colour=colour: self._for_front(lambda key: self.set_colour(key, colour))
+                lambda _=False, colour=colour: self._for_front(
+                    lambda key: self._session.change(key, colour=colour)
+                )
             )
         self._line.addAction(tr("Other Colour…"), lambda: self._for_front(self.choose_colour))
         self._line.addSeparator()
@@ -232,27 +195,27 @@ class LegendControl(Feature, QObject):
     def reset_lines(self) -> None:
         """Give the lines the colours and dashes of a first start, in the legend's order."""
         count = len(LINE_COLOURS)
-        self._session.set_subjects(
-            [
-                replace(
-                    subject,
-                    colour=LINE_COLOURS[place % count],
-                    dash=DASHES[(place + place // count) % len(DASHES)],
-                )
-                for place, subject in enumerate(self._session.subjects)
-            ]
-        )
+        lines = [
+            (LINE_COLOURS[k % count], DASHES[(k + k // count) % len(DASHES)])
+            for k in range(len(self._session.subjects))
+        ]
+        subjects = zip(self._session.subjects, lines, strict=True)
+        self._session.set_subjects([replace(s, colour=colour, dash=dash) for s, (colour, dash) in subjects])
 
     def choose_colour(self, key: str) -> None:
         subject = self._session.subject(key)
         if subject is None:
             return
-        dialog = QColorDialog(colour_of(subject.colour), self._window)
+        change = self._session.change
+        dialog = QColorDialog(QColor.fromRgbF(*subject.colour), self._window)
         dialog.setOption(QColorDialog.ColorDialogOption.DontUseNativeDialog)
-        dialog.currentColorChanged.connect(lambda c: self.set_colour(key, (c.redF(), c.greenF(), c.blueF())))
-        dialog.rejected.connect(lambda: self.set_colour(key, subject.colour))
+        dialog.currentColorChanged.connect(lambda c: change(key, colour=(c.redF(), c.greenF(), c.blueF())))
+        dialog.rejected.connect(lambda: change(key, colour=subject.colour))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+    def _remove_others(self, key: str) -> None:
+        self._session.set_subjects([s for s in self._session.subjects if s.key == key])
 
     def _for_front(self, act: Callable[[str], object]) -> None:
         front = self._session.front
@@ -266,8 +229,3 @@ class LegendControl(Feature, QObject):
     def _step(self, by: int) -> None:
         keys = [s.key for s in self._session.subjects]
         self._for_front(lambda key: self._session.set_front(keys[(keys.index(key) + by) % len(keys)]))
-
-    def _remove_others(self) -> None:
-        front = self._session.front
-        if front is not None:
-            self._session.set_subjects((front,))

@@ -50,7 +50,6 @@ class LegendErrors(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether every error is there."""
         return not self._tasks.busy and not self._pause.isActive()
 
     def error(self, key: str) -> ShownError | None:
@@ -65,7 +64,6 @@ class LegendErrors(QObject):
         return self._pause.isActive() or self._tasks.busy
 
     def close(self) -> None:
-        """End what runs."""
         self._pause.stop()
         self._tasks.stop()
 
@@ -76,15 +74,11 @@ class LegendErrors(QObject):
 
     def _look(self) -> None:
         reference = self._session.reference
-        wanted = (
-            {}
-            if reference is None
-            else {
-                s.key: (reference.reflectance, s.reflectance)
-                for s in self._session.subjects
-                if s.key != reference.key
-            }
-        )
+        wanted = {
+            s.key: (reference.reflectance, s.reflectance)
+            for s in self._session.subjects
+            if reference is not None and s.key != reference.key
+        }
         for key in set(self._of) - set(wanted):
             self._tasks.cancel(key)
             self._working.discard(key)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.program.icons import icon
+from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QDropEvent, QKeyEvent, QPalette
@@ -17,14 +17,12 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QPushButton,
     QStackedWidget,
-    QToolButton,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
-from brdf_lobe_visualizer.legend.line import LINE_SIZE, line_icon
+from brdf_lobe_visualizer.cuts.pens import LINE_SIZE, line_icon
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 
@@ -50,12 +48,8 @@ class LegendRow:
     def spoken(self) -> str:
         """What a screen reader says of it."""
         words = [self.title, tr("shown") if self.shown else tr("hidden")]
-        if self.solo:
-            words.append(tr("solo"))
-        if self.reference:
-            words.append(tr("reference"))
-        if self.error:
-            words.append(tr("error {error}").format(error=self.error))
+        words += [tr("solo")] * self.solo + [tr("reference")] * self.reference
+        words += [tr("error {error}").format(error=self.error)] * bool(self.error)
         return ", ".join(words)
 
 
@@ -152,11 +146,7 @@ class Legend(QWidget):
         self.pages.addWidget(self.rows)
         self.pages.addWidget(self._empty())
         self.pages.setCurrentIndex(1)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        box.addLayout(self._head())
-        box.addWidget(self.pages, 1)
+        column_in(self, self._head(), self.pages, grows=self.pages, spacing=4)
         self.setMinimumWidth(170)
 
     def show_rows(self, rows: Sequence[LegendRow], front: str) -> None:
@@ -185,25 +175,21 @@ class Legend(QWidget):
         self.rows.setColumnHidden(ERROR, not any(row.error for row in rows))
 
     def edit_title(self, key: str) -> None:
-        """Let the user type another title for a row."""
-        for place, row in enumerate(self._shown):
-            item = self.rows.topLevelItem(place)
-            if row.key == key and item is not None:
-                self.rows.setFocus()
-                self.rows.editItem(item, TITLE)
+        item = self.rows.topLevelItem(self._keys.index(key)) if key in self._keys else None
+        if item is not None:
+            self.rows.setFocus()
+            self.rows.editItem(item, TITLE)
 
     def sizeHint(self) -> QSize:
         return QSize(252, 240)
 
     def _build_rows(self) -> None:
         rows = self.rows
-        rows.setAccessibleName(tr("Legend of reflectances"))
-        rows.setToolTip(
-            tr(
-                "Space: show or hide. S: solo. R: set as reference. C: colour. D: dash. "
-                "F2: rename. Delete: remove. Alt+Up, Alt+Down: move."
-            )
+        tip = tr(
+            "Space: show or hide. S: solo. R: set as reference. C: colour. D: dash. "
+            "F2: rename. Delete: remove. Alt+Up, Alt+Down: move."
         )
+        described(rows, spoken=tr("Legend of reflectances"), tip=tip)
         rows.setHeaderLabels([tr("Reflectance"), tr("Solo"), tr("Ref."), tr("Error")])
         tips = (
             tr("Visibility, and line style in the plots"),
@@ -230,52 +216,36 @@ class Legend(QWidget):
         )
         rows.currentItemChanged.connect(self._selected)
         rows.itemChanged.connect(self._changed)
-        rows.itemDoubleClicked.connect(self._double_clicked)
+        rows.itemDoubleClicked.connect(
+            lambda item, column: rows.editItem(item, TITLE) if column == TITLE else None
+        )
         rows.key_pressed.connect(self._key)
         rows.dropped.connect(self._session.move)
 
     def _head(self) -> QHBoxLayout:
-        head = QHBoxLayout()
-        head.setSpacing(4)
         title = PlainLabel(tr("Legend"))
         font = title.font()
         font.setBold(True)
         title.setFont(font)
-        head.addWidget(title)
-        head.addStretch(1)
-        for name, text, act in (
-            ("folder-open", tr("Open a file"), self.open_requested.emit),
-            ("list-plus", tr("Add from the library of reflectances"), self.list_requested.emit),
-            ("eye", tr("Show all"), self._session.show_all),
-        ):
-            button = QToolButton()
-            button.setIcon(icon(name))
-            button.setAutoRaise(True)
-            button.setToolTip(plain_tip(text))
-            button.setAccessibleName(text)
-            button.clicked.connect(lambda _=False, act=act: act())
-            head.addWidget(button)
-        return head
+        return row_of(
+            title,
+            None,
+            icon_button("folder-open", tr("Open a file"), self.open_requested.emit),
+            icon_button("list-plus", tr("Add from the library of reflectances"), self.list_requested.emit),
+            icon_button("eye", tr("Show all"), self._session.show_all),
+            spacing=4,
+        )
 
     def _empty(self) -> QWidget:
         page = QWidget()
-        box = QVBoxLayout(page)
-        text = PlainLabel(tr("No reflectances. Drop files here, or"))
-        text.setWordWrap(True)
-        text.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        box.addStretch(1)
-        box.addWidget(text)
-        for title, signal in (
-            (tr("Open a File…"), self.open_requested),
-            (tr("Add from Library…"), self.list_requested),
-        ):
-            button = QPushButton(title)
+        text = PlainLabel(
+            tr("No reflectances. Drop files here, or"), wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter
+        )
+        buttons = [QPushButton(tr("Open a File…")), QPushButton(tr("Add from Library…"))]
+        for button, signal in zip(buttons, (self.open_requested, self.list_requested), strict=True):
             button.clicked.connect(signal)
-            box.addWidget(button)
-        box.addStretch(1)
+        column_in(page, None, text, *buttons, None)
         return page
-
-    # What the user does.
 
     def _selected(self, item: QTreeWidgetItem | None) -> None:
         if item is not None and not self._filling:
@@ -298,10 +268,6 @@ class Legend(QWidget):
         elif item.text(TITLE) != row.title:
             self._shown = ()  # the row shows what was typed, also where it is refused
             self.renamed.emit(key, item.text(TITLE))
-
-    def _double_clicked(self, item: QTreeWidgetItem, column: int) -> None:
-        if column == TITLE:
-            self.rows.editItem(item, TITLE)
 
     def _key(self, what: str) -> None:
         item = self.rows.currentItem()

@@ -1,27 +1,35 @@
-"""The panel of figures and the plot of the albedo: what is shown of :mod:`numbers_work`, copied, and exported."""
+"""The panel of figures, as a table, and the plot of the albedo: shown, copied and exported."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.layouts import column_in, described, icon_button, row_of
 from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import QtDialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import QGuiApplication, QHideEvent, QIcon, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
-from brdf_lobe_visualizer.legend.line import line_icon
+from brdf_lobe_visualizer.cuts.pens import line_icon
 from brdf_lobe_visualizer.numbers.plot import AlbedoLine, AlbedoPlot
-from brdf_lobe_visualizer.numbers.table import Column, FiguresTable
 from brdf_lobe_visualizer.numbers.work import FiguresWork
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
@@ -30,7 +38,127 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.inspection.figures.text import Group, figure_rows, figures_text, save_figures
 
 if TYPE_CHECKING:
+    # What measures is much to import, and the panel is not seen at a first start.
     from brdf_suite.inspection.figures.figures import ReflectanceFigures
+    from brdf_suite.inspection.figures.text import FigureRow
+
+_NOTHING = 1e-9
+_Index = QModelIndex | QPersistentModelIndex
+
+
+@dataclass(frozen=True, eq=False)
+class Column:
+    """A reflectance: its title, its line, and whether its figures are of what it was before."""
+
+    title: str
+    line: QIcon
+    stale: bool
+
+
+class FiguresModel(QAbstractTableModel):
+    """Rows and columns as they were given last."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._rows: Sequence[FigureRow] = ()
+        self._columns: Sequence[Column] = ()
+
+    def show(self, columns: Sequence[Column], rows: Sequence[FigureRow]) -> None:
+        same = len(rows) == len(self._rows) and len(columns) == len(self._columns)
+        if same:
+            # The place that is scrolled to and the selection stay while a paint is dragged.
+            self._rows, self._columns = rows, columns
+            if not rows:
+                return
+            self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, self.columnCount() - 1))
+            self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self.columnCount() - 1)
+        else:
+            self.beginResetModel()
+            self._rows, self._columns = rows, columns
+            self.endResetModel()
+
+    def rowCount(self, _parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
+        return len(self._rows)
+
+    def columnCount(self, _parent: _Index = QModelIndex()) -> int:  # noqa: B008 - Qt's own signature
+        return 1 + len(self._columns)
+
+    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        row = self._rows[index.row()]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return self.text(index.row(), index.column())
+        if role == Qt.ItemDataRole.TextAlignmentRole and index.column() > 0:
+            return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        if role == Qt.ItemDataRole.AccessibleTextRole and index.column() > 0:
+            title = self._columns[index.column() - 1].title
+            return f"{title}, {_named(row)}: {self.text(index.row(), index.column())}"
+        return None
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        if section == 0:
+            return tr("Figure") if role == Qt.ItemDataRole.DisplayRole else None
+        column = self._columns[section - 1]
+        if role == Qt.ItemDataRole.DisplayRole:
+            return f"({column.title})" if column.stale else column.title
+        if role == Qt.ItemDataRole.DecorationRole:
+            return column.line
+        if role == Qt.ItemDataRole.ToolTipRole:
+            stale = tr("{title}: outdated, being recomputed").format(title=column.title)
+            return plain_tip(stale if column.stale else column.title)
+        return None
+
+    def text(self, row: int, column: int) -> str:
+        shown = self._rows[row]
+        if column == 0:
+            return _named(shown)
+        value = shown.values[column - 1]
+        if value is None:
+            return "–"
+        # What rounding leaves of a difference of equals is none.
+        return "0" if abs(value) < _NOTHING else f"{value:.4g}".replace("-", "−")
+
+
+class FiguresTable(QTableView):
+    """The table; Ctrl+C copies the selected cells, with tabs between them."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.figures = FiguresModel()
+        self.setModel(self.figures)
+        self.setAccessibleName(tr("Figures of the reflectances"))
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setDefaultSectionSize(self.fontMetrics().height() + 6)
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy_selected()
+        else:
+            super().keyPressEvent(event)
+
+    def copy_selected(self) -> None:
+        """Copy the selected cells; nothing where none is."""
+        chosen = sorted({(index.row(), index.column()) for index in self.selectedIndexes()})
+        if not chosen:
+            return
+        lines: dict[int, list[str]] = {}
+        for row, column in chosen:
+            lines.setdefault(row, []).append(self.figures.text(row, column))
+        QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
+
+
+def _named(row: FigureRow) -> str:
+    return f"{row.name}, {row.unit}" if row.unit else row.name
+
 
 _GROUP_KEY, _ANGLES_KEY, _FOLDER_KEY = "lobes/figures", "lobes/angles", "folder/figures"
 _GROUPS: dict[Group, str] = {
@@ -67,40 +195,28 @@ class NumbersPanel(QWidget):
         self.table = FiguresTable()
         self.note = PlainLabel()
         self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
-        self.angles = QuietComboBox()
-        self.angles.setAccessibleName(tr("Colour geometries"))
-        self.angles.setToolTip(tr("Geometries of the L*a*b* values (D65, 10° observer)"))
+        self.angles = described(
+            QuietComboBox(),
+            spoken=tr("Colour geometries"),
+            tip=tr("Geometries of the L*a*b* values (D65, 10° observer)"),
+        )
         for key, title in _ANGLES.items():
             self.angles.addItem(tr(title), key)
         self.angles.activated.connect(lambda place: self.angles_chosen.emit(self.angles.itemData(place)))
-        head = QHBoxLayout()
-        head.setSpacing(8)
         for key, button in self.buttons.items():
             button.setAccessibleName(tr("Show {name}").format(name=button.text()))
             button.clicked.connect(lambda _=False, key=key: self.group_chosen.emit(key))
-            head.addWidget(button)
-        head.addWidget(self.angles)
-        head.addWidget(self.note)
-        head.addStretch(1)
-        for name, text, signal in (
-            ("copy", tr("Copy the table"), self.copy_requested),
-            ("export", tr("Export all figures as CSV"), self.export_requested),
-        ):
-            tool = QToolButton()
-            tool.setIcon(icon(name))
-            tool.setAutoRaise(True)
-            tool.setToolTip(plain_tip(text))
-            tool.setAccessibleName(text)
-            tool.clicked.connect(signal)
-            head.addWidget(tool)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(8, 4, 8, 8)
-        box.setSpacing(4)
-        box.addLayout(head)
-        box.addWidget(self.table, 1)
+        head = row_of(
+            *self.buttons.values(),
+            self.angles,
+            self.note,
+            None,
+            icon_button("copy", tr("Copy the table"), self.copy_requested.emit),
+            icon_button("export", tr("Export all figures as CSV"), self.export_requested.emit),
+        )
+        column_in(self, head, self.table, grows=self.table, spacing=4, margins=(8, 4, 8, 8))
 
     def show_choices(self, group: str, angles: str) -> None:
-        """Show which group and which angles are chosen."""
         for key, button in self.buttons.items():
             button.setChecked(key == group)
         self.angles.setCurrentIndex(self.angles.findData(angles))
@@ -121,15 +237,14 @@ class Numbers(Feature, QObject):
     def __init__(self, session: LobeSession, window: LobeWindow, *, ask_path: AskPath | None = None) -> None:
         super().__init__(window)
         self._session, self._window = session, window
-        self._ask_path = ask_path or _asks(window)
+        filters = tr("Comma-separated values (*.csv)")
+        self._ask_path = ask_path or (lambda suggested: QtDialogs(window).save_path(suggested, filters))
         # Nothing is worked out or imported before the window is painted, also where the panel was left open.
         self._ready = self._closed = False
         self.work = FiguresWork(session, window)
         self.panel, self.plot = NumbersPanel(), AlbedoPlot()
-        self.dock = window.add_dock(
-            "numbers", mark("Numbers"), self.panel, Qt.DockWidgetArea.BottomDockWidgetArea
-        )
-        window.add_plot("albedo", tr("Albedo"), self.plot)
+        self.dock = window.add_dock("numbers", mark("Numbers"), self.panel)
+        window.plots.add("albedo", tr("Albedo"), self.plot)
         group = str(settings().value(_GROUP_KEY, "overview"))
         self._group: Group = _known_group(group) or "overview"
         angles = str(settings().value(_ANGLES_KEY, DEFAULT_SET))
@@ -146,27 +261,16 @@ class Numbers(Feature, QObject):
         session.front_changed.connect(self._show_lines)
         session.visibility_changed.connect(self._show)
         window.first_painted.connect(lambda: QTimer.singleShot(0, self, self._begin))
+        tip = mark("Show or hide the figures")
         self.action = window.add_command(
-            "view",
-            mark("&Numbers"),
-            "Ctrl+N",
-            self._toggle,
-            icon="table",
-            tip=mark("Show or hide the figures"),
+            "view", mark("&Numbers"), "Ctrl+N", self._toggle, icon="table", tip=tip
         )
-        window.add_command(
-            "edit",
-            mark("&Copy Figures"),
-            "Ctrl+Shift+N",
-            self.copy,
-            icon="copy",
-            tip=mark("Copy the visible table"),
-        )
+        tip = mark("Copy the visible table")
+        window.add_command("edit", mark("&Copy Figures"), "Ctrl+Shift+N", self.copy, icon="copy", tip=tip)
         window.add_command("file", mark("&Export Figures…"), "Ctrl+E", self.export, icon="export")
 
     @property
     def is_idle(self) -> bool:
-        """Whether the figures that are looked at are there."""
         return self._ready and self.work.is_idle
 
     def close(self) -> None:
@@ -186,21 +290,18 @@ class Numbers(Feature, QObject):
         return True
 
     def choose_group(self, group: Group) -> None:
-        """Show the figures of a group, and remember it."""
         self._group = group
         settings().setValue(_GROUP_KEY, group)
         self.panel.show_choices(group, self.work.angles.name)
         self._show()
 
     def choose_angles(self, name: str) -> None:
-        """Read the colours at another set of geometries, and remember it."""
         settings().setValue(_ANGLES_KEY, name)
         self.work.set_angles(name)
         self.panel.show_choices(self._group, name)
         self._show()
 
     def copy(self) -> None:
-        """Copy the table that is shown, as text with tabs."""
         named = self._named()
         if named:
             QGuiApplication.clipboard().setText(figures_text(named, (self._group,)))
@@ -209,13 +310,9 @@ class Numbers(Feature, QObject):
         """Write all figures of the visible subjects as CSV."""
         named = self._named()
         if not named:
-            self._window.show_message(
-                Message(
-                    "figures",
-                    tr("There are no figures to export yet."),
-                    todo=tr("Open the panel Numbers (Ctrl+N) and wait until they are computed."),
-                )
-            )
+            text = tr("There are no figures to export yet.")
+            todo = tr("Open the panel Numbers (Ctrl+N) and wait until they are computed.")
+            self._window.show_message(Message("figures", text, todo=todo))
             return
         path = self._ask_path(Path(str(settings().value(_FOLDER_KEY, ""))) / "reflectances.csv")
         if path is None:
@@ -275,21 +372,14 @@ class Numbers(Feature, QObject):
         return ""
 
     def _show_lines(self) -> None:
-        front = self._session.front
         lines = []
         for subject in self._session.visible:
             figures = self.work.figures(subject.key)
             if figures is not None:
-                curve = figures.curve
-                stale = self.work.is_stale(subject.key)
-                lines.append(
-                    AlbedoLine(subject, curve.incidence_deg, curve.luminous, stale, subject is front)
-                )
+                curve, stale = figures.curve, self.work.is_stale(subject.key)
+                front = subject is self._session.front
+                lines.append(AlbedoLine(subject, curve.incidence_deg, curve.luminous, stale, front))
         self.plot.show_lines(lines)
-
-
-def _asks(window: LobeWindow) -> AskPath:
-    return lambda suggested: QtDialogs(window).save_path(suggested, tr("Comma-separated values (*.csv)"))
 
 
 def _known_group(text: str) -> Group | None:

@@ -72,7 +72,6 @@ class FiguresWork(QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether all figures that are looked at are there."""
         return not self._needed or not (self._pause.isActive() or self._tasks.busy)
 
     def set_needed(self, needed: bool) -> None:
@@ -101,7 +100,6 @@ class FiguresWork(QObject):
         return not self._is_fresh(key) or self._pause.isActive()
 
     def close(self) -> None:
-        """End what runs."""
         self._needed = False
         self._pause.stop()
         self._tasks.stop()

@@ -1,18 +1,28 @@
-"""Lobes for every subject, fitted off the main thread: a paint within its time limit and then exactly, others once."""
+"""Lobes for every subject, fitted off the main thread: a paint within its time limit and then exactly, others once.
+
+The paint that Designer edits is one subject, which changes while it is dragged.
+"""
 
 from __future__ import annotations
 
+from dataclasses import replace
+from typing import Any
+
 from brdf_qt.program.feature import Feature
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
+from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.tasks import TaskRunner
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 
 from brdf_lobe_visualizer.late_progress import LateProgress
 from brdf_lobe_visualizer.session import LobeSession
+from brdf_lobe_visualizer.subjects.sources_control import Sources
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
-from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.documents.paint import Paint
+from brdf_suite.documents.store import paint_from_json
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter, fit_material
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import Reflectance
@@ -37,7 +47,6 @@ class Fits(Feature, QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether every subject has its fit, or is known to have none."""
         return not self.tasks.busy
 
     def close(self) -> None:
@@ -86,3 +95,124 @@ class Fits(Feature, QObject):
 
 def _fitted(material: Material, progress: Progress) -> LobeFit:
     return fit_material(material, progress=progress)
+
+
+KEY = "designer"
+"""The key of the subject that is Designer's paint."""
+_FOLLOW_MESSAGE = "designer's paint"
+
+
+class FollowedPaint(Feature, QObject):
+    """Shows what Designer publishes, the newest only; fitted on a thread within the time limit, then exactly.
+
+    Signals: ``arrived()`` when a paint of Designer's has been put in the session.
+    """
+
+    arrived = Signal()
+
+    def __init__(self, session: LobeSession, window: LobeWindow, sources: Sources, fits: Fits) -> None:
+        super().__init__(window)
+        self._session, self._window, self._sources, self._fits = session, window, sources, fits
+        self._tasks = TaskRunner(self, threads=1)
+        self._fitter: PaintFitter | None = None
+        self._newest: Paint | None = None
+        self._next: Paint | None = None
+        self._exact = ExactFit(self)
+        self._exact.arrived.connect(self._show)
+        self._exact.failed.connect(lambda fit, _error: self._show(fit))
+        self._shown = False
+        self.action = window.add_command(
+            "reflectance",
+            mark("&Follow Designer"),
+            "Ctrl+D",
+            self._followed,
+            tip=mark("Show the paint being edited in Designer and follow every change"),
+            checked=True,
+        )
+        session.subjects_changed.connect(self._look)
+
+    @property
+    def is_idle(self) -> bool:
+        return not self._tasks.busy
+
+    def receive(self, topic: str, value: dict[str, Any]) -> None:
+        """Take what a program has published; only paints are of interest. ``value`` has passed the link's check."""
+        if topic == "paint":
+            self._newest = paint_from_json(value, "Designer")
+            if self.action.isChecked():
+                self._fit(self._newest)
+
+    def close(self) -> None:
+        """End what is being fitted, and forget the paints that were received."""
+        self._tasks.stop()
+        self._exact.forget()
+        if self._fitter is not None:
+            self._fitter.close()
+        self._fitter = self._newest = self._next = None
+
+    def _fit(self, paint: Paint) -> None:
+        # One that is in work is brought to its end: were each dropped for the next, a drag would show none of them.
+        if self._tasks.busy:
+            self._next = paint
+            return
+        if self._fitter is None:
+            self._fitter = PaintFitter()
+        self._tasks.submit(KEY, _fit_paint, (self._fitter, paint), self._fresh, self._refused)
+
+    def _fresh(self, fit: LobeFit) -> None:
+        self._window.dismiss_message(_FOLLOW_MESSAGE)
+        self._exact.watch(fit)
+        self._show(fit)
+        self._go_on()
+
+    def _go_on(self) -> None:
+        paint, self._next = self._next, None
+        if paint is not None:
+            self._fit(paint)
+
+    def _show(self, fit: LobeFit) -> None:
+        if not self.action.isChecked():
+            return
+        before = self._session.subject(KEY)
+        shown = PlottedMaterial(
+            KEY,
+            tr("Designer: {name}").format(name=fit.name),
+            replace(fit.material, origin=tr("Designer")),
+            fit=fit,
+            notes=fit.material.notices,
+        )
+        if before is None:
+            colour, dash = self._sources.next_line()
+            self._fits.skip(KEY, shown.reflectance)
+            self._session.add(replace(shown, colour=colour, dash=dash))
+            self._session.set_front(KEY)
+        else:
+            self._fits.skip(KEY, shown.reflectance)
+            self._session.add(replace(shown, colour=before.colour, dash=before.dash))
+        self._shown = True
+        self.arrived.emit()
+
+    def _refused(self, error: Exception) -> None:
+        todo = tr("The previous paint is still shown.")
+        self._window.show_message(message_of(error, _FOLLOW_MESSAGE, todo=todo))
+        self._go_on()
+
+    def _followed(self, follow: bool) -> None:
+        if follow and self._newest is not None:
+            self._fit(self._newest)
+        elif not follow:
+            self._next = None
+            self._tasks.cancel(KEY)
+            self._exact.forget()
+
+    def _look(self) -> None:
+        # Taken out of the legend it is followed no more, or the next edit would bring it back.
+        there = self._session.subject(KEY) is not None
+        if self._shown and not there:
+            self.action.setChecked(False)
+        self._shown = there
+
+
+def _fit_paint(wanted: tuple[PaintFitter, Paint], _progress: Progress) -> LobeFit:
+    fitter, paint = wanted
+    return fitter.fit(paint)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QIcon, QPixmap
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QWidget
 
-from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.option_form import OptionForm
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.view3d.options import SpaceOptions, SpaceState
+from brdf_lobe_visualizer.view3d.options import SpaceState
 from brdf_lobe_visualizer.words import PART_TITLES, lobe_weight, number
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
 
@@ -40,28 +39,16 @@ class PartsSection(QWidget):
         self.setObjectName("parts_section")
         self._session, self._state = session, state
         self._listed: tuple[FitLobe, ...] | None = None
-        shared, plain = Options(), SpaceOptions()
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        form = Form()
-        box.addWidget(form)
-        self.shown = ChoiceField(_SHOWN, shared.shown)
-        self.shown.chosen.connect(lambda key: session.set_options(shown=key))
-        form.add_row(
-            tr("Show"),
-            self.shown,
-            tr(
-                "What all views show of each reflectance. Differences are against the legend's reference, "
-                "or else between fit and target."
-            ),
+        form = self._form = OptionForm(state, session)
+        tip = tr(
+            "What all views show of each reflectance. Differences are against the legend's reference, "
+            "or else between fit and target."
         )
-        self.style_ = ChoiceField(_STYLES, plain.fit_style)
-        self.style_.chosen.connect(lambda key: state.set(fit_style=key))
-        form.add_row(tr("Fit style"), self.style_, tr("Style of the fit where it overlays its target"))
-        self.lobes = ChoiceField(_VIEWS, plain.lobes)
-        self.lobes.chosen.connect(self._choose_lobes)
-        form.add_row(tr("Lobes"), self.lobes, tr("How the lobes of a fit are shown"))
+        form.choice("shown", _SHOWN, tr("Show"), tip)
+        tip = tr("Style of the fit where it overlays its target")
+        self.style_ = form.choice("fit_style", _STYLES, tr("Fit style"), tip)
+        tip = tr("How the lobes of a fit are shown")
+        form.choice("lobes", _VIEWS, tr("Lobes"), tip, self._choose_lobes)
         self.switches: dict[tuple[FitPart, int], QCheckBox] = {}
         self._list = QWidget()
         self._grid = QGridLayout(self._list)
@@ -69,14 +56,11 @@ class PartsSection(QWidget):
         self._grid.setHorizontalSpacing(8)
         self._grid.setVerticalSpacing(4)
         self._grid.setColumnStretch(1, 1)
-        box.addWidget(self._list)
-        self.none = PlainLabel(tr("The selected reflectance has no fit."))
-        self.none.setWordWrap(True)
-        box.addWidget(self.none)
-        self.reset = QPushButton(tr("Reset Parts"))
-        self.reset.setToolTip(tr("Switch all lobes on and restore the default display"))
+        self.none = PlainLabel(tr("The selected reflectance has no fit."), wordWrap=True)
+        tip = tr("Switch all lobes on and restore the default display")
+        self.reset = described(QPushButton(tr("Reset Parts")), tip=tip)
         self.reset.clicked.connect(self._reset)
-        box.addWidget(self.reset)
+        column_in(self, form, self._list, self.none, self.reset)
         for signal in (
             session.options_changed,
             session.subjects_changed,
@@ -87,12 +71,9 @@ class PartsSection(QWidget):
         self.show_now()
 
     def show_now(self) -> None:
-        """Show what is set, without a signal."""
-        shared, own = self._session.options, self._state.options
-        self.shown.set_choice(shared.shown)
-        self.style_.set_choice(own.fit_style)
+        shared = self._session.options
+        self._form.show_now()
         self.style_.setEnabled(shared.shown == "both")
-        self.lobes.set_choice(own.lobes)
         front = self._session.front
         lobes = () if front is None or front.fit is None else fit_lobes(front.fit.weights)
         if lobes != self._listed:
@@ -155,6 +136,6 @@ class PartsSection(QWidget):
 
 
 def _swatch(part: FitPart) -> QIcon:
-    pixmap = QPixmap(QSize(12, 12))
+    pixmap = QPixmap(12, 12)
     pixmap.fill(QColor(*PART_CODES[part]))
     return QIcon(pixmap)

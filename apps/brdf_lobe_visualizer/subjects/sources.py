@@ -99,8 +99,7 @@ def _describe(material: Material) -> PlottedMaterial:
         samples = SamplePoints(value.wi, value.wo, value.values, value.isotropic)
         return replace(subject, samples=samples, isotropic=value.isotropic)
     if isinstance(value, IsotropicTable):
-        holes = value.holes_above_horizon()
-        measured = MeasuredBins(value) if holes else None
+        measured = MeasuredBins(value) if value.holes_above_horizon() else None
         return _add_notes(replace(subject, measured=measured, isotropic=True))
     known = getattr(value, "isotropic", None)
     if not isinstance(known, bool):
@@ -114,10 +113,8 @@ def _add_notes(subject: PlottedMaterial) -> PlottedMaterial:
     numbers = np.isfinite(values).all(axis=-1)
     notes = list(subject.notes)
     if not numbers.all():
-        share = 100.0 * np.mean(~numbers)
-        notes.append(
-            tr("{share:.0f} % of the directions have no value (drawn as holes).").format(share=share)
-        )
+        text = tr("{share:.0f} % of the directions have no value (drawn as holes).")
+        notes.append(text.format(share=100.0 * np.mean(~numbers)))
     known = values[numbers]
     if known.size and not known.any():
         notes.append(tr("The reflectance is zero in every sampled direction."))
@@ -130,10 +127,9 @@ def _look(reflectance: Reflectance) -> Floats:
     """Values (n, 3) at mirror directions and around, and over the hemisphere, for three lights."""
     theta, phi = np.meshgrid(np.radians(np.arange(2.0, 90.0, 8.0)), np.radians(np.arange(0.0, 360.0, 30.0)))
     views = spherical(theta.ravel(), phi.ravel())
-    found = []
-    for light in illumination([0.0, 45.0, 75.0]):
-        found.append(np.asarray(reflectance.eval(light, np.concatenate((views, mirror(light)[None])))))
-    return np.concatenate(found)
+    lights = illumination([0.0, 45.0, 75.0])
+    wo = [np.concatenate((views, mirror(light)[None])) for light in lights]
+    return np.concatenate([np.asarray(reflectance.eval(*pair)) for pair in zip(lights, wo, strict=True)])
 
 
 @dataclass(frozen=True, eq=False)

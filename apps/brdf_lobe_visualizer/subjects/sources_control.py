@@ -29,18 +29,14 @@ if TYPE_CHECKING:
 class Sources(Feature, QObject):
     """Opens names and files, any number at a time.
 
-    Signals
-    -------
-    opened(asked, keys)
-        What was asked is in the session, as subjects of these keys.
-    failed(asked)
-        It could not be opened; the message is shown.
-    recent_changed()
-        The recent files are others.
-    idle()
-        All that was asked for is in the session, or has failed.
-    palette_opened(title, entries)
-        A palette was read; ``entries`` are pairs of name and origin, each of which can be opened.
+    Signals:
+
+    - ``opened(asked, keys)``: what was asked is in the session, as subjects of these keys.
+    - ``failed(asked)``: it could not be opened; the message is shown.
+    - ``recent_changed()``: the recent files are others.
+    - ``idle()``: all that was asked for is in the session, or has failed.
+    - ``palette_opened(title, entries)``: a palette was read; ``entries`` are pairs of name and origin, each of
+      which can be opened.
     """
 
     opened = Signal(str, object)
@@ -63,7 +59,6 @@ class Sources(Feature, QObject):
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is being read."""
         return not self.tasks.busy
 
     def open(self, asked: str | Path, *, remember: bool = True, select: bool = True) -> str:
@@ -87,9 +82,8 @@ class Sources(Feature, QObject):
 
         def failed(error: Exception) -> None:
             self._ended(job)
-            self._window.show_message(
-                message_of(error, f"open {name}", todo=tr("The previous picture stays."))
-            )
+            todo = tr("The previous picture stays.")
+            self._window.show_message(message_of(error, f"open {name}", todo=todo))
             self.failed.emit(name)
             self._look_idle()
 
@@ -132,27 +126,24 @@ class Sources(Feature, QObject):
         ]
         return min(lines, key=used.count)
 
-    # Recent files.
-
     def recent(self) -> Sequence[Path]:
         """Return the files that were opened last and are still there, newest first."""
         return [Path(path) for path in self._recent.paths()]
 
     def clear_recent(self) -> None:
-        """Forget them."""
         self._recent.clear()
         self.recent_changed.emit()
 
     def close(self) -> None:
-        """End what is being read."""
         self.tasks.stop()
 
     def _take(self, name: str, found: Opened, turn: int, *, remember: bool, select: bool) -> None:
         keys = [self.add(subject, turn) for subject in found.subjects]
         if keys and select:
             self._session.set_front(keys[0])
-        if remember:
-            self._remember(name)
+        if remember and Path(name).is_file():
+            self._recent.add(name)
+            self.recent_changed.emit()
         if found.entries:
             self.palette_opened.emit(found.title, found.entries)
         self._report(name, found, len(keys))
@@ -181,15 +172,9 @@ class Sources(Feature, QObject):
             what = tr("{title} imported with notes.").format(title=found.title)
             self._window.show_message(Message(key, what, where=noted))
 
-    def _remember(self, name: str) -> None:
-        if not Path(name).is_file():
-            return
-        self._recent.add(name)
-        self.recent_changed.emit()
-
     def _cancelled(self, job: str) -> None:
-        name = self._waiting.pop(job, "")
-        self._progress.end(job)
+        name = self._waiting[job]
+        self._ended(job)
         self.tasks.cancel(job)
         self.failed.emit(name)
         self._look_idle()

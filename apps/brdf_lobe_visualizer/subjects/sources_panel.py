@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.layouts import column_in, described, row_of
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
-    QHBoxLayout,
     QLineEdit,
     QPushButton,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -35,34 +34,23 @@ class SourcesPanel(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._filled = False
-        self.query = QLineEdit()
-        self.query.setPlaceholderText(tr("Search paints and models by name"))
-        self.query.setAccessibleName(tr("Search paints and models by name"))
+        text = tr("Search paints and models by name")
+        self.query = described(QLineEdit(placeholderText=text), spoken=text)
         self.query.setClearButtonEnabled(True)
         self.query.textChanged.connect(self._filter)
         self.query.returnPressed.connect(self._take)
-        self.tree = QTreeWidget()
+        self.tree = described(QTreeWidget(), spoken=tr("Available reflectances"))
         self.tree.setHeaderHidden(True)
-        self.tree.setAccessibleName(tr("Available reflectances"))
         self.tree.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.tree.setUniformRowHeights(True)
         self.tree.itemActivated.connect(lambda item, _column: self._ask([item]))
-        self._add = QPushButton(tr("Show"))
-        self._add.setToolTip(tr("Add the selected reflectances to the legend (Enter or double click)"))
-        self._add.clicked.connect(self._take)
-        self.no_match = PlainLabel(tr("No reflectance matches."))
-        self.no_match.setMargin(8)
+        tip = tr("Add the selected reflectances to the legend (Enter or double click)")
+        add = described(QPushButton(tr("Show")), tip=tip)
+        add.clicked.connect(self._take)
+        self.no_match = PlainLabel(tr("No reflectance matches."), margin=8)
         self.no_match.hide()
-        row = QHBoxLayout()
-        row.addStretch(1)
-        row.addWidget(self._add)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(8, 8, 8, 8)
-        box.setSpacing(8)
-        box.addWidget(self.query)
-        box.addWidget(self.no_match)
-        box.addWidget(self.tree, 1)
-        box.addLayout(row)
+        parts = (self.query, self.no_match, self.tree, row_of(None, add))
+        column_in(self, *parts, grows=self.tree, margins=(8, 8, 8, 8))
         self.setMinimumWidth(180)
 
     def fill(self) -> None:
@@ -123,10 +111,8 @@ class SourcesPanel(QWidget):
 
     def _take(self) -> None:
         chosen = [item for item in self.tree.selectedItems() if not item.isHidden()]
-        self._ask(chosen or self._visible()[:1])
-
-    def _visible(self) -> list[QTreeWidgetItem]:
-        return [item for group in self._groups() for item in _children(group) if not item.isHidden()]
+        visible = (item for group in self._groups() for item in _children(group) if not item.isHidden())
+        self._ask(chosen or list(visible)[:1])
 
     def _groups(self) -> list[QTreeWidgetItem]:
         rows = [self.tree.topLevelItem(place) for place in range(self.tree.topLevelItemCount())]

@@ -44,24 +44,14 @@ class SamplePoints:
 class PlottedMaterial:
     """A material with its line in plots and legend. Compare ``reflectance`` and ``fit`` by identity to see changes.
 
-    Attributes
-    ----------
-    key
-        Its own, as long as the program runs; also when its material changes.
-    title
-        Its name in legend and plots, which the user may change.
-    colour, dash
-        Its line: sRGB, 0 to 1, and a dash.
-    fit
-        None until the fit is there, and where none can be had.
-    samples
-        Where the data are scattered samples.
-    measured
-        Where a table has holes: separates them from what was measured; None where there are none.
-    isotropic
-        Whether the azimuth of the incidence does not matter.
-    notes
-        What a user should know of it, each a sentence: the material's notices and what its values show.
+    - ``key``: its own, as long as the program runs; also when its material changes.
+    - ``title``: its name in legend and plots, which the user may change.
+    - ``colour``, ``dash``: its line: sRGB, 0 to 1, and a dash.
+    - ``fit``: none until the fit is there, and where none can be had.
+    - ``samples``: where the data are scattered samples.
+    - ``measured``: where a table has holes: separates them from what was measured; None where there are none.
+    - ``isotropic``: whether the azimuth of the incidence does not matter.
+    - ``notes``: what a user should know of it, each a sentence: the material's notices and what its values show.
     """
 
     key: str

@@ -46,25 +46,19 @@ class Camera:
 
     def axes(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return the directions to the right and to the top of the picture."""
-        azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
-        side = (-math.sin(azimuth), math.cos(azimuth), 0.0)
-        top = (
-            -math.sin(elevation) * math.cos(azimuth),
-            -math.sin(elevation) * math.sin(azimuth),
-            math.cos(elevation),
-        )
-        return side, top
+        (sin_a, cos_a), (sin_e, cos_e) = self._turn()
+        return (-sin_a, cos_a, 0.0), (-sin_e * cos_a, -sin_e * sin_a, cos_e)
 
     def eye(self) -> tuple[float, float, float]:
-        """Return where the eye is."""
-        azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
-        flat = self.distance * math.cos(elevation)
+        (sin_a, cos_a), (sin_e, cos_e) = self._turn()
         x, y, z = self.centre
-        return (
-            x + flat * math.cos(azimuth),
-            y + flat * math.sin(azimuth),
-            z + self.distance * math.sin(elevation),
-        )
+        far = self.distance
+        return x + far * cos_e * cos_a, y + far * cos_e * sin_a, z + far * sin_e
+
+    def _turn(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Return sine and cosine of azimuth and of elevation."""
+        azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
+        return (math.sin(azimuth), math.cos(azimuth)), (math.sin(elevation), math.cos(elevation))
 
     def to_eye(self) -> QMatrix4x4:
         """Return the matrix from the local frame to the eye's."""

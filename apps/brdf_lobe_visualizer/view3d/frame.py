@@ -50,7 +50,7 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
     soft: Rgba = (red, green, blue, 0.38)
     rows, labels = [], []
     azimuth = np.arctan2(-light[1], -light[0]) if light is not None and np.hypot(*light[:2]) > 1e-9 else 0.0
-    rows.append(_ground(soft))
+    rows.append(polyline(_CIRCLE, 1.4, soft))
     if options.hemisphere:
         rows.append(_hemisphere(faint))
         # The plane of incidence stands out: the light's side and the mirror's.
@@ -63,24 +63,14 @@ def frame_of(light: Floats | None, scale: RadiusScale, options: FrameOptions, in
             flat = _CIRCLE * radius
             rows.append(polyline(flat, 1.0, faint))
             if options.labels:
-                at = azimuth + np.radians(62.0)
-                place = (float(radius * np.cos(at)), float(radius * np.sin(at)), 0.0)
-                labels.append(Label(place, text))
-    before: list[Segments] = []
-    handle = None
-    if light is not None:
-        handle = LIGHT_REACH * light
-        if options.arrows:
-            before, words = _arrows(light, ink)
-            labels += words
-    return Frame(
-        np.concatenate(rows), np.concatenate(before) if before else rows[0][:0], tuple(labels), handle
-    )
-
-
-@lru_cache(4)
-def _ground(colour: Rgba) -> Segments:
-    return polyline(_CIRCLE, 1.4, colour)
+                place = radius * spherical(np.pi / 2, azimuth + np.radians(62.0))
+                labels.append(Label(_triple(place), text))
+    before = [rows[0][:0]]
+    if light is not None and options.arrows:
+        before, words = _arrows(light, ink)
+        labels += words
+    handle = None if light is None else LIGHT_REACH * light
+    return Frame(np.concatenate(rows), np.concatenate(before), tuple(labels), handle)
 
 
 @lru_cache(4)
@@ -101,11 +91,11 @@ def rings_of(scale: RadiusScale) -> list[tuple[float, str]]:
     else:
         shares = (1.0, 0.75, 0.5, 0.25) if scale.kind == "linear" else (1.0, 0.3, 0.1, 0.01)
         values = [_round(full * share) for share in shares]
-    found = [(float(scale.radius(value)), f"{value:.3g}") for value in values]
     rows: list[tuple[float, str]] = []
-    for radius, text in found:
+    for value in values:
+        radius = float(scale.radius(value))
         if 0.08 < radius <= 1.001 and all(abs(radius - other) > 0.07 for other, _ in rows):
-            rows.append((radius, text))
+            rows.append((radius, f"{value:.3g}"))
     return rows
 
 
@@ -118,16 +108,12 @@ def _round(value: float) -> float:
 
 
 def _angles(azimuth: float, options: FrameOptions) -> list[Label]:
-    labels = []
-    for phi in range(0, 360, 30):
-        place = 1.09 * spherical(np.pi / 2, np.radians(phi) + 0.0)
-        # At azimuth 0 of the incidence the light stands at 180° of the frame.
-        labels.append(Label(_triple(place), f"{(phi + 180) % 360}°"))
+    # At azimuth 0 of the incidence the light stands at 180° of the frame.
+    at = [(1.09 * spherical(np.pi / 2, np.radians(phi)), (phi + 180) % 360) for phi in range(0, 360, 30)]
     if options.hemisphere:
-        for theta in (30.0, 60.0):
-            for side in (azimuth, azimuth + np.pi):
-                labels.append(Label(_triple(1.07 * spherical(np.radians(theta), side)), f"{theta:.0f}°"))
-    return labels
+        sides = (azimuth, azimuth + np.pi)
+        at += [(1.07 * spherical(np.radians(theta), side), theta) for theta in (30, 60) for side in sides]
+    return [Label(_triple(place), f"{angle}°") for place, angle in at]
 
 
 def _arrows(light: Floats, ink: Rgba) -> tuple[list[Segments], list[Label]]:
@@ -135,13 +121,14 @@ def _arrows(light: Floats, ink: Rgba) -> tuple[list[Segments], list[Label]]:
     gold: Rgba = (*_LIGHT_CODES, 1.0)
     rose: Rgba = (*_MIRROR_CODES, 1.0)
     normal = np.array([0.0, 0.0, 1.0])
-    rows = []
     # The light comes in: its arrow points to the middle. The others go out.
     # Within the hemisphere they are thin: what they would cover is what is looked at.
-    rows += _arrow(LIGHT_REACH * light, 0.98 * light, gold, 0.0 * light)
     # The mirror direction's has no line within: it would look like a spike.
-    rows += _arrow(1.0 * top, _MIRROR_REACH * top, rose, 1.0 * top)
-    rows += _arrow(1.0 * normal, _MIRROR_REACH * normal, (*ink[:3], 0.85), 0.0 * normal)
+    rows = [
+        *_arrow(LIGHT_REACH * light, 0.98 * light, gold, 0.0 * light),
+        *_arrow(top, _MIRROR_REACH * top, rose, top),
+        *_arrow(normal, _MIRROR_REACH * normal, (*ink[:3], 0.85), 0.0 * normal),
+    ]
     labels = [
         Label(_triple(1.12 * LIGHT_REACH * light), "L", gold, True),
         Label(_triple(1.07 * _MIRROR_REACH * top), "R", rose, True),

@@ -12,9 +12,8 @@ from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
 from brdf_lobe_visualizer.view3d.frame import rings_of
 from brdf_lobe_visualizer.view3d.options import BODY_DEG, SpaceOptions
-from brdf_lobe_visualizer.view3d.samples import sample_points
 from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
-from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, with_cosine
+from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, sample_points, with_cosine
 from brdf_lobe_visualizer.words import UNIT, lobe_title, lobe_weight, number, quantity
 from brdf_suite.arrays import Singles
 from brdf_suite.inspection.lobe_surface.colour import difference_map, scalar_of, value_map
@@ -79,7 +78,6 @@ class SceneMaker:
         self._shown: dict[tuple[object, ...], tuple[tuple[Singles, ...], LobeSurface]] = {}
 
     def scene(self, options: SpaceOptions) -> Scene:
-        """Return the scene of the session as it is now."""
         session = self._session
         shared = session.options
         self._values.forget_others({s.key for s in session.subjects})
@@ -89,15 +87,11 @@ class SceneMaker:
             id(sheet): with_cosine(sheet.found, shared.cosine) for plan in plans for sheet in plan.sheets
         }
         tops = [self._tops(plan, numbers) for plan in plans]
-        most = (max((peak for peak, _ in tops), default=0.0), max((body for _, body in tops), default=0.0))
-        scales = [
-            RadiusScale(
-                shared.radius,
-                full_of(*(top if options.own_scale else most), shared.radius, options),
-                options.decades,
-            )
-            for top in tops
-        ]
+        most = max((peak for peak, _ in tops), default=0.0), max((body for _, body in tops), default=0.0)
+        scales = []
+        for top in tops:
+            full = full_of(*(top if options.own_scale else most), shared.radius, options)
+            scales.append(RadiusScale(shared.radius, full, options.decades))
         self._shown = {}
         panels = tuple(
             self._panel(plan, scale, numbers, options) for plan, scale in zip(plans, scales, strict=True)
@@ -113,31 +107,23 @@ class SceneMaker:
 
     def _tops(self, plan: _Plan, numbers: dict[int, Singles]) -> tuple[float, float]:
         channel = self._session.options.channel
-        tops = [
-            tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets
-        ] or [(0.0, 0.0)]
-        return max(peak for peak, _ in tops), max(body for _, body in tops)
-
-    # Which panels.
+        tops = [tops_of(sheet.found.grid, scalar_of(numbers[id(sheet)], channel)) for sheet in plan.sheets]
+        peaks, bodies = zip(*tops, strict=True) if tops else ((0.0,), (0.0,))
+        return max(peaks), max(bodies)
 
     def _plans(self, options: SpaceOptions) -> list[_Plan]:
         visible = self._session.visible
         if not visible:
             return []
         shown = self._session.options.shown
-        front = self._session.front
         if shown == "difference":
             return self._differences()
         if shown == "side by side":
-            plans = []
-            for subject in self._ordered():
-                plans += [self._target_plan(subject), *self._fit_plans(subject, options)]
-            return plans
+            both = ([self._target_plan(s), *self._fit_plans(s, options)] for s in self._ordered())
+            return [plan for plans in both for plan in plans]
         if shown == "fit" and options.lobes in ("apart", "parts", "stacked"):
-            several = (
-                visible if options.arrangement == "panels" else (front if front in visible else visible[0],)
-            )
-            return [plan for subject in several if subject for plan in self._fit_plans(subject, options)]
+            several = visible if options.arrangement == "panels" else self._ordered()[:1]
+            return [plan for subject in several for plan in self._fit_plans(subject, options)]
         if options.arrangement == "panels" and len(visible) > 1:
             return [self._overlay((subject,), options) for subject in visible]
         return [self._overlay(self._ordered(), options)]
@@ -171,13 +157,9 @@ class SceneMaker:
                 # Lines over a surface of their own colour would not be seen.
                 ink = over and style == "lines" and legend is None
                 sheets.append(_sheet(fit, style, subject, line=subject.colour if over else None, ink=ink))
-        first = subjects[0]
-        alone = len(subjects) == 1
-        title = (
-            first.title
-            if alone
-            else tr("{title} and {count} more").format(title=first.title, count=len(subjects) - 1)
-        )
+        first, title = subjects[0], subjects[0].title
+        if len(subjects) > 1:
+            title = tr("{title} and {count} more").format(title=title, count=len(subjects) - 1)
         notes += [note for sheet in sheets for note in _notes(sheet)]
         return _Plan(
             title, tuple(sheets), _WORDS[shown](), "\n".join(dict.fromkeys(notes)), first.colour, first
@@ -185,9 +167,10 @@ class SceneMaker:
 
     def _target_plan(self, subject: PlottedMaterial) -> _Plan:
         target = self._values.target(subject)
-        sheets = () if target is None else (_sheet(target, "solid", subject),)
-        notes = [note for sheet in sheets for note in _notes(sheet)] or ([] if sheets else [_coming()])
-        return _Plan(subject.title, sheets, tr("Target"), "\n".join(notes), subject.colour, subject)
+        if target is None:
+            return _plan(subject, tr("Target"), note=_coming(), samples=subject)
+        sheet = _sheet(target, "solid", subject)
+        return _plan(subject, tr("Target"), sheet, note="\n".join(_notes(sheet)), samples=subject)
 
     def _lobes_on(self, subject: PlottedMaterial) -> tuple[FitLobe, ...]:
         if subject.fit is None:
@@ -200,48 +183,37 @@ class SceneMaker:
         lobes = self._lobes_on(subject)
         whole = self._values.fit(subject, lobes)
         if whole is None:
-            return [_Plan(subject.title, (), tr("Fit"), _no_fit(subject), subject.colour)]
+            return [_plan(subject, tr("Fit"), note=_no_fit(subject))]
+        sheet = _sheet(whole, "solid", subject)
         if not lobes:
-            note = tr("All lobes are switched off.")
-            return [_Plan(subject.title, (_sheet(whole, "solid", subject),), tr("Fit"), note, subject.colour)]
+            return [_plan(subject, tr("Fit"), sheet, note=tr("All lobes are switched off."))]
         if options.lobes == "apart":
+            alone = [(lobe, self._part(subject, (lobe,), "solid")) for lobe in lobes]
             return [
-                _Plan(
-                    lobe_title(lobe),
-                    (self._part(subject, (lobe,), "solid"),),
-                    lobe_weight(lobe),
-                    "",
-                    subject.colour,
-                )
-                for lobe in lobes
+                _Plan(lobe_title(lobe), (part,), lobe_weight(lobe), "", subject.colour)
+                for lobe, part in alone
             ]
         if options.lobes == "parts":
+            groups = [tuple(lobe for lobe in lobes if lobe.part == part) for part in FIT_PARTS]
             sheets = [
-                self._part(subject, tuple(lobe for lobe in lobes if lobe.part == part), style)
-                for part, style in zip(FIT_PARTS, _PART_STYLES, strict=True)
-                if any(lobe.part == part for lobe in lobes)
+                self._part(subject, group, style)
+                for group, style in zip(groups, _PART_STYLES, strict=True)
+                if group
             ]
-            return [
-                _Plan(
-                    subject.title,
-                    tuple(sheets),
-                    tr("Diffuse, directional diffuse and gloss, separately"),
-                    "",
-                    subject.colour,
-                )
-            ]
+            return [_plan(subject, tr("Diffuse, directional diffuse and gloss, separately"), *sheets)]
         if options.lobes == "stacked":
-            # Each shell holds all lobes within it: the last is the whole fit.
-            shells: list[_Sheet] = []
-            for count in range(1, len(lobes) + 1):
-                # The more shells, the clearer each: the innermost is to be seen through all.
-                glass = min(0.30, 0.9 / len(lobes))
-                shell: Style = "solid" if count == 1 else "glass"
-                shells.append(self._part(subject, lobes[:count], shell, lobes[count - 1].part, glass))
+            # Each shell holds all lobes within it: the last is the whole fit. The more shells, the clearer each: the
+            # innermost is to be seen through all.
+            glass = min(0.30, 0.9 / len(lobes))
+            shells = [
+                self._part(
+                    subject, lobes[:count], "solid" if count == 1 else "glass", lobes[count - 1].part, glass
+                )
+                for count in range(1, len(lobes) + 1)
+            ]
             words = tr("{count} lobes stacked, widest innermost").format(count=len(lobes))
-            return [_Plan(subject.title, tuple(shells), words, "", subject.colour)]
-        words = tr("Fit: {count} lobes").format(count=len(lobes))
-        return [_Plan(subject.title, (_sheet(whole, "solid", subject),), words, "", subject.colour)]
+            return [_plan(subject, words, *shells)]
+        return [_plan(subject, tr("Fit: {count} lobes").format(count=len(lobes)), sheet)]
 
     def _part(
         self,
@@ -270,25 +242,23 @@ class SceneMaker:
             elif reference is None:
                 fit = self._values.fit(subject, self._lobes_on(subject))
                 if fit is None:
-                    plans.append(_Plan(subject.title, (), "", _no_fit(subject), subject.colour))
+                    plans.append(_plan(subject, "", note=_no_fit(subject)))
                 else:
                     plans.append(self._difference(subject, fit, target, tr("fit minus target")))
         if not plans and reference is not None:
             note = tr("Only the reference is shown. Show another reflectance to see its difference.")
-            plans.append(_Plan(reference.title, (), "", note, reference.colour))
+            plans.append(_plan(reference, "", note=note))
         return plans
 
     def _difference(
         self, subject: PlottedMaterial, found: Found | None, base: Found | None, words: str
     ) -> _Plan:
         if found is None or base is None or found.grid is not base.grid:
-            return _Plan(subject.title, (), words, _coming(), subject.colour)
+            return _plan(subject, words, note=_coming())
         difference = Found(found.grid, found.values - base.values)
         origin = (found.values, base.values)
         sheet = _Sheet(difference, legend=subject.colour, signed=True, origin=origin)
-        return _Plan(subject.title, (sheet,), words, "\n".join(_notes(sheet)), subject.colour)
-
-    # What becomes of them once the scale is known.
+        return _plan(subject, words, sheet, note="\n".join(_notes(sheet)))
 
     def _panel(
         self, plan: _Plan, scale: RadiusScale, numbers: dict[int, Singles], options: SpaceOptions
@@ -380,6 +350,16 @@ def _sheet(
 ) -> _Sheet:
     opacity = {"solid": 1.0, "glass": 0.45, "lines": 0.9}[style]
     return _Sheet(found, style, opacity, line, subject.colour, ink=ink)
+
+
+def _plan(
+    subject: PlottedMaterial,
+    caption: str,
+    *sheets: _Sheet,
+    note: str = "",
+    samples: PlottedMaterial | None = None,
+) -> _Plan:
+    return _Plan(subject.title, sheets, caption, note, subject.colour, samples)
 
 
 def _coming() -> str:

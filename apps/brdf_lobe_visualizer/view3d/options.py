@@ -27,29 +27,18 @@ SPEED_RANGE = (1.0, 180.0)
 class SpaceOptions:
     """The options; the defaults are what a reset goes back to.
 
-    Attributes
-    ----------
-    colouring
-        Light's colour, the legend's, or the map of values.
-    fit_style
-        How a fit is drawn over its target.
-    arrangement
-        Several reflectances over one another, or each in a panel of its own.
-    lobes
-        A fit as its sum, as its three parts, its lobes stacked, or each lobe alone.
-    fill, full
-        What has radius 1: a value by which peak and body are both seen, the greatest that is shown, the greatest of the
-        bodies (:data:`BODY_DEG`), or the value ``full`` in 1/sr.
-    own_scale
-        Each panel has a scale of its own.
-    decades
-        What a logarithmic radius shows.
-    hemisphere, labels, arrows, rings
-        What of the frame is drawn.
-    samples, within_deg
-        Whether measured samples are drawn, and how far their incidence may be from the one that is shown.
-    sweep, speed
-        Whether the light moves in polar angle or goes round, and its degrees a second.
+    - ``colouring``: light's colour, the legend's, or the map of values.
+    - ``fit_style``: how a fit is drawn over its target.
+    - ``arrangement``: several reflectances over one another, or each in a panel of its own.
+    - ``lobes``: a fit as its sum, as its three parts, its lobes stacked, or each lobe alone.
+    - ``fill``, ``full``: what has radius 1: a value by which peak and body are both seen, the greatest that is
+      shown, the greatest of the bodies (:data:`BODY_DEG`), or the value ``full`` in 1/sr.
+    - ``own_scale``: each panel has a scale of its own.
+    - ``decades``: what a logarithmic radius shows.
+    - ``hemisphere``, ``labels``, ``arrows``, ``rings``: what of the frame is drawn.
+    - ``samples``, ``within_deg``: whether measured samples are drawn, and how far their incidence may be from the
+      one that is shown.
+    - ``sweep``, ``speed``: whether the light moves in polar angle or goes round, and its degrees a second.
     """
 
     colouring: Colouring = "light"

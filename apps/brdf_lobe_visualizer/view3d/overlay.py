@@ -52,13 +52,12 @@ class Overlay:
             if not room.contains(box) or any(box.intersects(other) for other in taken):
                 continue
             taken.append(box)
-            colour = self._ink if label.colour is None else _of(label.colour)
-            if label.strong:
-                colour = _readable(colour, self._paper)
+            colour = self._ink if label.colour is None else QColor.fromRgbF(*label.colour)
+            if label.strong and self._paper.lightnessF() > 0.45:
+                colour = colour.darker(190)  # on light ground, so that it stands out as on dark
             self._halo(box, label.text, font, colour)
 
     def panel(self, panel: Panel, room: QRectF, *, bordered: bool) -> None:
-        """Paint title, caption and note of a panel into its room."""
         p = self._painter
         if bordered:
             p.setPen(QPen(_faded(self._ink, 50), 1.0))
@@ -130,19 +129,11 @@ class Overlay:
                 continue
             last = y
             wide = metrics.horizontalAdvance(text) + 2.0
-            self._halo(
-                QRectF(box.left() - 7.0 - wide, y - 0.5 * metrics.height(), wide, metrics.height()),
-                text,
-                self._small,
-                self._ink,
-            )
+            room = QRectF(box.left() - 7.0 - wide, y - 0.5 * metrics.height(), wide, metrics.height())
+            self._halo(room, text, self._small, self._ink)
         wide = metrics.horizontalAdvance(bar.title) + 2.0
-        self._halo(
-            QRectF(box.right() - wide, box.top() - metrics.height() - 8.0, wide, metrics.height()),
-            bar.title,
-            self._small,
-            self._ink,
-        )
+        room = QRectF(box.right() - wide, box.top() - metrics.height() - 8.0, wide, metrics.height())
+        self._halo(room, bar.title, self._small, self._ink)
 
     def probe(self, at: QPointF, text: str, room: QRectF) -> None:
         """Mark a point and write what it is beside it."""
@@ -160,7 +151,6 @@ class Overlay:
         self._halo(box, text, self._small, self._ink)
 
     def words(self, text: str, room: QRectF) -> None:
-        """Paint words in the middle: what to do where there is nothing."""
         self._painter.setFont(self._font)
         self._painter.setPen(self._ink)
         flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
@@ -176,30 +166,14 @@ class Overlay:
         path = QPainterPath()
         base = QPointF(box.left() + 1.0, box.center().y() + 0.5 * (metrics.ascent() - metrics.descent()))
         path.addText(base, font, text)
-        p = self._painter
-        p.strokePath(
-            path,
-            QPen(
-                _faded(self._paper, 200),
-                _HALO,
-                Qt.PenStyle.SolidLine,
-                Qt.PenCapStyle.RoundCap,
-                Qt.PenJoinStyle.RoundJoin,
-            ),
-        )
-        p.fillPath(path, colour)
-
-
-def _of(colour: tuple[float, float, float, float]) -> QColor:
-    return QColor.fromRgbF(*colour)
+        rim = QPen(_faded(self._paper, 200), _HALO)
+        rim.setCapStyle(Qt.PenCapStyle.RoundCap)
+        rim.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+        self._painter.strokePath(path, rim)
+        self._painter.fillPath(path, colour)
 
 
 def _faded(colour: QColor, alpha: int) -> QColor:
     faded = QColor(colour)
     faded.setAlpha(alpha)
     return faded
-
-
-def _readable(colour: QColor, paper: QColor) -> QColor:
-    """The colour, darker on light ground, so that it stands out as on dark."""
-    return colour.darker(190) if paper.lightnessF() > 0.45 else colour

@@ -67,13 +67,7 @@ class Space(Feature, QObject):
         self._full = 0.0
         self._settle = make_timer(self, lambda: self.surface.hold(self._full), 150)
         window.set_centre(self._holder, tab_hides_panels=True)
-        for signal in (
-            session.subjects_changed,
-            session.front_changed,
-            session.visibility_changed,
-            session.incidence_changed,
-            session.options_changed,
-        ):
+        for signal in session.changes:
             signal.connect(self._stale)
         self.state.changed.connect(self._stale)
         session.view_reset.connect(self.reset_view)
@@ -100,24 +94,18 @@ class Space(Feature, QObject):
             return True
         return self.state.set_from_text(key, value)
 
-    # The camera.
-
     def set_camera(self, camera: Camera) -> None:
-        """See from there."""
         self.camera = camera
         if self.view is not None:
             self.view.set_camera(camera)
 
     def go_to(self, key: str) -> None:
-        """See from a preset's place."""
         self.set_camera(preset(key, *self.session.incidence))
 
     def frame(self) -> None:
-        """Show all of the hemisphere."""
         self.set_camera(frame_hemisphere(self.camera))
 
     def close(self) -> None:
-        """End what moves."""
         self.sweep.set_running(False)
         self._timer.stop()
         self._settle.stop()
@@ -129,10 +117,7 @@ class Space(Feature, QObject):
         self.state.reset()
         self.set_camera(Camera())
 
-    # Drawing.
-
     def draw_now(self) -> None:
-        """Bring the view up to date."""
         self._timer.stop()
         if self.view is not None and self._maker is not None:
             scene = self._maker.scene(self.state.options)
@@ -154,14 +139,15 @@ class Space(Feature, QObject):
             self._holder.show_notice(tr("OpenGL is not available, so the lobes cannot be drawn."))
             return
         # With the view comes pyqtgraph's OpenGL: a quarter of a second of the processor's time.
-        from brdf_lobe_visualizer.view3d import layers, probe, values
-        from brdf_lobe_visualizer.view3d.view import LobeView
+        from brdf_lobe_visualizer.view3d import layers, values
+        from brdf_lobe_visualizer.view3d.view import LobeView, SpaceProbe
 
         self.values = values.SpaceValues(self.session, self._stale)
         self._maker = layers.SceneMaker(self.session, self.values)
         self.view = view = LobeView()
         view.set_camera(self.camera)
-        view.failed.connect(self._show_failure)
+        failure = tr("The lobes cannot be drawn: {reason}")
+        view.failed.connect(lambda reason: self._holder.show_notice(failure.format(reason=reason)))
         gestures = CameraGestures(view)
         gestures.orbited.connect(lambda a, e: self.set_camera(self.camera.orbit(a, e)))
         gestures.panned.connect(lambda r, u: self.set_camera(self.camera.pan(r, u)))
@@ -171,12 +157,9 @@ class Space(Feature, QObject):
         drag.dragged.connect(self.session.set_incidence)
         drag.turned.connect(self._turn)
         drag.reset.connect(self.session.reset_incidence)
-        probe.SpaceProbe(view)
+        SpaceProbe(view)
         self._holder.show_view(view)
         self.draw_now()
-
-    def _show_failure(self, reason: str) -> None:
-        self._holder.show_notice(tr("The lobes cannot be drawn: {reason}").format(reason=reason))
 
     def _turn(self, theta: float, phi: float) -> None:
         now = self.session.incidence
@@ -210,7 +193,6 @@ class _Holder(QWidget):
             self._layout.setCurrentIndex(1)
 
     def show_view(self, view: QWidget) -> None:
-        """Show the view."""
         self._layout.addWidget(view)
         self._layout.setCurrentWidget(view)
         self.setFocusProxy(view)
@@ -220,7 +202,6 @@ class _Holder(QWidget):
             ground.deleteLater()
 
     def show_notice(self, text: str) -> None:
-        """Show words in the view's place."""
         self.notice.setText(text)
         self._layout.setCurrentWidget(self.notice)
 

@@ -8,13 +8,14 @@ from typing import TYPE_CHECKING
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
+from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QGridLayout, QPushButton, QWidget
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
@@ -39,54 +40,34 @@ KINDS: dict[str, tuple[str, str]] = {
 
 
 class SaveSection(QWidget):
-    """Sizes and buttons; ``ask_path`` is how it asks for a file."""
+    """Sizes and buttons."""
 
     def __init__(self, save: SaveSurface, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("save_section")
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
         form = Form()
-        box.addWidget(form)
         self.width_ = NumberField(tr("Width of the picture"), "px", 64, MOST_PX, 16, 0, PICTURE_PX[0])
         self.height_ = NumberField(tr("Height of the picture"), "px", 64, MOST_PX, 16, 0, PICTURE_PX[1])
         self.size_ = NumberField(tr("Length of radius 1"), "mm", 0.001, 1e6, 10.0, 3, SIZE_MM)
-        for field, default in (
-            (self.width_, PICTURE_PX[0]),
-            (self.height_, PICTURE_PX[1]),
-            (self.size_, SIZE_MM),
-        ):
-            field.set_value(default)
-        form.add_row(
-            tr("Width"), self.width_, tr("Size of PNG and SVG pictures. PNG uses 16 samples per pixel.")
-        )
-        form.add_row(tr("Height"), self.height_)
-        form.add_row(
-            tr("Scale"),
-            self.size_,
-            tr("Length of radius 1 in OBJ and PLY. The file states the value it stands for."),
-        )
+        tip = tr("Size of PNG and SVG pictures. PNG uses 16 samples per pixel.")
+        form.add_row(tr("Width"), self.width_, tip)
+        tip = tr("Length of radius 1 in OBJ and PLY. The file states the value it stands for.")
+        form.add_row(tr("Scale"), self.size_, tip)
         grid = QGridLayout()
         grid.setSpacing(8)
         self.buttons: dict[str, QPushButton] = {}
         for number, kind in enumerate(KINDS):
-            button = self.buttons[kind] = QPushButton(icon("floppy-disk"), kind.upper())
-            button.setToolTip(tr(KINDS[kind][0]))
-            button.setAccessibleName(tr(KINDS[kind][0]))
+            button, title = QPushButton(icon("floppy-disk"), kind.upper()), tr(KINDS[kind][0])
+            self.buttons[kind] = described(button, spoken=title, tip=title)
             button.clicked.connect(lambda _on=False, kind=kind: save.ask(kind))
             grid.addWidget(button, number // 2, number % 2)
-        box.addLayout(grid)
-        self.message = PlainLabel()
-        self.message.setWordWrap(True)
+        self.message = PlainLabel(wordWrap=True)
         self.message.hide()
-        box.addWidget(self.message)
         self.reset = QPushButton(tr("Reset Sizes"))
         self.reset.clicked.connect(self._reset)
-        box.addWidget(self.reset)
+        column_in(self, form, grid, self.message, self.reset)
 
     def report(self, text: str) -> None:
-        """Say what was written."""
         self.message.setText(text)
         self.message.show()
 

@@ -7,7 +7,6 @@ that pierces another is wholly before or behind it.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -22,9 +21,7 @@ from brdf_lobe_visualizer.view3d.camera import Camera
 from brdf_lobe_visualizer.view3d.frame import Frame, Label
 from brdf_lobe_visualizer.view3d.scene import Bar, Layer, Panel, Scene
 from brdf_suite.arrays import Floats
-from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
-from brdf_suite.inspection.lobe_surface.surface import LobeSurface
 
 _ROW_STEP, _COLUMN_STEP = 2, 4
 _TO_LIGHT = np.array([-0.36, 0.48, 0.80]) / np.linalg.norm([-0.36, 0.48, 0.80])
@@ -55,11 +52,6 @@ def svg_of(
     if scene.bar is not None:
         parts += _bar(scene.bar, size, look)
     return "\n".join([*parts, "</svg>", ""])
-
-
-def write_svg(path: str | os.PathLike[str], text: str) -> None:
-    """Write the picture whole or not at all; raises :class:`FileError`."""
-    write_atomically(path, text.encode("utf-8"))
 
 
 class _Sight:
@@ -126,7 +118,11 @@ def _panel(
 
 def _faces(layer: Layer, sight: _Sight, look: Look) -> Iterator[tuple[float, str]]:
     surface = layer.surface
-    rows, columns = _picked(surface)
+    # Both ends are drawn; the last column is the first again.
+    rows, columns = (
+        np.unique(np.append(np.arange(0, count, step), count - 1))
+        for count, step in zip(surface.shape, (_ROW_STEP, _COLUMN_STEP), strict=True)
+    )
     grid = np.ix_(rows, columns)
     points, normals = surface.points[grid].astype(float), surface.normals[grid].astype(float)
     known = np.isfinite(surface.values)[grid]
@@ -237,15 +233,6 @@ def _bar(bar: Bar, size: QSize, look: Look) -> Iterator[str]:
         yield f"<path d='M{left - 4:.1f} {y:.1f}h4' stroke='{look.ink}'/>"
         yield _text(text, left - 7.0, y + 0.35 * look.text_px, look, anchor="end")
     yield _text(bar.title, left + 14.0, top - 0.9 * look.text_px, look, anchor="end")
-
-
-def _picked(surface: LobeSurface) -> tuple[npt.NDArray[np.intp], npt.NDArray[np.intp]]:
-    """Rows and columns of the quadrilaterals: both ends, and the first again at the last."""
-    rows, columns = surface.shape
-    return (
-        np.unique(np.append(np.arange(0, rows, _ROW_STEP), rows - 1)),
-        np.unique(np.append(np.arange(0, columns, _COLUMN_STEP), columns - 1)),
-    )
 
 
 def _lit(codes: Floats, points: Floats, normals: Floats, sight: _Sight) -> Floats:

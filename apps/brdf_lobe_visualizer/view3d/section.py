@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
-from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.layouts import column_in
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QPushButton, QWidget
 
-from brdf_lobe_visualizer.choice_field import ChoiceField
-from brdf_lobe_visualizer.options import Options
+from brdf_lobe_visualizer.option_form import OptionForm
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.view3d.options import FULL_RANGE, SpaceOptions, SpaceState
 from brdf_suite.inspection.lobe_surface.surface import LEAST_DECADES, MOST_DECADES
@@ -53,100 +51,61 @@ class SurfaceSection(QWidget):
         super().__init__(parent)
         self.setObjectName("surface_section")
         self._session, self._state = session, state
-        shared, plain = Options(), SpaceOptions()
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        form = Form()
-        box.addWidget(form)
-        self.radius = ChoiceField(_RADII, shared.radius)
-        self.radius.chosen.connect(lambda key: session.set_options(radius=key))
-        form.add_row(tr("Radius"), self.radius, tr("Mapping from values to distances from the centre"))
-        self.decades = NumberField(tr("Decades"), "", LEAST_DECADES, MOST_DECADES, 1.0, 1, plain.decades)
-        self.decades.edited.connect(lambda value: state.set(decades=value))
-        form.add_row(tr("Decades"), self.decades, tr("Range of the logarithmic radius below its maximum"))
-        self.fill = ChoiceField(_FILLS, plain.fill)
-        self.fill.chosen.connect(self._choose_fill)
-        form.add_row(
-            tr("Scale"),
-            self.fill,
-            tr(
-                "Value at the hemisphere; larger values are cut off. Automatic: the maximum, "
-                "or less if the body would be shorter than half a radius. "
-                "Away from R: more than 5° from the mirror direction."
-            ),
+        form = self._form = OptionForm(state, session)
+        form.choice("radius", _RADII, tr("Radius"), tr("Mapping from values to distances from the centre"))
+        decades, tip = (
+            (LEAST_DECADES, MOST_DECADES, 1.0),
+            tr("Range of the logarithmic radius below its maximum"),
         )
-        self.full = NumberField(tr("Value of radius 1"), "1/sr", *FULL_RANGE, 0.1, 4, plain.full)
-        self.full.edited.connect(lambda value: state.set(full=value, fill="value"))
-        form.add_row(tr("Value"), self.full, tr("Stays fixed while the light moves"))
-        self.cosine = ChoiceField(_COSINES, shared.cosine)
-        self.cosine.chosen.connect(lambda key: session.set_options(cosine=key))
-        form.add_row(
+        self.decades = form.number("decades", tr("Decades"), tr("Decades"), "", decades, 1, tip)
+        tip = tr(
+            "Value at the hemisphere; larger values are cut off. Automatic: the maximum, "
+            "or less if the body would be shorter than half a radius. "
+            "Away from R: more than 5° from the mirror direction."
+        )
+        form.choice("fill", _FILLS, tr("Scale"), tip, self._choose_fill)
+        tip = tr("Stays fixed while the light moves")
+        full = (*FULL_RANGE, 0.1)
+        self.full = form.number(
+            "full", tr("Value"), tr("Value of radius 1"), "1/sr", full, 4, tip, self._choose_full
+        )
+        form.choice(
+            "cosine",
+            _COSINES,
             tr("Quantity"),
-            self.cosine,
             tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo"),
         )
-        self.channel = ChoiceField(_CHANNELS, shared.channel)
-        self.channel.chosen.connect(lambda key: session.set_options(channel=key))
-        form.add_row(tr("Channel"), self.channel, tr("Channel that the radius shows (linear Rec. 2020)"))
-        self.colouring = ChoiceField(_COLOURINGS, plain.colouring)
-        self.colouring.chosen.connect(lambda key: state.set(colouring=key))
-        form.add_row(
-            tr("Colour"), self.colouring, tr("Reflected light is shown in its colour at full brightness")
+        form.choice(
+            "channel", _CHANNELS, tr("Channel"), tr("Channel that the radius shows (linear Rec. 2020)")
         )
-        self.arrangement = ChoiceField(_ARRANGEMENTS, plain.arrangement)
-        self.arrangement.chosen.connect(lambda key: state.set(arrangement=key))
-        form.add_row(tr("Multiple"), self.arrangement, tr("Arrangement of several reflectances"))
-        self.own_scale = QCheckBox(tr("Separate scale for each panel"))
-        self.own_scale.clicked.connect(lambda on: state.set(own_scale=on))
-        box.addWidget(self.own_scale)
+        tip = tr("Reflected light is shown in its colour at full brightness")
+        form.choice("colouring", _COLOURINGS, tr("Colour"), tip)
+        form.choice("arrangement", _ARRANGEMENTS, tr("Multiple"), tr("Arrangement of several reflectances"))
+        self.own_scale = form.tick("own_scale", tr("Separate scale for each panel"))
         grid = QGridLayout()
         grid.setHorizontalSpacing(16)
-        self.flags: dict[str, QCheckBox] = {}
         for number, (key, title) in enumerate(_FLAGS.items()):
-            flag = self.flags[key] = QCheckBox(tr(title))
-            flag.clicked.connect(lambda on, key=key: state.set(**{key: on}))
-            grid.addWidget(flag, number // 2, number % 2)
-        box.addLayout(grid)
-        samples = Form()
-        box.addWidget(samples)
-        self.samples = QCheckBox(tr("Measured samples"))
-        self.samples.clicked.connect(lambda on: state.set(samples=on))
-        samples.add_wide(self.samples)
-        self.within = NumberField(tr("Maximum distance of samples"), "°", 0.1, 90.0, 0.5, 1, plain.within_deg)
-        self.within.edited.connect(lambda value: state.set(within_deg=value))
-        samples.add_row(
-            tr("Within"),
-            self.within,
-            tr("Maximum angle between a sample's incidence and the current incidence"),
-        )
+            grid.addWidget(form.tick(key, tr(title)), number // 2, number % 2)
+        samples = self._samples = OptionForm(state)
+        samples.add_wide(samples.tick("samples", tr("Measured samples")))
+        tip = tr("Maximum angle between a sample's incidence and the current incidence")
+        within, spoken = (0.1, 90.0, 0.5), tr("Maximum distance of samples")
+        self.within = samples.number("within_deg", tr("Within"), spoken, "°", within, 1, tip)
         self.reset = QPushButton(tr("Reset Radius"))
         self.reset.clicked.connect(self._reset)
-        box.addWidget(self.reset)
+        column_in(self, form, self.own_scale, grid, samples, self.reset)
         session.options_changed.connect(self.show_now)
         state.changed.connect(self.show_now)
         self.show_now()
 
     def show_now(self) -> None:
-        """Show what is set, without a signal."""
-        shared, own = self._session.options, self._state.options
-        self.radius.set_choice(shared.radius)
-        self.cosine.set_choice(shared.cosine)
-        self.channel.set_choice(shared.channel)
-        self.fill.set_choice(own.fill)
-        self.colouring.set_choice(own.colouring)
-        self.arrangement.set_choice(own.arrangement)
-        self.decades.set_value(own.decades)
-        self.decades.setEnabled(shared.radius == "log")
-        self.full.set_value(own.full)
+        own = self._state.options
+        self._form.show_now()
+        self._samples.show_now()
+        self.decades.setEnabled(self._session.options.radius == "log")
         self.full.setEnabled(own.fill == "value")
-        self.own_scale.setChecked(own.own_scale)
         self.own_scale.setEnabled(own.fill != "value")
-        self.samples.setChecked(own.samples)
-        self.within.set_value(own.within_deg)
         self.within.setEnabled(own.samples)
-        for key, flag in self.flags.items():
-            flag.setChecked(bool(getattr(own, key)))
 
     def hold(self, value: float) -> None:
         """Offer the value that radius 1 has now as the one to be held."""
@@ -154,12 +113,13 @@ class SurfaceSection(QWidget):
             self.full.set_value(value)
             self.full.set_default(value)
 
+    def _choose_full(self, value: float) -> None:
+        self._state.set(full=value, fill="value")
+
     def _choose_fill(self, key: str) -> None:
         # What is held first is what was shown.
-        if key == "value":
-            self._state.set(fill=key, full=self.full.value())
-        else:
-            self._state.set(fill=key)
+        held = {"full": self.full.value()} if key == "value" else {}
+        self._state.set(remember=True, **{"fill": key, **held})
 
     def _reset(self) -> None:
         self._session.reset_options("radius", "cosine", "channel")

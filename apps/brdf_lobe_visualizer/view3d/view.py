@@ -1,4 +1,4 @@
-"""The lobes in three dimensions: shows a :class:`Scene` in one or several panels from one camera.
+"""The lobes in three dimensions: shows a :class:`Scene` in one or several panels from one camera, and reads points.
 
 Who owns the view sets scene and camera; words are painted over the picture, sharp at any size.
 """
@@ -16,8 +16,9 @@ from brdf_qt.gl.items import BEFORE, BEHIND, DiscItem, SegmentItem
 from brdf_qt.gl.segments import Rgba
 from brdf_qt.gl.space import Region, SpaceView, project
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QImage, QMatrix4x4, QPainter, QPalette, QVector3D
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QImage, QMatrix4x4, QMouseEvent, QPainter, QPalette, QVector3D
 from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat
 from PySide6.QtWidgets import QWidget
 
@@ -31,13 +32,16 @@ from brdf_lobe_visualizer.view3d.lobe_item import (
     LobeItem,
 )
 from brdf_lobe_visualizer.view3d.overlay import Overlay
-from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of, write_svg
+from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of
 from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
+from brdf_lobe_visualizer.words import UNIT, number
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import GraphicsError
 from brdf_suite.files.images.png import write_png
+from brdf_suite.geometry.directions import angle_between
 from brdf_suite.inspection.lobe_surface.export import write_surface
-from brdf_suite.inspection.lobe_surface.occlusion import hidden, met
+from brdf_suite.inspection.lobe_surface.occlusion import hidden, met, value_along
 
 _TILE = 1024
 """Device pixels of a part of an exported picture; larger buffers may not be had."""
@@ -68,8 +72,6 @@ class LobeView(SpaceView):
         self._probe: Probe | None = None
         self._probe_text = ""
         self.make_items()
-
-    # What is shown.
 
     def make_items(self) -> None:
         self._lobes: list[LobeItem] = []
@@ -143,7 +145,6 @@ class LobeView(SpaceView):
         return (colour.redF(), colour.greenF(), colour.blueF(), 1.0)
 
     def set_camera(self, camera: Camera) -> None:
-        """See from there."""
         self.camera = camera
         self.update()
 
@@ -158,8 +159,6 @@ class LobeView(SpaceView):
         if probe is not None or self._probe is not None:
             self._probe, self._probe_text = probe, text
             self.update()
-
-    # Where things are.
 
     def rooms(self, size: QSize | None = None) -> list[QRectF]:
         """Return the panels' rectangles, logical pixels, for a picture of the view's size or another."""
@@ -213,8 +212,6 @@ class LobeView(SpaceView):
                 if place is not None:
                     return Probe(place, layer.surface, layer.grid, (room.left(), room.top()))
         return None
-
-    # Drawing.
 
     def viewMatrix(self) -> QMatrix4x4:
         return self.camera.to_eye()
@@ -300,7 +297,8 @@ class LobeView(SpaceView):
         if path.suffix.lower() == ".svg":
             size, palette = QSize(width, height), self.palette()
             look = Look(palette.text().color().name(), palette.base().color().name(), height / 60.0)
-            write_svg(path, svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look))
+            picture = svg_of(self.scene, self.frame(), self.camera, self.rooms(size), size, look)
+            write_atomically(path, picture.encode("utf-8"))
             return
         image = self.picture(width, height)
         rows = np.frombuffer(image.constBits(), np.uint8).reshape(height, -1)[:, : 4 * width]
@@ -366,3 +364,53 @@ class LobeView(SpaceView):
 def _projected(matrix: QMatrix4x4, place: tuple[float, float, float], room: QRectF) -> QPointF | None:
     at, depth = project(matrix, place, room)
     return QPointF(*at) if depth > 1e-4 else None
+
+
+_REST_MS = 30
+"""The cursor is asked about once it moves no more for so long: a ray costs as much as a surface."""
+
+
+class SpaceProbe(QObject):
+    """Marks the point of the first solid lobe under the cursor and writes what it is."""
+
+    def __init__(self, view: LobeView) -> None:
+        super().__init__(view)
+        self._view = view
+        self._at: QPointF | None = None
+        self._rest = make_timer(self, self.look, _REST_MS)
+        view.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if (
+            isinstance(event, QMouseEvent)
+            and kind == QEvent.Type.MouseMove
+            and event.buttons() == Qt.MouseButton.NoButton
+        ):
+            self._at = event.position()
+            self._rest.start()
+        elif kind in (QEvent.Type.Leave, QEvent.Type.MouseButtonPress, QEvent.Type.Wheel):
+            self._at = None
+            self._rest.stop()
+            self._view.set_probe(None)
+        return super().eventFilter(watched, event)
+
+    def look(self) -> None:
+        if self._at is None:
+            return
+        probe = self._view.probe_at(self._at)
+        self._view.set_probe(probe, "" if probe is None else words_of(probe))
+
+
+def words_of(probe: Probe) -> str:
+    """Return direction, aspecular angle and value of a point of a lobe."""
+    view = probe.place / np.linalg.norm(probe.place)
+    theta = np.degrees(np.arctan2(np.hypot(view[0], view[1]), view[2]))
+    # As the labels of the frame count azimuth: 0 where the light of azimuth 0 stands.
+    phi = (np.degrees(np.arctan2(view[1], view[0])) + 180.0) % 360.0
+    gamma = np.degrees(angle_between(probe.grid.mirror, view))
+    value = value_along(probe.surface, probe.grid, view)
+    text = tr("θo {theta}°  φo {phi}°  γ {gamma}°  {value} {unit}")
+    return text.format(
+        theta=f"{theta:.1f}", phi=f"{phi:.1f}", gamma=f"{gamma:.1f}", value=number(value), unit=UNIT
+    )
