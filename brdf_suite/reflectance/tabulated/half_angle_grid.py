@@ -14,7 +14,7 @@ from itertools import product
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Bools, Floats, Indices, Singles
+from brdf_suite.arrays import Bools, Floats, Singles
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import from_half_angle_coordinates
 
@@ -202,37 +202,51 @@ def fill_holes(
         raise ValueError(f"values and holes must be contiguous arrays of {grid.shape} bins")
     rows = values.reshape(-1, values.shape[3])
     rows[holes.reshape(-1)] = 0.0
-    known = ~holes
-    wanted = (holes & grid.reached()).reshape(-1)
-    known_row = known.reshape(-1)
-    filled = _fill_along_phi(rows, known_row, wanted, grid)
+    have, wanted = ~holes, holes & grid.reached()
+    filled = _fill_along_phi(rows, have.reshape(-1), wanted.reshape(-1), grid)
+    # With a margin of one bin all round, along φd a copy of the other end, a neighbour is a fixed way off.
+    known, missing = np.pad(have, 1), np.pad(wanted & ~have, 1)
+    table = np.pad(values, ((1, 1), (1, 1), (1, 1), (0, 0)))
+    _copy_ends(known, table)
+    far = np.array(known.strides)
     one = (-1, 0, 1)
-    steps = [
-        (step, 1.0 / sum((bins * far) ** 2 for bins, far in zip(step, bin_steps, strict=True)))
+    ways = [
+        (
+            int(far @ step),
+            np.float32(1.0 / sum((bins * size) ** 2 for bins, size in zip(step, bin_steps, strict=True))),
+        )
         for step in product(one, one, one)
         if any(step)
     ]
-    rim = np.flatnonzero(_spread(known).reshape(-1) & wanted & ~known_row)
+    flat, is_known, is_missing = table.reshape(-1, rows.shape[1]), known.reshape(-1), missing.reshape(-1)
+    beside = known
+    for axis in range(3):
+        beside = beside | np.roll(beside, 1, axis) | np.roll(beside, -1, axis)
+    rim = np.flatnonzero(beside & missing)
     while rim.size:
-        around = [_neighbours(rim, step, grid) for step, _ in steps]
         total = np.zeros((rim.size, rows.shape[1]), np.float32)
         weight = np.zeros(rim.size, np.float32)
-        for (_, share), (inside, place) in zip(steps, around, strict=True):
-            counted = known_row.take(place)
-            counted &= inside
-            at = np.flatnonzero(counted)
-            total[at] += np.float32(share) * rows.take(place[at], axis=0)
-            weight[at] += np.float32(share)
-        rows[rim] = total / weight[:, None]
-        known_row[rim] = True
+        beside = np.zeros(known.shape, np.bool_)
+        for way, share in ways:  # what is not known is 0
+            near = rim + way
+            total += share * flat.take(near, axis=0)
+            weight += share * is_known.take(near)
+            beside.reshape(-1)[near] = True
+        flat[rim] = total / weight[:, None]
+        is_known[rim], is_missing[rim] = True, False
         filled += rim.size
-        beside = np.zeros(known_row.size, np.bool_)
-        for inside, place in around:
-            beside[place[inside]] = True
-        beside &= wanted
-        beside &= ~known_row
-        rim = np.flatnonzero(beside)
+        _copy_ends(known, table)
+        beside[:, :, 1] |= beside[:, :, -1]
+        beside[:, :, -2] |= beside[:, :, 0]
+        rim = np.flatnonzero(beside & missing)
+    values[...] = table[1:-1, 1:-1, 1:-1]
     return filled
+
+
+def _copy_ends(*tables: npt.NDArray[np.generic]) -> None:
+    """Write the bins at either end of φd into the margin at the other."""
+    for table in tables:
+        table[:, :, 0], table[:, :, -1] = table[:, :, -2], table[:, :, 1]
 
 
 def _fill_along_phi(rows: npt.NDArray[np.float32], known: Bools, wanted: Bools, grid: HalfAngleGrid) -> int:
@@ -257,26 +271,3 @@ def _fill_along_phi(rows: npt.NDArray[np.float32], known: Bools, wanted: Bools, 
     rows[start + p] = before + share * (after - before)
     known[start + p] = True
     return int(p.size)
-
-
-def _neighbours(places: Indices, step: Step, grid: HalfAngleGrid) -> tuple[Bools, Indices]:
-    """Return whether a step from each flat place stays in the table, and where it leads (φd goes round)."""
-    line, p = np.divmod(places, grid.phi_d)
-    h, d = np.divmod(line, grid.theta_d)
-    h, d, p = h + step[0], d + step[1], p + step[2]
-    inside = (h >= 0) & (h < grid.theta_h) & (d >= 0) & (d < grid.theta_d)
-    p[p < 0] += grid.phi_d
-    p[p == grid.phi_d] = 0
-    return inside, np.where(inside, (h * grid.theta_d + d) * grid.phi_d + p, 0)
-
-
-def _spread(known: Bools) -> Bools:
-    """Return ``known`` grown by one bin in all 26 ways."""
-    wide = known | np.roll(known, 1, axis=2) | np.roll(known, -1, axis=2)
-    tall = wide.copy()
-    tall[:, 1:] |= wide[:, :-1]
-    tall[:, :-1] |= wide[:, 1:]
-    deep = tall.copy()
-    deep[1:] |= tall[:-1]
-    deep[:-1] |= tall[1:]
-    return deep
