@@ -72,6 +72,11 @@ class Walk(QObject):
             self.done.append(key)
             action.trigger()
             yield lambda: True
+            # What goes on, as a turntable does, or fills the screen would be drawn until the end.
+            if isValid(action) and action.isCheckable() and action.actionGroup() is None:
+                action.trigger()
+            if self._window.isFullScreen():
+                self._window.showNormal()
             for window in QApplication.topLevelWidgets():
                 if window is not self._window and window.isVisible():
                     window.close()

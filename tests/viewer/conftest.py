@@ -6,10 +6,11 @@ import importlib.util
 import uuid
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtWidgets import QApplication
 from shiboken6 import isValid
 
@@ -20,10 +21,16 @@ from brdf_suite.realtime.environment import textures as environment_textures
 from brdf_suite.realtime.gl import mesh_buffers
 from brdf_suite.realtime.pictures.renderer import Renderer
 
-_FILE = Path(__file__).parent.parent / "qt_gl" / "xvfb.py"
-_spec = importlib.util.spec_from_file_location("xvfb", _FILE)
-xvfb = importlib.util.module_from_spec(_spec)
-_spec.loader.exec_module(xvfb)
+
+def _load(file: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(file.stem, file)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+xvfb = _load(Path(__file__).parent.parent / "qt_gl" / "xvfb.py")
+lasting = _load(Path(__file__).with_name("lasting.py"))
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -184,66 +191,91 @@ class Viewer:
         return {key: " | ".join((m.what, m.where, m.todo)) for key, m in shown.items()}
 
 
+def open_viewer(
+    qtbot,
+    lights: dict[str, Path],
+    opened: list,
+    *,
+    paint: str = "blue",
+    size: tuple[int, int] = (760, 480),
+    fill: bool = False,
+    wait: bool = True,
+    **options,
+) -> Viewer:
+    """Open a Viewer as :func:`start` says; its controller is added to ``opened``."""
+    from brdf_viewer.controller import ViewerController
+
+    from brdf_suite.documents.view import View
+    from brdf_suite.documents.view_settings import Sparkle
+
+    QApplication.setQuitOnLastWindowClosed(
+        False
+    )  # the end of one program must not end the event loops of others
+    view = options.pop("view", None) or View(
+        environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle(mode="off")
+    )
+    controller = ViewerController(view, paint, **options)
+    opened.append(controller)
+    if not fill:
+        # Drawn in software a frame takes as long as it has pixels and flakes, and a test draws ten.
+        controller.window.picture.setMaximumSize(*PICTURE)
+    controller.window.resize(*size)
+    if wait:
+        complete = []
+        controller.picture_complete.connect(lambda: complete.append(True))
+        controller.window.show()
+        qtbot.waitUntil(lambda: bool(complete or controller.window.picture.failure))
+        assert not controller.window.picture.failure
+        # What is baked in the background changes the picture, and its line in the window the picture's height.
+        qtbot.waitUntil(lambda: is_idle(controller))
+        controller.window.activateWindow()
+    else:
+        controller.window.show()
+    return Viewer(controller, qtbot)
+
+
 @pytest.fixture
 def start(qtbot, lights) -> Iterator[Callable[..., Viewer]]:
     """Make Viewers; without arguments: a blue sphere in the ``dim`` light, in a small picture, without single flakes.
 
     With ``fill`` the picture fills the window, as it does for the user.
     """
-    from brdf_viewer.controller import ViewerController
-
-    from brdf_suite.documents.view import View
-    from brdf_suite.documents.view_settings import Sparkle
-
-    controllers = []
-
-    def make(
-        *,
-        paint: str = "blue",
-        size: tuple[int, int] = (760, 480),
-        fill: bool = False,
-        wait: bool = True,
-        **options,
-    ) -> Viewer:
-        view = options.pop("view", None) or View(
-            environment=str(lights["dim"]), surface="sphere", sparkle=Sparkle(mode="off")
-        )
-        controller = ViewerController(view, paint, **options)
-        controllers.append(controller)
-        if not fill:
-            # Drawn in software a frame takes as long as it has pixels and flakes, and a test draws ten.
-            controller.window.picture.setMaximumSize(*PICTURE)
-        controller.window.resize(*size)
-        if wait:
-            complete = []
-            controller.picture_complete.connect(lambda: complete.append(True))
-            controller.window.show()
-            qtbot.waitUntil(lambda: bool(complete or controller.window.picture.failure))
-            assert not controller.window.picture.failure
-            # What is baked in the background changes the picture, and its line in the window the picture's height.
-            qtbot.waitUntil(lambda: is_idle(controller))
-            controller.window.activateWindow()
-        else:
-            controller.window.show()
-        return Viewer(controller, qtbot)
-
-    yield make
+    controllers: list = []
+    yield lambda **options: open_viewer(qtbot, lights, controllers, **options)
     for controller in controllers:
         close(controller)
 
 
 def close(controller) -> None:
-    """Close the window as the user does; a program's end must not end the event loops of later tests."""
+    """Close the window as the user does, and take it away."""
     if isValid(controller):
         controller.window.close()
         controller.window.deleteLater()
-        QTimer.singleShot(0, QApplication.quit)
-        QApplication.exec()
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture(scope="module")
+def lasting_viewers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[..., Viewer]]:
+    """Return a Viewer as ``start()`` makes it, that a test before may have used: see ``lasting.py``."""
+    folder = tmp_path_factory.mktemp("settings")
+
+    def close_apart(controller) -> None:
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("BRDF_SUITE_SETTINGS", str(folder))
+            close(controller)
+
+    yield from lasting.lasting_viewers(close_apart)
 
 
 @pytest.fixture
-def viewer(start) -> Viewer:
-    return start()
+def viewer(lasting_viewers, qtbot, lights, monkeypatch: pytest.MonkeyPatch) -> Viewer:
+    """A Viewer in the state in which ``start()`` makes it; a test that replaces a part of it starts its own."""
+    opened: list = []
+    viewer = lasting_viewers(
+        lambda: open_viewer(qtbot, lights, opened), lambda controller: Viewer(controller, qtbot)
+    )
+    monkeypatch.setenv("BRDF_SUITE_LINK", viewer.link)  # where programs that the test starts meet it
+    return viewer
 
 
 @pytest.fixture

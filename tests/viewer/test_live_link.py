@@ -46,6 +46,12 @@ class Designer:
 
 
 @pytest.fixture
+def viewer(start):
+    """A Viewer of its own: one that has met a Designer goes on to offer the Designer's paint."""
+    return start()
+
+
+@pytest.fixture
 def designer() -> Iterator[Callable[[], Designer]]:
     opened: list[Designer] = []
 

@@ -216,8 +216,8 @@ class MessageBar(QWidget):
         """Take the message away; nothing where there is none."""
         if key in self._rows:
             self._drop(key)
-            if key == self._open and self._rows:
-                self.open(next(reversed(self._rows)))
+            if key == self._open:
+                self.open(next(reversed(self._rows), ""))
         self.setVisible(bool(self._rows))
 
     def shown(self) -> dict[str, Message]:

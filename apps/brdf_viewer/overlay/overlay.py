@@ -54,6 +54,7 @@ class PictureOverlay(QWidget):
         self._picture = picture
         picture.installEventFilter(self)
         self._follow()
+        self.hide()
 
     def show_labels(
         self, labels: tuple[OverlayLabel, ...], divider: float | None, scale: Scale | None

@@ -172,7 +172,8 @@ def test_before_there_is_a_picture_none_is_saved(start) -> None:
         ("linear", "View ▸ Tone Curve ▸ Linear, clipping marked"),
     ],
 )
-def test_everything_shipped_is_found_by_name(viewer, query, command) -> None:
+def test_everything_shipped_is_found_by_name(start, query, command) -> None:
+    viewer = start()
     palette = viewer.window.palette_window
     palette.open()
     QTest.keyClicks(palette.query, query)
