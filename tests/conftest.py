@@ -8,7 +8,8 @@ import importlib.util
 import os
 import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import count
 from pathlib import Path
 from types import ModuleType
 
@@ -34,11 +35,18 @@ settings.register_profile("nightly", _untimed, max_examples=600, derandomize=Fal
 settings.load_profile("ci")
 
 
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection() -> None:
+    """Search for no garbage while thousands of tests are collected, which are none."""
+    gc.disable()
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_finish() -> None:
-    """Keep the thousands of collected tests out of every later search for garbage."""
+    """Keep the collected tests out of every later search for garbage."""
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(scope="session")
@@ -103,10 +111,17 @@ def walks(qapp, load_helper: Callable[[str], ModuleType]) -> ModuleType:
     return load_helper("window_walks.py")
 
 
+@pytest.fixture(scope="session")
+def caches(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """Return names of folders, a new one each time, that are made when something is written there."""
+    folder = tmp_path_factory.mktemp("own caches")
+    return (folder / str(number) for number in count())
+
+
 @pytest.fixture(autouse=True)
-def own_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No test reads or writes the user's cache."""
-    monkeypatch.setenv("BRDF_SUITE_CACHE", str(tmp_path / "cache"))
+def own_cache(caches: Iterator[Path], monkeypatch: pytest.MonkeyPatch) -> None:
+    """No test reads or writes the user's cache. (A ``tmp_path`` for each test takes milliseconds to make.)"""
+    monkeypatch.setenv("BRDF_SUITE_CACHE", str(next(caches)))
 
 
 @pytest.fixture
