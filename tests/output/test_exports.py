@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import OpenEXR
 import pytest
+from filelock import FileLock
 from PIL import Image, ImageCms, ImageDraw
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING
@@ -22,13 +23,16 @@ from brdf_suite.documents.store import save_paint, view_from_json
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle, SurfaceLook
 from brdf_suite.errors import Cancelled, FileError, MissingExtraError, ValueRangeError
+from brdf_suite.files.images.environments import write_exr
 from brdf_suite.output import video
 from brdf_suite.output.picture_file import PictureSettings
 from brdf_suite.output.still import render_to_file
 from brdf_suite.output.turning import turned
 from brdf_suite.output.turntable import Turn, framed_all_round, write_turntable
+from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
+from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.realtime.pictures.tone_curves import to_display
@@ -47,6 +51,18 @@ BLUE = solid_paint("Blue", (30.0, 5.0, -40.0))
 pytestmark = pytest.mark.usefixtures("shared_cache")
 
 
+@pytest.fixture
+def lit(shared_cache: Path) -> View:
+    """:data:`VIEW` in the booth's light on an eighth of its texels: to load the whole takes longer than a picture."""
+    path = shared_cache / "tests" / "small booth.exr"
+    with FileLock(f"{shared_cache / 'small booth'}.lock"):
+        if not path.exists():
+            path.parent.mkdir(exist_ok=True)
+            whole = read_environment(find_environment("booth")[1]).radiance
+            write_exr(path, whole.reshape(64, 8, 128, 8, 3).mean(axis=(1, 3)))
+    return replace(VIEW, environment=str(path))
+
+
 def stop_at(fraction: float):
     def progress(done: float, _what: str) -> None:
         if done >= fraction:
@@ -55,9 +71,9 @@ def stop_at(fraction: float):
     return progress
 
 
-def test_png_of_16_bits_in_display_p3_says_what_it_is(tmp_path: Path) -> None:
+def test_png_of_16_bits_in_display_p3_says_what_it_is(lit: View, tmp_path: Path) -> None:
     path = tmp_path / "a.png"
-    render_to_file("blue", replace(VIEW, clipping_marks=True), SIZE, path, PictureSettings(16, "display-p3"))
+    render_to_file("blue", replace(lit, clipping_marks=True), SIZE, path, PictureSettings(16, "display-p3"))
     assert path.read_bytes()[24] == 16
     with Image.open(path) as image:
         profile = ImageCms.ImageCmsProfile(io.BytesIO(image.info["icc_profile"]))
@@ -65,12 +81,12 @@ def test_png_of_16_bits_in_display_p3_says_what_it_is(tmp_path: Path) -> None:
         assert image.info["Title"] == "Blue"
         view = view_from_json(json.loads(image.info["View"]))
     # All that is in the picture is in the view: it can be drawn again.
-    assert replace(view, camera=VIEW.camera) == replace(VIEW, clipping_marks=True)
+    assert replace(view, camera=lit.camera) == replace(lit, clipping_marks=True)
     assert view.camera.distance is not None
 
 
-def test_an_automatic_exposure_is_written_as_it_was_measured(tmp_path: Path) -> None:
-    view = replace(VIEW, exposure_mode="automatic", exposure_ev=0.0)
+def test_an_automatic_exposure_is_written_as_it_was_measured(lit: View, tmp_path: Path) -> None:
+    view = replace(lit, exposure_mode="automatic", exposure_ev=0.0)
     render_to_file("blue", view, SIZE, tmp_path / "a.png", PictureSettings(samples=1))
     with Image.open(tmp_path / "a.png") as image:
         written = view_from_json(json.loads(image.info["View"]))
@@ -84,7 +100,7 @@ def test_an_automatic_exposure_is_written_as_it_was_measured(tmp_path: Path) -> 
         assert (np.asarray(image) == codes).all()
 
 
-def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
+def test_exr_is_radiance_whatever_the_exposure(lit: View, tmp_path: Path) -> None:
     """Its pixels through our tone curve are the PNG's."""
     pictures = {}
     for name, settings, ev in (
@@ -93,7 +109,7 @@ def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
         ("c.exr", PictureSettings(32, "srgb", samples=1), 0.0),
         ("d.exr", PictureSettings(transparent=True), 0.0),
     ):
-        render_to_file("blue", replace(VIEW, exposure_ev=ev), SIZE, tmp_path / name, settings)
+        render_to_file("blue", replace(lit, exposure_ev=ev), SIZE, tmp_path / name, settings)
         with OpenEXR.File(str(tmp_path / name)) as file:
             channels = file.channels()
             pictures[name] = {key: channel.pixels.astype(float) for key, channel in channels.items()}
@@ -106,7 +122,7 @@ def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
     np.testing.assert_allclose(b, a, rtol=3e-3, atol=1e-4)
     np.testing.assert_allclose(c @ REC709_TO_WORKING.T, a, rtol=1e-4, atol=1e-5)
     assert object_alone[~inside & (object_alone[..., 3] == 0.0)].max() == 0.0
-    render_to_file("blue", VIEW, SIZE, tmp_path / "a.png", PictureSettings(samples=1))
+    render_to_file("blue", lit, SIZE, tmp_path / "a.png", PictureSettings(samples=1))
     codes = np.asarray(Image.open(tmp_path / "a.png")).astype(int)[inside]
     assert np.abs(to_display(a).astype(int) - codes).max() <= 1
 
@@ -122,30 +138,30 @@ def test_exr_is_radiance_whatever_the_exposure(tmp_path: Path) -> None:
     ],
 )
 def test_what_no_file_holds_is_reported_before_anything_is_made(
-    tmp_path: Path, name: str, settings: PictureSettings, message: str
+    lit: View, tmp_path: Path, name: str, settings: PictureSettings, message: str
 ) -> None:
     with pytest.raises(FileError, match=message):
-        render_to_file("blue", VIEW, SIZE, tmp_path / name, settings, progress=stop_at(0.0))
+        render_to_file("blue", lit, SIZE, tmp_path / name, settings, progress=stop_at(0.0))
     for bad in ({"samples": 0}, {"colour_space": "cmyk"}):
         with pytest.raises(ValueRangeError, match=next(iter(bad))):
             PictureSettings(**bad)
 
 
-def test_a_cancelled_picture_leaves_the_old_one(tmp_path: Path) -> None:
+def test_a_cancelled_picture_leaves_the_old_one(lit: View, tmp_path: Path) -> None:
     path = tmp_path / "a.png"
     path.write_bytes(b"old")
     with pytest.raises(Cancelled):
-        render_to_file("blue", VIEW, SIZE, path, progress=stop_at(0.85))
+        render_to_file("blue", lit, SIZE, path, progress=stop_at(0.85))
     assert path.read_bytes() == b"old"
     assert [file.name for file in tmp_path.iterdir()] == ["a.png"]
 
 
 def test_without_embree_the_picture_is_drawn_without_occlusion(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    lit: View, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("embreex.mesh_construction", "embreex.rtcore_scene"):
         monkeypatch.setitem(sys.modules, name, None)  # as where the package has no wheel
-    view = replace(VIEW, surface_look=SurfaceLook(scale=0.8))  # not one that is kept
+    view = replace(lit, surface_look=SurfaceLook(scale=0.8))  # not one that is kept
     made = render_to_file("blue", view, SIZE, tmp_path / "a.png")
     assert made.path.exists()
     assert any("drawn without occlusion" in notice for notice in made.notices)
@@ -192,19 +208,19 @@ def test_a_turntable_as_a_folder_of_pictures(tmp_path: Path) -> None:
     assert files == [f"frame_{i:04d}.png" for i in range(1, 5)]
     frames = [np.asarray(Image.open(folder / name).convert("RGBA")).astype(int) for name in files]
     assert all(frame.shape == (48, 64, 4) for frame in frames)
-    # A sphere stands still while it turns, and so does the light.
+    # A sphere stands still while it turns, and so does the light. (In the small one texels would be seen to change.)
     assert np.abs(frames[1] - frames[0]).max() <= 3
     with pytest.raises(FileError, match="not an empty folder"):
         write_turntable("blue", VIEW, SIZE, folder, Turn(2))
     assert sorted(file.name for file in folder.iterdir()) == files
 
 
-def test_a_cancelled_turntable_leaves_nothing(tmp_path: Path) -> None:
+def test_a_cancelled_turntable_leaves_nothing(lit: View, tmp_path: Path) -> None:
     for name in ("turn", "turn.mp4"):
         if name.endswith("mp4"):
             pytest.importorskip("imageio_ffmpeg")
         with pytest.raises(Cancelled):
-            write_turntable("blue", VIEW, SIZE, tmp_path / name, Turn(8), progress=stop_at(0.5))
+            write_turntable("blue", lit, SIZE, tmp_path / name, Turn(8), progress=stop_at(0.5))
         assert list(tmp_path.iterdir()) == []
 
 
@@ -229,15 +245,15 @@ def test_a_video_plays_what_was_drawn(tmp_path: Path, ending: str) -> None:
         assert np.abs(pixels[index][8:40, 8:56] - patch[0, 0]).max() <= 4
 
 
-def test_videos_that_cannot_be(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_videos_that_cannot_be(lit: View, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("imageio_ffmpeg")
     path = tmp_path / "a.mp4"
     with pytest.raises(ValueRangeError, match="even width and height: 64x48, not 63x47"):
-        write_turntable("blue", VIEW, (63, 47), path, Turn(2))
+        write_turntable("blue", lit, (63, 47), path, Turn(2))
     with pytest.raises(FileError, match="8 bits in sRGB"):
-        write_turntable("blue", VIEW, SIZE, path, Turn(2), PictureSettings(16))
+        write_turntable("blue", lit, SIZE, path, Turn(2), PictureSettings(16))
     with pytest.raises(FileError, match="a name without ending"):
-        write_turntable("blue", VIEW, SIZE, tmp_path / "a.gif", Turn(2))
+        write_turntable("blue", lit, SIZE, tmp_path / "a.gif", Turn(2))
     with pytest.raises(ValueRangeError, match="frames"):
         Turn(1)
     broken = tmp_path / "ffmpeg"
@@ -272,11 +288,11 @@ def palette() -> Palette:
     return Palette("Summer", (Entry(WHITE), *blues))
 
 
-def test_a_sheet_of_a_palette(tmp_path: Path) -> None:
+def test_a_sheet_of_a_palette(lit: View, tmp_path: Path) -> None:
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
     save_palette(palette(), source)
     heard: list[str] = []
-    made = write_sheet(source, VIEW, (80, 60), path, 2, progress=lambda _f, what: heard.append(what))
+    made = write_sheet(source, lit, (80, 60), path, 2, progress=lambda _f, what: heard.append(what))
     assert made.paints == 3
     assert len(made.problems) == 1
     assert made.problems[0].startswith("Impossible:")
@@ -293,11 +309,11 @@ def test_a_sheet_of_a_palette(tmp_path: Path) -> None:
     assert np.flatnonzero(bright.any(axis=1)).min() + 60 < np.flatnonzero(coloured.any(axis=1)).min()
 
 
-def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(tmp_path: Path) -> None:
+def test_the_head_of_a_narrow_sheet_takes_the_lines_that_it_needs(lit: View, tmp_path: Path) -> None:
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.png"
     long = "What our customers asked for in the summer of this year and of the one before"
     save_palette(Palette(long, (Entry(WHITE),)), source)
-    narrow = write_sheet(source, VIEW, (80, 60), path, 1)
+    narrow = write_sheet(source, lit, (80, 60), path, 1)
     with Image.open(path) as image:
         rows = np.flatnonzero((np.asarray(image)[: narrow.height - 120] == 0).all(axis=2).any(axis=1))
     # Of the title and of the notices about the light there are more lines than two; gaps part them.
@@ -321,13 +337,13 @@ def test_a_sheet_of_a_folder_reports_what_cannot_be_read(tmp_path: Path) -> None
         sheet_items(empty)
 
 
-def test_a_sheet_as_pages(tmp_path: Path) -> None:
+def test_a_sheet_as_pages(lit: View, tmp_path: Path) -> None:
     from pypdf import PdfReader
 
     source, path = tmp_path / "a.brdfpalette", tmp_path / "sheet.pdf"
     more = tuple(Entry(replace(BLUE, name=f"Blau {index}"), group=("Viele",)) for index in range(9))
     save_palette(replace(palette(), entries=(*palette().entries, *more)), source)
-    made = write_sheet(source, VIEW, (60, 40), path, 3, form="chips")
+    made = write_sheet(source, lit, (60, 40), path, 3, form="chips")
     assert (made.paints, made.pages, made.width) == (12, 2, 0)
     # A chip shows a reading, and needs no paint that has it.
     assert [problem.split(":")[0] for problem in made.problems] == ["Impossible"]
@@ -341,17 +357,17 @@ def test_a_sheet_as_pages(tmp_path: Path) -> None:
     assert "could not be drawn" in texts[0]
     first = next(iter(pages[0].images)).image
     assert first.size == (60, 40)
-    drawn = write_sheet(source, VIEW, (40, 30), tmp_path / "drawn.pdf")
+    drawn = write_sheet(source, lit, (40, 30), tmp_path / "drawn.pdf")
     # Pictures of one paint under several names are kept once.
     assert sum(len(page.images) for page in PdfReader(drawn.path).pages) >= 2
 
 
-def test_paints_of_a_sheet_are_drawn_as_each_alone() -> None:
+def test_paints_of_a_sheet_are_drawn_as_each_alone(lit: View) -> None:
     items = [SheetItem(paint.name, "", paint) for paint in (WHITE, BLUE)]
     pictures = []
     for order in (items, items[::-1]):
         # The first is drawn as any picture is, the others from what was kept of the surface.
-        with item_pictures(VIEW, (40, 30), PictureSettings(), Display(), None) as drawing:
+        with item_pictures(lit, (40, 30), PictureSettings(), Display(), None) as drawing:
             pictures.append({item.name: drawing.draw(item)[0].astype(int) for item in order})
     for item in items:
         assert np.abs(pictures[0][item.name] - pictures[1][item.name]).max() <= 1
@@ -365,15 +381,15 @@ def test_a_sheet_takes_palettes_of_other_programs(shared_data: Path) -> None:
     assert all(item.paint is not None and item.name for item in items)
 
 
-def test_a_cancelled_sheet_leaves_nothing(tmp_path: Path) -> None:
+def test_a_cancelled_sheet_leaves_nothing(lit: View, tmp_path: Path) -> None:
     source = tmp_path / "a.brdfpalette"
     save_palette(palette(), source)
     with pytest.raises(Cancelled):
-        write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.png", progress=stop_at(0.5))
+        write_sheet(source, lit, (40, 30), tmp_path / "sheet.png", progress=stop_at(0.5))
     with pytest.raises(FileError, match="PNG of 8 bits or as PDF"):
-        write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.exr")
+        write_sheet(source, lit, (40, 30), tmp_path / "sheet.exr")
     with pytest.raises(ValueRangeError, match="columns"):
-        write_sheet(source, VIEW, (40, 30), tmp_path / "sheet.png", 0)
+        write_sheet(source, lit, (40, 30), tmp_path / "sheet.png", 0)
     assert [file.name for file in tmp_path.iterdir()] == ["a.brdfpalette"]
 
 

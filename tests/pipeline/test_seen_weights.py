@@ -138,12 +138,12 @@ def gathered(reflectance, normal: np.ndarray, view: np.ndarray) -> np.ndarray:
     x, w = np.polynomial.legendre.leggauss(4)
     half = 0.5 * np.diff(edges)
     gamma = (edges[:-1, None] + half[:, None] * (1.0 + x)).ravel()
-    area = (half[:, None] * w).ravel() * np.sin(gamma) * 2.0 * np.pi / 48
+    area = (half[:, None] * w).ravel() * np.sin(gamma) * 2.0 * np.pi / 24
     mirrored = 2.0 * (normal @ view) * normal - view
     first = np.cross(mirrored, normal + 0.01 * view[[1, 2, 0]])
     first /= np.linalg.norm(first)
     second = np.cross(mirrored, first)
-    phi = (np.arange(48) + 0.5) * 2.0 * np.pi / 48
+    phi = (np.arange(24) + 0.5) * 2.0 * np.pi / 24
     around = np.cos(phi)[:, None] * first + np.sin(phi)[:, None] * second
     lights = np.cos(gamma)[:, None, None] * mirrored + np.sin(gamma)[:, None, None] * around
     across = np.cross(normal, view)

@@ -10,6 +10,7 @@ from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import Cancelled
 from brdf_suite.geometry.low_harmonics import low_harmonics
 from brdf_suite.surface.mesh import Mesh, PartGeometry
+from brdf_suite.surface.occlusion import floor as floor_baking
 from brdf_suite.surface.occlusion.bake import bake
 from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import open_floor
@@ -56,13 +57,21 @@ def share(part: BakedPart, points: AnyArray, *, floor: bool = False) -> AnyArray
     return at(part, points)[:, 7 if floor else 3]
 
 
+@pytest.fixture
+def coarse_floor(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bake a floor of few texels, where it is not looked at."""
+    monkeypatch.setattr(floor_baking, "_LONG_SIDE", 24)
+
+
 @pytest.fixture(scope="module")
 def ball_on_a_sheet() -> BakedMesh:
     ball = sphere()
     low, high = ball.bounds()
     radius = float(high[1] - low[1]) / 2
     sheet = level("sheet", float(low[1]) - 1e-4 * radius, 20.0 * radius)
-    return bake(Mesh("ball", (*ball.parts, sheet)))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(floor_baking, "_LONG_SIDE", 24)  # the sheet hides the floor
+        return bake(Mesh("ball", (*ball.parts, sheet)))
 
 
 @pytest.fixture(scope="module")
@@ -114,6 +123,7 @@ def test_an_open_place_sees_everything(ball_alone: BakedMesh) -> None:
     np.testing.assert_allclose(light[:, :3], ball.parts[0].normals * 2 / 3, atol=0.03)
 
 
+@pytest.mark.usefixtures("coarse_floor")
 def test_the_bottom_of_an_open_box() -> None:
     # A square opening parallel to a place under its middle, X = Y = half width / depth = 1/2:
     # F = 4 * 1/(2 pi) * (X/sqrt(1+X^2) atan(Y/sqrt(1+X^2)) + the same with X and Y changed).
@@ -147,6 +157,7 @@ def _corner_of_the_box() -> float:
     return float((1.0 / squared**2).sum() / n**2 / np.pi)
 
 
+@pytest.mark.usefixtures("coarse_floor")
 def test_light_does_not_bleed_along_triangles_that_reach_into_a_body() -> None:
     # A long sheet runs through a closed box; what is outside of it stays bright up to the box.
     box = _closed_box(0.2)
@@ -238,6 +249,7 @@ def test_rays_hit_what_a_search_over_all_triangles_hits() -> None:
         assert (found[~near, k] == 1).all()
 
 
+@pytest.mark.usefixtures("coarse_floor")
 def test_one_triangle() -> None:
     part = PartGeometry(
         "facet", "paint", np.eye(3), np.full((3, 3), 3**-0.5), np.zeros((3, 2)), np.array([[0, 1, 2]])
@@ -246,6 +258,7 @@ def test_one_triangle() -> None:
     assert light[:, 3] == pytest.approx(1.0, abs=1e-3)
 
 
+@pytest.mark.usefixtures("coarse_floor")
 def test_a_cancel_is_heard() -> None:
     reported: list[tuple[float, str]] = []
 

@@ -61,7 +61,8 @@ class SimulatedScene:
         """Return (h, w, 3): the mean over each pixel, over the strength of the lamp's channel."""
         width, height = self.size
         rows, columns = np.mgrid[0.0:height, 0.0:width]
-        values, half, covered, hidden = self._seen(lamp, columns.ravel(), rows.ravel())
+        values, covered, hidden, half = self._seen(lamp, columns.ravel(), rows.ravel(), angles=True)
+        assert half is not None
         shape = (height, width)
         picture = values.reshape(height, width, 3)
         grid, deep = _grids(
@@ -103,10 +104,13 @@ class SimulatedScene:
         return means
 
     def _seen(
-        self, lamp: SimulatedLamp, x: Floats, y: Floats
-    ) -> tuple[Floats, Floats, NDArray[np.bool_], NDArray[np.bool_]]:
-        """Return of each ray: radiance (n, 3), θh (n,) or NaN, whether it meets the sphere, whether it is hidden."""
-        values, half = np.zeros((len(x), 3)), np.full(len(x), np.nan)
+        self, lamp: SimulatedLamp, x: Floats, y: Floats, *, angles: bool = False
+    ) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_], Floats | None]:
+        """Return of each ray: radiance (n, 3), whether it meets the sphere, whether it is hidden, and θh (n,) or NaN.
+
+        The last where ``angles`` are asked for, which cost as much as the radiance; else None.
+        """
+        values, half = np.zeros((len(x), 3)), np.full(len(x), np.nan) if angles else None
         covered, hidden = np.zeros(len(x), bool), np.zeros(len(x), bool)
         for start in range(0, len(x), _BLOCK):
             here = slice(start, start + _BLOCK)
@@ -117,18 +121,24 @@ class SimulatedScene:
                 hidden[here] = lamp.hides(self.optics.centre, rays, np.where(hit, reach, np.inf))
             shown = np.flatnonzero(hit & ~hidden[here])
             points = self.optics.centre + reach[shown, None] * rays[shown]
-            values[start + shown], half[start + shown] = self._shaded(lamp, points, -rays[shown])
-        return values, half, covered, hidden
+            values[start + shown] = self._shaded(lamp, points, -rays[shown])
+            if half is not None:
+                half[start + shown] = self._half_angles(lamp, points, -rays[shown])
+        return values, covered, hidden, half
 
-    def _shaded(self, lamp: SimulatedLamp, points: Floats, views: Floats) -> tuple[Floats, Floats]:
-        """Return radiance (n, 3) and θh (n,) of points on the sphere seen from directions (n, 3)."""
+    def _half_angles(self, lamp: SimulatedLamp, points: Floats, views: Floats) -> Floats:
+        """Return θh (n,), radians, of points on the sphere seen from directions (n, 3)."""
+        halves = lamp.at(points)[0] + views
+        halves /= lengths(halves)[:, None]
+        # By the difference of two unit vectors: the arc cosine of nearly 1 has no digits.
+        off = lengths(halves - (points - self.centre) / self.radius)
+        return np.asarray(2.0 * np.arcsin(np.minimum(1.0, 0.5 * off)))
+
+    def _shaded(self, lamp: SimulatedLamp, points: Floats, views: Floats) -> Floats:
+        """Return the radiance (n, 3) of points on the sphere seen from directions (n, 3)."""
         normals = (points - self.centre) / self.radius
         lights, relative = lamp.at(points)
         cosines = np.einsum("ij,ij->i", normals, lights)
-        halves = lights + views
-        halves /= lengths(halves)[:, None]
-        # By the difference of two unit vectors: the arc cosine of nearly 1 has no digits.
-        theta = 2.0 * np.arcsin(np.minimum(1.0, 0.5 * lengths(halves - normals)))
         values = np.zeros((len(points), 3))
         # Attached shadow: what looks away from the lamp is dark.
         lit = np.flatnonzero(cosines > 0.0)
@@ -139,7 +149,7 @@ class SimulatedScene:
         values[lit] = found * (cosines * relative)[lit, None]
         if self.arm:
             values += turntable_reflection(lamp, points, normals, views)[:, None]
-        return values, theta
+        return values
 
 
 def _in_frames(normals: Floats, *vectors: Floats) -> list[Floats]:

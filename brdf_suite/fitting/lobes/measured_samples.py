@@ -171,6 +171,9 @@ def _solid_angles(wi: Floats, wo: Floats, theta: Floats) -> Floats:
     bins = np.round(theta / _INCIDENCE_BIN_RAD)
     for one in np.unique(bins):
         mine = np.flatnonzero(bins == one)
+        if len(mine) == 1:  # of scattered samples most have an incidence of their own
+            result[mine] = 2.0 * np.pi
+            continue
         # Views measured twice share their place.
         places, which = np.unique(np.round(views[mine], 6), axis=0, return_inverse=True)
         _, nearest = cKDTree(places).query(points)

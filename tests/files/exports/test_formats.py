@@ -42,9 +42,10 @@ BY_NAME = {known.name: known for known in FORMATS}
 
 @pytest.fixture(scope="module")
 def subjects() -> dict[str, ExportItem]:
-    """The paint as each format gets it; the table is made once."""
+    """The paint as each format gets it; the table, a smaller one than usual, is made once."""
     designed = ExportItem(PAINT)
-    tabulated = ExportItem(PAINT, Material("whole", tabulate(build_paint(PAINT)), document=PAINT))
+    table = tabulate(build_paint(PAINT), incidences=48, resolution=96)
+    tabulated = ExportItem(PAINT, Material("whole", table, document=PAINT))
     return {known.name: tabulated if known.name == "rgl" else designed for known in FORMATS}
 
 

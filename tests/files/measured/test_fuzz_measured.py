@@ -25,6 +25,7 @@ if not Path("/proc/self/statm").exists():
     pytest.skip("the memory in use is read from /proc", allow_module_level=True)
 
 MUTATIONS = 150
+LINES = 400
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +55,12 @@ def fuzzing(checkout: Path) -> ModuleType:
 def test_damaged_files_are_refused_or_read_within_the_limits(
     shared_data: Path, tmp_path: Path, fuzzing: ModuleType, name: str
 ) -> None:
-    counts, longest = fuzzing.fuzz(shared_data / "brdf" / name, MUTATIONS, seed=7, keep=tmp_path)
+    path = tmp_path / name
+    content = (shared_data / "brdf" / name).read_bytes()
+    if path.suffix in (".brdf", ".dat"):  # thousands of lines that are read one like the other
+        content = b"".join(content.splitlines(keepends=True)[:LINES])
+    path.write_bytes(content)
+    counts, longest = fuzzing.fuzz(path, MUTATIONS, seed=7, keep=tmp_path / "faults")
     assert not [result for result in counts if result.startswith("FAULT")]
     assert counts["read"] > 0  # some damage does no harm, so the readers were really reached
     assert counts["refused"] > MUTATIONS // 2

@@ -29,7 +29,7 @@ def model(theta_h: np.ndarray, theta_d: np.ndarray, phi_d: np.ndarray) -> np.nda
     turn = 1.0 + 0.25 * np.cos(2.0 * phi_d) + 0.15 * np.sin(2.0 * phi_d)
     lobe = np.exp(-theta_h / 0.15)
     return np.stack(
-        (
+        np.broadcast_arrays(
             0.08 + 2.0 * lobe * turn,
             0.06 + 0.02 * turn * theta_d + 0.5 * lobe,
             0.05 + 0.03 * np.cos(theta_d) + 0.01 * turn,
@@ -39,15 +39,14 @@ def model(theta_h: np.ndarray, theta_d: np.ndarray, phi_d: np.ndarray) -> np.nda
 
 def bytes_of(phi_bins: int = 180, scaled: bool = True, low: float = -1.0) -> bytes:
     """A whole file: the place of a value is φd + bins·(θd + 90·θh), a plane per channel."""
-    place = np.arange(90 * 90 * phi_bins)
-    bin_p, rest = place % phi_bins, place // phi_bins
-    bin_d, bin_h = rest % 90, rest // 90
+    # Axes in the order of the places, the slowest first.
+    bin_h, bin_d, bin_p = np.ogrid[:90, :90, :phi_bins]
     theta_h = np.radians((bin_h + 0.5) ** 2 / 90.0)
     theta_d = np.radians(bin_d + 0.5)
     phi_d = (bin_p + 0.5) * np.pi / 180.0
     planes = model(theta_h, theta_d, phi_d)
     if scaled:
-        planes = planes * 1500.0 / np.array([[1.0], [1.15], [1.66]])
+        planes *= 1500.0 / np.array([1.0, 1.15, 1.66])[:, None, None, None]
     z = np.cos(theta_h) * np.cos(theta_d)
     deep = np.abs(np.sin(theta_h) * np.sin(theta_d) * np.cos(phi_d)) >= z
     planes[:, deep] = low

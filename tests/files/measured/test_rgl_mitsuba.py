@@ -190,7 +190,7 @@ def test_mitsuba_reads_the_table_of_a_metallic_paint_as_we_do(silver: tuple[Path
 def test_mitsuba_reads_the_table_of_a_solid_paint_as_we_do(checkout: Path, tmp_path: Path) -> None:
     path = tmp_path / "paint.bsdf"
     paint = build_paint(load_paint(checkout / "resources" / "paints" / "solid_white.brdfpaint"))
-    write_rgl(tabulate(paint), path)
+    write_rgl(tabulate(paint, incidences=36, resolution=96), path)
     assert_same(read_rgl(path), Mitsuba(path))
 
 

@@ -232,7 +232,7 @@ def test_a_fitter_that_is_lost_takes_its_thread_along() -> None:
 
 def test_the_limit_is_that_of_one_fit_and_not_of_all_together() -> None:
     """The solver itself counts the time of all its runs; a drag of minutes must not run out of it."""
-    fitter = LobeFitter(time_limit_s=1.0)
+    fitter = LobeFitter(time_limit_s=0.5)
     rng = np.random.default_rng(6)
     base, coat = targets(fitter)
     limited: list[bool] = []

@@ -29,7 +29,7 @@ def glint(at, across, down, slope, spread=0.02, waviness=0.02, colour_spread=0.0
 
 @pytest.mark.parametrize("flakes", [0.3, 4.0, 100.0, 1e4])
 def test_the_mean_is_kept(flakes):
-    ratio = glint(*pixels(60000, flakes))[:, 0]
+    ratio = glint(*pixels(25000, flakes))[:, 0]
     error = 4 * ratio.std() / np.sqrt(len(ratio))
     assert ratio.mean() == pytest.approx(1.0, abs=error)
     assert ratio.min() >= 0
@@ -37,7 +37,7 @@ def test_the_mean_is_kept(flakes):
 
 def test_contrast_falls_with_the_root_of_the_count():
     counts = np.array([0.5, 4.0, 32.0, 256.0, 4000.0])
-    scaled = [glint(*pixels(60000, c))[:, 0].std() * np.sqrt(c) for c in counts]
+    scaled = [glint(*pixels(25000, c))[:, 0].std() * np.sqrt(c) for c in counts]
     assert max(scaled) / min(scaled) < 1.4
 
 
@@ -56,7 +56,7 @@ def test_no_flake_pops_when_the_pixel_grows():
 
 
 def test_the_same_flakes_after_a_small_move_and_a_small_turn_of_the_light():
-    at, across, down, slope = pixels(60000, 10.0)
+    at, across, down, slope = pixels(25000, 10.0)
     before = glint(at, across, down, slope)[:, 0]
     moved = glint(at + 0.1 * across, across, down, slope)[:, 0]
     assert np.corrcoef(before, moved)[0, 1] > 0.95
@@ -75,7 +75,7 @@ def test_a_broad_light_hardly_glints_and_keeps_the_mean():
 
 
 def test_colours_are_even_in_the_mean_and_grey_without_spread():
-    where = pixels(60000, 4.0)
+    where = pixels(25000, 4.0)
     grey = glint(*where, 0.05)
     np.testing.assert_array_equal(grey[:, 0], grey[:, 1])
     coloured = glint(*where, 0.05, colour_spread=0.8)
@@ -134,7 +134,7 @@ def test_flake_texture_draws_beckmann():
 
 @pytest.mark.parametrize("flakes", [0.05, 0.5, 3.0])
 def test_flake_texture_keeps_the_mean(flakes):
-    at, across, down, slope = pixels(60000, flakes)
+    at, across, down, slope = pixels(25000, flakes)
     ratio = glints.flake_texture_ratio(at, across, down, slope, 0.03, **PAINT)[:, 0]
     assert ratio.mean() == pytest.approx(1.0, abs=4 * ratio.std() / np.sqrt(len(ratio)))
 
