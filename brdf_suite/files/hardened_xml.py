@@ -77,8 +77,9 @@ def parse_xml(content: bytes, path: PathLike) -> Element:
         builder.parser.Parse(content, True)
     except expat.ExpatError as error:
         reason = expat.errors.messages.get(error.code, "syntax error") if error.code else "syntax error"
+        reason = reason.replace("junk after document element", "something follows the end of the document")
         place = f"line {error.lineno}, column {error.offset + 1}"
-        raise FileError(path, f"is not valid XML ({_english(reason)})", place) from error
+        raise FileError(path, f"is not valid XML ({reason})", place) from error
     except (
         LookupError,
         ValueError,
@@ -88,10 +89,6 @@ def parse_xml(content: bytes, path: PathLike) -> Element:
     if builder.root is None:
         raise FileError(path, "holds no element", "line 1")
     return builder.root
-
-
-def _english(reason: str) -> str:
-    return reason.replace("junk after document element", "something follows the end of the document")
 
 
 class _Builder:

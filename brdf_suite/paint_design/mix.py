@@ -60,7 +60,7 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
         raise ValueRangeError("share", f"from {LEAST_SHARE:g} to {MOST_SHARE:g} is wanted, not {share:g}")
     if _angles(first) != _angles(second):
         raise ValueRangeError("measurements", "both paints must be read at the same angles")
-    named = name or _name(first, second, share)
+    named = name or f"{first.name[:90]} {100.0 * share:.0f} % {second.name[:90]}"
     if share in (0.0, 1.0):
         return replace(first if share == 0.0 else second, name=named)
     nearer = first if share < 0.5 else second
@@ -84,11 +84,6 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
 
 def _angles(paint: Paint) -> frozenset[tuple[float, float]]:
     return frozenset((m.illumination_deg, m.aspecular_deg) for m in paint.measurements)
-
-
-def _name(first: Paint, second: Paint, share: float) -> str:
-    percent = f" {100.0 * share:.0f} % "
-    return f"{first.name[:90]}{percent}{second.name[:90]}"
 
 
 def _between(one: Lab, other: Lab, share: float) -> Lab:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Literal
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
@@ -127,7 +127,10 @@ def load_material(
     if isinstance(found, Entry):
         return material_of_entry(found, text)
     if found is None:
-        return _load_model(text) if not is_file(text) else load_measured(text, observer_deg)
+        if is_file(text):
+            return load_measured(text, observer_deg)
+        model = MODELS[text]
+        return Material(model.title, model.make(), text, notices=(f"{model.source}.",))
     if isinstance(found, Paint) and solved_through is not None:
         solved = build_through(found, solved_through)
         return _designed(found, text, solved.reflectance, solved.notices)
@@ -209,9 +212,7 @@ def under_illuminant(material: Material, colour: LightColour) -> Material:
     Without spectra nothing is known, and under D65 or in the environment's own light nothing changes.
     """
     illuminant = ILLUMINANT_OF.get(colour.illuminant, "D65")
-    if illuminant == "D65":
-        return material
-    if not has_spectra(material.reflectance):
+    if illuminant == "D65" or not has_spectra(material.reflectance):
         return material
     from brdf_suite.reflectance.instruments.relit import relit  # 15 ms at the start of each program
 
@@ -237,18 +238,14 @@ def _find(text: str) -> AnyPaint | Entry | None:
         return load_any_paint(text) if kind == "paint" else None
     path, _, entry_id = text.rpartition(ENTRY_MARK)
     if path and is_file(path):
-        return palette_entry(load_palette_file(path).palette, path, entry_id)
+        palette = load_palette_file(path).palette
+        if entry_id not in palette.by_id:
+            raise FileError(path, f"has no entry {entry_id!r}")
+        return palette.entry(entry_id)
     if text in MODELS:
         return None
     check_exists(text, "paint", [*names, *TABLE_1])
     return load_any_paint(text)
-
-
-def palette_entry(palette: Palette, path: str, entry_id: str) -> Entry:
-    """Return an entry of the palette in ``path``; raise :class:`FileError` where there is none of that id."""
-    if entry_id not in palette.by_id:
-        raise FileError(path, f"has no entry {entry_id!r}")
-    return palette.entry(entry_id)
 
 
 def _only_entry(path: str) -> Entry:
@@ -259,11 +256,6 @@ def _only_entry(path: str) -> Entry:
         example = f"{path}{ENTRY_MARK}{entries[0].id}"
         raise FileError(path, f"is a palette of {len(entries):,} paints; name one of them, as in {example}")
     return entries[0]
-
-
-def _load_model(name: str) -> Material:
-    model = MODELS[name]
-    return Material(model.title, model.make(), name, notices=(f"{model.source}.",))
 
 
 def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:

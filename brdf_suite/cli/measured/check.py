@@ -34,24 +34,18 @@ def run(options: argparse.Namespace) -> int:
     """Check and print."""
     if options.models == (options.what is not None):
         raise SuiteError("Name one paint, file or model to check, or give --models for every model.")
-    reports = _all_models() if options.models else [_report(options.what)]
+    if options.models or options.what in registry.MODELS:
+        models = registry.MODELS.values() if options.models else [registry.MODELS[options.what]]
+        reports = [check_model(entry) for entry in models]
+    else:
+        item = load_material(options.what)
+        reports = [check_reflectance(item.reflectance, item.name)]
     if options.json:
         print_json({"reports": [r.to_json() for r in reports]} if options.models else reports[0].to_json())
     else:
         for report in reports:
             _print(report)
     return 0 if all(report.passed for report in reports) else 1
-
-
-def _all_models() -> list[CheckReport]:
-    return [check_model(entry) for entry in registry.MODELS.values()]
-
-
-def _report(what: str) -> CheckReport:
-    if what in registry.MODELS:
-        return check_model(registry.MODELS[what])
-    item = load_material(what)
-    return check_reflectance(item.reflectance, item.name)
 
 
 def _print(report: CheckReport) -> None:

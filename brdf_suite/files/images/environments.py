@@ -76,11 +76,6 @@ def clip_negative(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32], lis
     return np.maximum(pixels, np.float32(0.0)), [note]
 
 
-def note_darkness(pixels: NDArray[np.float32]) -> list[str]:
-    """Return a note where no pixel (h, w, 3) gives any light, which is rarely meant."""
-    return [] if pixels.any() else ["every pixel is black: nothing is lit by this environment"]
-
-
 def _pixels(where: NDArray[np.bool_]) -> str:
     return f"{int(where.any(axis=2).sum()):,} pixel(s)"
 
@@ -171,7 +166,8 @@ def read_environment_image(path: PathLike) -> ImageData:
         pixels = pixels @ matrix.T
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
-    notices = (*notes, *repairs, *clipped, *note_darkness(pixels))
+    dark = [] if pixels.any() else ["every pixel is black: nothing is lit by this environment"]
+    notices = (*notes, *repairs, *clipped, *dark)
     return ImageData(np.ascontiguousarray(pixels), notices, layout)
 
 

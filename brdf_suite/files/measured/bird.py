@@ -177,16 +177,13 @@ def _numbers(path: PathLike, values: list[Any], name: str, count: int | None) ->
         raise FileError(path, reason, f"data.{name}.values")
     numbers = np.empty(len(values))
     for index, value in enumerate(values):
-        number = float(value) if isinstance(value, (int, float)) and _fits(value) else math.nan
+        # An int of JSON may be too large for a float.
+        number = float(value) if isinstance(value, (int, float)) and abs(value) < 1e300 else math.nan
         if isinstance(value, bool) or not math.isfinite(number):
             reason = f"expected a finite number, not {describe(value)}"
             raise FileError(path, reason, f"data.{name}.values[{index}]")
         numbers[index] = number
     return numbers
-
-
-def _fits(value: float) -> bool:
-    return abs(value) < 1e300  # an int of JSON may be too large for a float
 
 
 def _angle(path: PathLike, axis: dict[str, Any], name: str, count: int) -> Floats:

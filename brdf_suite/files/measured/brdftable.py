@@ -26,7 +26,7 @@ import numpy as np
 from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.array_file import Layout, read_arrays, write_arrays
-from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions, tabulation_notes
+from brdf_suite.files.measured.format import MeasuredFormat, tabulation_notes
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import MOST_MORE, Factored
 from brdf_suite.reflectance.protocol import Reflectance
@@ -257,15 +257,11 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _read(path: PathLike, _: ReadOptions) -> Table:
-    return read_brdftable(path)
-
-
 FORMAT = MeasuredFormat(
     "brdftable",
     "BRDF Suite table",
     (".brdftable",),
     lambda head, _: head.startswith(LAYOUT.magic),
-    _read,
+    lambda path, _: read_brdftable(path),
     write_brdftable,
 )

@@ -64,8 +64,11 @@ def read_parts(path: PathLike) -> list[RawPart]:
     try:
         scene = trimesh.load_scene(os.fspath(path), process=False)
         names = scene.graph.nodes_geometry
+        faces: dict[str, Any] = {
+            node: getattr(scene.geometry[scene.graph[node][1]], "faces", None) for node in names
+        }
         return [
-            _raw_part(path, scene, node) for node in names if _has_faces(scene.geometry[scene.graph[node][1]])
+            _raw_part(path, scene, node) for node in names if faces[node] is not None and len(faces[node])
         ]
     except FileError:
         raise
@@ -96,10 +99,6 @@ def _in_words(error: Exception) -> str:
     if isinstance(error, UnicodeError):
         return "damaged: it holds bytes that are no text where text belongs"
     return "damaged, or not the kind of mesh that its name says"
-
-
-def _has_faces(geometry: Any) -> bool:
-    return getattr(geometry, "faces", None) is not None and len(geometry.faces) > 0
 
 
 def _raw_part(path: PathLike, scene: Any, node: str) -> RawPart:

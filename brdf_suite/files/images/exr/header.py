@@ -87,7 +87,7 @@ def parse_headers(path: PathLike, stream: BinaryIO) -> tuple[ExrHeader, ...]:
     for header, attributes in zip(headers, found, strict=True):
         tiled = _text(attributes, "type").startswith("tiled") if several else bool(flags & _TILED)
         if header.deep:
-            _skip_table(path, reader, attributes)
+            reader.take(8 * _chunk_count(path, attributes))
         elif tiled and ("tiles" not in attributes or len(attributes["tiles"][1]) != 9):
             raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
         elif several:
@@ -142,10 +142,6 @@ def _chunk_count(path: PathLike, attributes: dict[str, tuple[int, bytes]]) -> in
     if count < 1:
         raise FileError(path, "has a part without a sound 'chunkCount' attribute", f"byte {place}")
     return int(count)
-
-
-def _skip_table(path: PathLike, reader: _Reader, attributes: dict[str, tuple[int, bytes]]) -> None:
-    reader.take(8 * _chunk_count(path, attributes))
 
 
 class _Reader:
