@@ -121,8 +121,8 @@ def _apart(base: Palette, ours: Palette, theirs: Palette) -> tuple[Entry, ...]:
     return tuple(found)
 
 
-def _key(item: Entry | Group) -> Hashable:
-    return item.id if isinstance(item, Entry) else item.path
+def _by_key(items: Sequence[_Item]) -> dict[Hashable, _Item]:
+    return {item.id if isinstance(item, Entry) else item.path: item for item in items}
 
 
 def _words(item: Entry | Group) -> str:
@@ -140,17 +140,16 @@ class _Merger:
 
     def note_changes(self, before: Sequence[_Item], after: Sequence[_Item]) -> None:
         """Note what has changed from one state to the other."""
-        old, new = {_key(item): item for item in before}, {_key(item): item for item in after}
+        old, new = _by_key(before), _by_key(after)
         self._take("new", (item for name, item in new.items() if name not in old))
         self._take("removed", (item for name, item in old.items() if name not in new))
         self._take("changed", (item for name, item in new.items() if name in old and old[name] != item))
 
     def items(self, base: Sequence[_Item], ours: Sequence[_Item], theirs: Sequence[_Item]) -> list[_Item]:
         """Return what becomes of the entries or groups of all sides, in order."""
-        sides: list[dict[Hashable, _Item]] = [
-            {_key(item): item for item in side} for side in (base, ours, theirs)
-        ]
-        old, own, other = sides
+        old: dict[Hashable, _Item] = _by_key(base)
+        own: dict[Hashable, _Item] = _by_key(ours)
+        other: dict[Hashable, _Item] = _by_key(theirs)
         kept: dict[Hashable, _Item] = {}
         for name in dict.fromkeys((*own, *other)):
             found = self._one(old.get(name), own.get(name), other.get(name))
@@ -187,8 +186,8 @@ class _Merger:
         values: dict[str, Any] = {}
         for name in (field.name for field in fields(ours)):
             old = None if base is None else getattr(base, name)
-            sides: list[Any] = [getattr(ours, name), getattr(theirs, name)]
-            mine, other = sides
+            mine: Any = getattr(ours, name)
+            other: Any = getattr(theirs, name)
             if name == "tags":
                 # Those that either added, without those that either removed, in our order.
                 gone = set(old or ()) - (set(mine) & set(other))
