@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.memory_limit import within_memory
+from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.meshes.glb import is_own, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.meshes.gltf import material_word, read_gltf
 from brdf_suite.surface.mesh import Mesh, PartGeometry

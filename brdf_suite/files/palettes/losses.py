@@ -9,8 +9,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.palettes import collecting
 from brdf_suite.files.palettes.conversions import in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.own import FORMAT as OWN
+from brdf_suite.files.palettes.format import OWN, PaletteFormat
 
 _SAME = 1e-9
 

@@ -20,11 +20,10 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, open_plain
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.header import ExrHeader, ExrLight, choose_light, parse_headers, to_rgb
 from brdf_suite.files.images.primaries import REC709, REC2020, Chromaticities
-from brdf_suite.files.memory_limit import MOST_MADE_BYTES
 
 MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
