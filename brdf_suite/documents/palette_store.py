@@ -143,10 +143,7 @@ def _lists(value: tuple[Any, ...]) -> list[Any]:
 def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
     """Return the palette in a JSON value; ``path`` is what error messages call its origin.
 
-    Raises
-    ------
-    DocumentError
-        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    Raises :class:`DocumentError`: a field is missing, unknown, of the wrong type or out of range; ``place`` names it.
     """
     reader = open_envelope(value, "brdfpalette", path)
     name = reader.take("name")

@@ -217,10 +217,7 @@ def _plain(value: object) -> object:
 def any_paint_from_json(value: object, path: PathLike = "the message") -> AnyPaint:
     """Return the paint in a JSON value; ``path`` is what error messages call its origin.
 
-    Raises
-    ------
-    DocumentError
-        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    Raises :class:`DocumentError`: a field is missing, unknown, of the wrong type or out of range; ``place`` names it.
     """
     reader = open_envelope(value, "brdfpaint", path)
     kind = reader.take("kind")

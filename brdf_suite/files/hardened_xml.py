@@ -65,10 +65,7 @@ class Element:
 def parse_xml(content: bytes, path: PathLike) -> Element:
     """Return the root of the XML in ``content``; ``path`` is what messages call it.
 
-    Raises
-    ------
-    FileError
-        It is not well-formed, declares a document type, or is beyond a bound; with the line.
+    Raises :class:`FileError`: it is not well-formed, declares a document type, or is beyond a bound; with the line.
     """
     if len(content) > MOST_BYTES:
         raise FileError(path, f"has {len(content):,} bytes, more than the {MOST_BYTES:,} allowed")
@@ -163,10 +160,7 @@ def text_content(text: str) -> str:
 def read_root(data: bytes, path: PathLike, *names: str) -> Element:
     """Return the root of an XML file, which must have one of these local names.
 
-    Raises
-    ------
-    FileError
-        It is damaged, hostile (a document type, too deep), or something else; with the line.
+    Raises :class:`FileError`: it is damaged, hostile (a document type, too deep), or something else; with the line.
     """
     root = parse_xml(data, path)
     if root.name not in names:

@@ -99,10 +99,7 @@ def nearest_feasible(
     ``fitter`` is one of the calling thread, patient: no exact fit is waited for. A paint that can be is its own
     nearest.
 
-    Raises
-    ------
-    Cancelled
-        The progress callback asked for it.
+    Raises :class:`Cancelled`: the progress callback asked for it.
     """
     report(progress, 0.0, "looking for the nearest paint")
     possible = nearest_reachable(paint)

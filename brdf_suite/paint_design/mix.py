@@ -33,10 +33,7 @@ _LEAST_DENSITY = 0.5
 def second_end(first: Paint, second: Paint | Standard) -> Paint:
     """Return the second paint read at the first one's angles; a paint of the same angles is returned as it is.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of them.
+    Raises :class:`SuiteError`: it has no colour at one of them.
     """
     standard = second if isinstance(second, Standard) else standard_of(second)
     if standard.paint is not None and _angles(standard.paint) == _angles(first):
@@ -51,10 +48,7 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
 
     Both must have the same angles (:func:`second_end`). At 0 and 1 it is the very first and second, but for the name.
 
-    Raises
-    ------
-    ValueRangeError
-        The share is out of its range, or the angles differ.
+    Raises :class:`ValueRangeError`: the share is out of its range, or the angles differ.
     """
     if not LEAST_SHARE <= share <= MOST_SHARE:
         raise ValueRangeError("share", f"from {LEAST_SHARE:g} to {MOST_SHARE:g} is wanted, not {share:g}")

@@ -287,10 +287,7 @@ def _is_at(measurement: Measurement, illumination_deg: float, aspecular_deg: flo
 def readings_like(standard: Standard, like: Paint) -> tuple[Measurement, ...]:
     """Return the standard's colours at the angles of ``like``, in the range of a paint's readings.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of the angles; the message names it.
+    Raises :class:`SuiteError`: it has no colour at one of the angles; the message names it.
     """
     measurements = []
     for m in like.measurements:
@@ -310,10 +307,7 @@ def paint_like(standard: Standard, like: Paint) -> Paint:
     A standard that is a paint is that paint. Of anything else the colours are its own; what it does not know (gloss,
     flakes, the rule between the angles) is that of ``like``.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of the angles; the message names it.
+    Raises :class:`SuiteError`: it has no colour at one of the angles; the message names it.
     """
     if standard.paint is not None:
         return standard.paint

@@ -66,10 +66,7 @@ def variations(paint: Paint, step: float = USUAL_STEP) -> tuple[Variation, ...]:
     >>> found["lighter"].paint.lab_at(45.0), found["cleaner"].paint
     ((52.0, 0.0, 0.0), None)
 
-    Raises
-    ------
-    ValueRangeError
-        The step is not between 0.1 and 20.
+    Raises :class:`ValueRangeError`: the step is not between 0.1 and 20.
     """
     if not LEAST_STEP <= step <= MOST_STEP:
         raise ValueRangeError("step", f"from {LEAST_STEP:g} to {MOST_STEP:g} is wanted, not {step:g}")

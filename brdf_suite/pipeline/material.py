@@ -72,10 +72,7 @@ def default_paint() -> Paint:
 def file_kind(path: str | os.PathLike[str]) -> FileKind:
     """Return what a file is, by its content.
 
-    Raises
-    ------
-    FileError
-        It cannot be read, or its content is of no known format.
+    Raises :class:`FileError`: it cannot be read, or its content is of no known format.
     """
     known = document_kind(path)
     if known is None and is_file(os.fspath(path)) and not Path(path).stat().st_size:
@@ -149,10 +146,7 @@ def load_document(name_or_path: str | os.PathLike[str]) -> AnyPaint | None:
 def material_of(document: AnyPaint, origin: str = "") -> Material:
     """Return a paint document as a material; ``origin`` is the name or path that messages call it by.
 
-    Raises
-    ------
-    UnreachableError
-        No such paint can have the gloss or colours that the document asks for.
+    Raises :class:`UnreachableError`: no such paint can have the gloss or colours that the document asks for.
     """
     try:
         if isinstance(document, Paint):

@@ -154,10 +154,7 @@ class _Header:
 def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSamples:
     """Return the samples of an ALTA file; one output is grey, three are Rec. 709 (or XYZ where it says so).
 
-    Raises
-    ------
-    FileError
-        With the line of the first fault.
+    Raises :class:`FileError`: with the line of the first fault.
     """
     header = _Header(path)
     rows: SampleRows | None = None
@@ -210,10 +207,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
 def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     """Write RGB samples, and return notes for the user (Rec. 709, as readers of ALTA expect), grey ones in one column.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written.
+    Raises :class:`FileError`: the file cannot be written.
     """
     scattered = as_samples(value)
     theta_i, phi_i = angles(scattered.wi)

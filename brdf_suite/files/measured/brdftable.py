@@ -58,10 +58,7 @@ def product_parts(value: Factored) -> tuple[dict[str, Any], dict[str, AnyArray]]
 def product_value(header: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> Factored:
     """Return what :func:`product_parts` took apart; ``header`` holds ``maps``, ``source`` and ``facts``.
 
-    Raises
-    ------
-    ValueRangeError
-        ``maps`` is not as it should be, or an array is missing or is no map.
+    Raises :class:`ValueRangeError`: ``maps`` is not as it should be, or an array is missing or is no map.
     """
     maps = header["maps"]
     if set(maps) != {"logarithmic", "more", "peak"} or not isinstance(maps["logarithmic"], bool):
@@ -114,10 +111,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
     Returns notes: what was lost, each a clause for the user.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written, or the facts of the table are not plain values.
+    Raises :class:`FileError`: the file cannot be written, or the facts of the table are not plain values.
     """
     table: Table
     notes: tuple[str, ...] = ()

@@ -33,10 +33,7 @@ _LARGEST = float(np.finfo(np.float32).max)
 def check_stl(path: PathLike, data: bytes) -> None:
     """Refuse a binary STL whose size is not that of the triangles that its header promises.
 
-    Raises
-    ------
-    FileError
-        The file is cut off, or something was appended; with both numbers.
+    Raises :class:`FileError`: the file is cut off, or something was appended; with both numbers.
     """
     if b"\0" not in data[:4096]:
         return  # text: zero bytes are in every count and in nearly every coordinate of the binary kind
@@ -53,10 +50,7 @@ def check_stl(path: PathLike, data: bytes) -> None:
 def read_parts(path: PathLike) -> list[RawPart]:
     """Return the parts with triangles, in world axes and the unit of the file, unchecked.
 
-    Raises
-    ------
-    FileError
-        The file is damaged or refers to what it does not hold.
+    Raises :class:`FileError`: the file is damaged or refers to what it does not hold.
     """
     # Imported here: it takes a third of a second, and only meshes of others need it.
     import trimesh

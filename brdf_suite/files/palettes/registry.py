@@ -112,10 +112,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
 
     A file that says no name has its own, so whether the palette's is lost depends on ``path``.
 
-    Raises
-    ------
-    SuiteError
-        It cannot be written in that format at all.
+    Raises :class:`SuiteError`: it cannot be written in that format at all.
     """
     return find_losses(palette, known, encode_palette(palette, known), path or f"the {known.title} file")
 
@@ -123,10 +120,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
 def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> WrittenPalette:
     """Write a palette, whole or not at all, in the format given or that the ending names.
 
-    Raises
-    ------
-    SuiteError
-        The ending names no format, the format cannot hold the palette, or the disk refuses.
+    Raises :class:`SuiteError`: the ending names no format, the format cannot hold the palette, or the disk refuses.
     """
     if known is None:
         known = format_for(path)

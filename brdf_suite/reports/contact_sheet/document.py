@@ -37,10 +37,7 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
 
     A paint of a folder that cannot be read is an item with its problem.
 
-    Raises
-    ------
-    FileError
-        There is no such file or folder, or nothing in it.
+    Raises :class:`FileError`: there is no such file or folder, or nothing in it.
     """
     if source.is_dir():
         files = sorted(source.glob(f"*{PAINT_ENDING}"), key=lambda path: path.name.casefold())

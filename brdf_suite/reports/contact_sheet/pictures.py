@@ -68,10 +68,7 @@ class ItemPictures:
     def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], list[str]]:
         """Return the picture (h, w, 3) of an item and the lines below its name.
 
-        Raises
-        ------
-        SuiteError
-            There is no such picture; the message names the paint.
+        Raises :class:`SuiteError`: there is no such picture; the message names the paint.
         """
 
         if item.paint is None:

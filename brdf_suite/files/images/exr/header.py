@@ -62,10 +62,7 @@ class ExrHeader:
 def parse_headers(path: PathLike, stream: BinaryIO) -> tuple[ExrHeader, ...]:
     """Parse the headers of the open file ``stream``, one per part; ``path`` is for the messages.
 
-    Raises
-    ------
-    FileError
-        Not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
+    Raises :class:`FileError`: not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
     """
     reader = _Reader(path, stream.read(_HEADER_LIMIT))
     if reader.take(4) != _MAGIC:
@@ -244,10 +241,7 @@ class ExrLight:
 def choose_light(path: PathLike, headers: Sequence[ExrHeader]) -> ExrLight:
     """Return the first part that holds R, G and B (also in a layer), or else Y with or without its chroma.
 
-    Raises
-    ------
-    FileError
-        No part does, or what does is deep, of integers, or stored at reduced resolution.
+    Raises :class:`FileError`: no part does, or what does is deep, of integers, or stored at reduced resolution.
     """
     flat = [header for header in headers if not header.deep]
     if not flat:

@@ -49,10 +49,7 @@ def read_exr(path: PathLike) -> ExrImage:
     display window is placed in it; what it does not cover is black. Files without chromaticities are Rec. 709, as
     the format says. What is larger than 8,192 × 4,096 is reduced by area as it is read.
 
-    Raises
-    ------
-    FileError
-        The file is damaged or of a kind that is not read.
+    Raises :class:`FileError`: the file is damaged or of a kind that is not read.
     """
     with open_plain(path) as stream:
         headers = parse_headers(path, stream)
