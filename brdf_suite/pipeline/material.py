@@ -228,7 +228,15 @@ def _find(text: str) -> AnyPaint | Entry | None:
     if is_file(text):
         kind = file_kind(text)
         if kind == "palette":
-            return _only_entry(text)
+            entries = load_palette_file(text).palette.entries
+            if not entries:
+                raise FileError(text, "is a palette without a paint")
+            if len(entries) > 1:
+                example = f"{text}{ENTRY_MARK}{entries[0].id}"
+                raise FileError(
+                    text, f"is a palette of {len(entries):,} paints; name one of them, as in {example}"
+                )
+            return entries[0]
         return load_any_paint(text) if kind == "paint" else None
     path, _, entry_id = text.rpartition(ENTRY_MARK)
     if path and is_file(path):
@@ -240,16 +248,6 @@ def _find(text: str) -> AnyPaint | Entry | None:
         return None
     check_exists(text, "paint", [*names, *TABLE_1])
     return load_any_paint(text)
-
-
-def _only_entry(path: str) -> Entry:
-    entries = load_palette_file(path).palette.entries
-    if not entries:
-        raise FileError(path, "is a palette without a paint")
-    if len(entries) > 1:
-        example = f"{path}{ENTRY_MARK}{entries[0].id}"
-        raise FileError(path, f"is a palette of {len(entries):,} paints; name one of them, as in {example}")
-    return entries[0]
 
 
 def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:
