@@ -242,16 +242,15 @@ def write_bird(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     return sampling_notes(value, scattered)
 
 
-def _looks(head: bytes, _size: int) -> bool:
-    start = head.removeprefix(b"\xef\xbb\xbf").lstrip()
-    return start.startswith(b"{") and b'"metadata"' in head and b'"brdfp' not in head
-
-
 FORMAT = MeasuredFormat(
     name="bird",
     title="BiRD JSON",
     endings=(".json",),
-    sniff=_looks,
+    sniff=lambda head, _size: (
+        head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"{")
+        and b'"metadata"' in head
+        and b'"brdfp' not in head
+    ),
     read=read_bird,
     write=write_bird,
 )
