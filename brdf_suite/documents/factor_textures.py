@@ -39,10 +39,7 @@ def write_textures(maps: Maps, beside: str | os.PathLike[str]) -> TextureFile:
 
     A file of that content that is already there is left as it is.
 
-    Raises
-    ------
-    FileError
-        It cannot be written.
+    Raises :class:`FileError`: it cannot be written.
     """
     images = {
         name: np.atleast_3d(values) if values.ndim == 3 else values[None] for name, values in maps.items()

@@ -36,13 +36,13 @@ LARGEST_PALETTE = 128 << 20
 
 def load_palette(path: PathLike) -> Palette:
     """Read a ``.brdfpalette`` file; raise :class:`DocumentError` with the place, or :class:`FileError`."""
-    with _no_collection():
+    with without_collection():
         return palette_from_json(read_json(path, LARGEST_PALETTE), path)
 
 
 def palette_from_bytes(content: bytes, path: PathLike) -> Palette:
     """Return the palette in the content of a ``.brdfpalette`` file; errors as :func:`load_palette`."""
-    with _no_collection():
+    with without_collection():
         return palette_from_json(json_from_bytes(content, path), path)
 
 
@@ -53,7 +53,7 @@ def save_palette(palette: Palette, path: PathLike) -> None:
 
 def encode_palette(palette: Palette) -> bytes:
     """Return the bytes of a palette's file: an entry and a group per line."""
-    with _no_collection():
+    with without_collection():
         document = palette_to_json(palette)
         rows = []
         for name, value in document.items():
@@ -70,7 +70,7 @@ def _compact(value: object) -> str:
 
 
 @contextmanager
-def _no_collection() -> Iterator[None]:
+def without_collection() -> Iterator[None]:
     """Hold the collector of cycles: half a million new objects make it look through all of them again and again."""
     running = gc.isenabled()
     gc.disable()
@@ -143,10 +143,7 @@ def _lists(value: tuple[Any, ...]) -> list[Any]:
 def palette_from_json(value: object, path: PathLike = "the message") -> Palette:
     """Return the palette in a JSON value; ``path`` is what error messages call its origin.
 
-    Raises
-    ------
-    DocumentError
-        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    Raises :class:`DocumentError`: a field is missing, unknown, of the wrong type or out of range; ``place`` names it.
     """
     reader = open_envelope(value, "brdfpalette", path)
     name = reader.take("name")

@@ -217,17 +217,21 @@ def _plain(value: object) -> object:
 def any_paint_from_json(value: object, path: PathLike = "the message") -> AnyPaint:
     """Return the paint in a JSON value; ``path`` is what error messages call its origin.
 
-    Raises
-    ------
-    DocumentError
-        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    Raises :class:`DocumentError`: a field is missing, unknown, of the wrong type or out of range; ``place`` names it.
     """
     reader = open_envelope(value, "brdfpaint", path)
     kind = reader.take("kind")
     if kind == "aspecular":
         return _aspecular(reader)
     if kind == "cook_torrance":
-        return _cook_torrance(reader)
+        name, kd = reader.take("name"), reader.take("kd")
+        items = reader.take_objects("lobes")
+        parts = {
+            "lobes": tuple(fill(item, CookTorranceLobe, required=("ks", "m", "r")) for item in items),
+            "clearcoat": _optional(reader, "clearcoat", Clearcoat),
+            "flakes": _optional(reader, "flakes", Flakes),
+        }
+        return fill(reader, CookTorrancePaint, taken={"name": name, "kd": kd, **parts})
     if kind != "factored":
         reader.fail('the kinds known to this version are "aspecular", "cook_torrance" and "factored"', "kind")
     return _factored(reader, path)
@@ -259,17 +263,6 @@ def _aspecular(reader: FieldReader) -> Paint:
         "orange_peel": _optional(reader, "orange_peel", OrangePeel),
     }
     return fill(reader, Paint, taken={"name": name, "measurements": measurements, "gloss": gloss, **parts})
-
-
-def _cook_torrance(reader: FieldReader) -> CookTorrancePaint:
-    name, kd = reader.take("name"), reader.take("kd")
-    items = reader.take_objects("lobes")
-    parts = {
-        "lobes": tuple(fill(item, CookTorranceLobe, required=("ks", "m", "r")) for item in items),
-        "clearcoat": _optional(reader, "clearcoat", Clearcoat),
-        "flakes": _optional(reader, "flakes", Flakes),
-    }
-    return fill(reader, CookTorrancePaint, taken={"name": name, "kd": kd, **parts})
 
 
 def _factored(reader: FieldReader, path: PathLike) -> FactoredPaint:

@@ -249,10 +249,7 @@ def light_to_json(light: LightDocument) -> dict[str, object]:
 def light_from_json(value: object, path: PathLike = "the message") -> LightDocument:
     """Return the studio or sky in a JSON value; ``path`` is what error messages call its origin.
 
-    Raises
-    ------
-    DocumentError
-        A field is missing, unknown, of the wrong type or out of range; ``place`` names it.
+    Raises :class:`DocumentError`: a field is missing, unknown, of the wrong type or out of range; ``place`` names it.
     """
     reader = open_envelope(value, "brdfstudio", path)
     kind = reader.take("kind")

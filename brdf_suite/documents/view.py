@@ -148,7 +148,14 @@ class View:
                 words = name.replace("_", " ")
                 raise ValueRangeError(name, f"expected a {words}, not {describe(getattr(self, name))}")
         for name in ("environment", "surface"):
-            _check_name_or_path(getattr(self, name), name)
+            value = getattr(self, name)
+            text = check_text(value, name, longest=4096, lines=False, empty=False)
+            # A file written on another system is still valid here; opening it will say that it is missing.
+            absolute = PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()
+            if not absolute and not _NAME.match(text):
+                raise ValueRangeError(
+                    name, f"expected the name of a packaged one or an absolute path, not {describe(value)}"
+                )
         set_numbers(self, PARAMETERS, "rotation_deg", "exposure_ev", "turntable_deg_s")
         check_choices(
             self,
@@ -177,13 +184,3 @@ PARTS: Mapping[str, type] = {
     "compare": Compare,
 }
 """The fields of a view that are values with fields of their own."""
-
-
-def _check_name_or_path(value: object, place: str) -> None:
-    text = check_text(value, place, longest=4096, lines=False, empty=False)
-    # A file written on another system is still valid here; opening it will say that it is missing.
-    absolute = PurePosixPath(text).is_absolute() or PureWindowsPath(text).is_absolute()
-    if not absolute and not _NAME.match(text):
-        raise ValueRangeError(
-            place, f"expected the name of a packaged one or an absolute path, not {describe(value)}"
-        )

@@ -130,10 +130,7 @@ def write_arrays(
 ) -> None:
     """Write a file, whole or not at all.
 
-    Raises
-    ------
-    FileError
-        As :func:`encode_arrays`, or the file cannot be written.
+    Raises :class:`FileError`: as :func:`encode_arrays`, or the file cannot be written.
     """
     parts = encode_arrays(layout, path, header, arrays)
     with replacing(path) as temporary, temporary.open("wb") as stream:

@@ -11,7 +11,7 @@ value's name. A damaged or hostile file is refused whole, with the line.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 
@@ -232,7 +232,8 @@ class SampleReader:
         for key, (bands, reflectance) in spectra.items():
             if key not in colours:
                 lab = spectrum_to_lab(np.array(reflectance), np.array(bands))
-                colours[key] = (_lab(lab), "recomputed from the spectrum")
+                lightness, a, b = lab.tolist()
+                colours[key] = ((lightness, a, b), "recomputed from the spectrum")
         for (light, aspecular), why in unusable.items():
             if (light, aspecular) not in colours:
                 self.refused.append(
@@ -276,13 +277,12 @@ class SampleReader:
     def _take(
         self, colours: dict[tuple[float, float], tuple[Lab, str]], key: tuple[float, float], value: Element
     ) -> None:
-        read: Callable[[Element, PathLike], Lab]
-        read, how = {
-            "ColorCIELab": (_from_lab, ""),
-            "ColorCIELCh": (_from_lch, "from LCh"),
-            "ColorCIEXYZ": (_from_xyz, "from XYZ"),
-        }[value.name]
-        lab = read(value, self._path)
+        names = {"ColorCIELab": "LAB", "ColorCIELCh": "LCH", "ColorCIEXYZ": "XYZ"}[value.name]
+        how = {"LAB": "", "LCH": "from LCh", "XYZ": "from XYZ"}[names]
+        found = [child_number(value, name, self._path) for name in names]
+        if how:
+            found = (lch_to_lab(found) if names == "LCH" else xyz_to_lab(found)).tolist()
+        lab: Lab = (found[0], found[1], found[2])
         for place, number_ in zip(("lab[0]", "lab[1]", "lab[2]"), lab, strict=True):
             try:
                 PARAMETERS[place].check(number_, PARAMETERS[place].label)
@@ -355,22 +355,6 @@ class SampleReader:
             return Gloss(found["20"], found.get("60"))
         except ValueRangeError as error:
             raise self._fail(self._element, str(error).rstrip(".")) from error
-
-
-def _from_lab(value: Element, path: PathLike) -> Lab:
-    return child_number(value, "L", path), child_number(value, "A", path), child_number(value, "B", path)
-
-
-def _from_lch(value: Element, path: PathLike) -> Lab:
-    return _lab(lch_to_lab([child_number(value, name, path) for name in ("L", "C", "H")]))
-
-
-def _from_xyz(value: Element, path: PathLike) -> Lab:
-    return _lab(xyz_to_lab([child_number(value, name, path) for name in ("X", "Y", "Z")]))
-
-
-def _lab(values: np.ndarray[tuple[int, ...], np.dtype[np.float64]]) -> Lab:
-    return float(values[0]), float(values[1]), float(values[2])
 
 
 __all__ = ["CxfFile", "CxfReading", "CxfSample", "is_cxf", "read_cxf"]

@@ -65,10 +65,7 @@ class Element:
 def parse_xml(content: bytes, path: PathLike) -> Element:
     """Return the root of the XML in ``content``; ``path`` is what messages call it.
 
-    Raises
-    ------
-    FileError
-        It is not well-formed, declares a document type, or is beyond a bound; with the line.
+    Raises :class:`FileError`: it is not well-formed, declares a document type, or is beyond a bound; with the line.
     """
     if len(content) > MOST_BYTES:
         raise FileError(path, f"has {len(content):,} bytes, more than the {MOST_BYTES:,} allowed")
@@ -77,8 +74,9 @@ def parse_xml(content: bytes, path: PathLike) -> Element:
         builder.parser.Parse(content, True)
     except expat.ExpatError as error:
         reason = expat.errors.messages.get(error.code, "syntax error") if error.code else "syntax error"
+        reason = reason.replace("junk after document element", "something follows the end of the document")
         place = f"line {error.lineno}, column {error.offset + 1}"
-        raise FileError(path, f"is not valid XML ({_english(reason)})", place) from error
+        raise FileError(path, f"is not valid XML ({reason})", place) from error
     except (
         LookupError,
         ValueError,
@@ -88,10 +86,6 @@ def parse_xml(content: bytes, path: PathLike) -> Element:
     if builder.root is None:
         raise FileError(path, "holds no element", "line 1")
     return builder.root
-
-
-def _english(reason: str) -> str:
-    return reason.replace("junk after document element", "something follows the end of the document")
 
 
 class _Builder:
@@ -166,10 +160,7 @@ def text_content(text: str) -> str:
 def read_root(data: bytes, path: PathLike, *names: str) -> Element:
     """Return the root of an XML file, which must have one of these local names.
 
-    Raises
-    ------
-    FileError
-        It is damaged, hostile (a document type, too deep), or something else; with the line.
+    Raises :class:`FileError`: it is damaged, hostile (a document type, too deep), or something else; with the line.
     """
     root = parse_xml(data, path)
     if root.name not in names:

@@ -72,10 +72,7 @@ def build_paint(
 ) -> Paint:
     """Return the paint of readings and flat settings; ``path`` is what messages call it.
 
-    Raises
-    ------
-    DocumentError
-        A value is out of range, or a setting is unknown; ``place`` names the field.
+    Raises :class:`DocumentError`: a value is out of range, or a setting is unknown; ``place`` names the field.
     """
     fields: dict[str, object] = {}
     for key, value in settings.items():

@@ -234,10 +234,7 @@ def convert(
     ``scale_factors`` and ``average_reciprocal`` say how MERL tables are read, as
     :class:`~brdf_suite.files.measured.ReadOptions` has them.
 
-    Raises
-    ------
-    SuiteError
-        One of the files cannot be read or written, or the target's format cannot hold the data.
+    Raises :class:`SuiteError`: one of the files cannot be read or written, or the target's format cannot hold the data.
     """
     read_from, write_to = Path(source), Path(target)
     if write_to.exists() and read_from.exists() and write_to.samefile(read_from):

@@ -57,7 +57,14 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReading
     """Return the figure of a paint at each of :data:`ANGLES_DEG`, from its fit; zeros without flakes."""
     if flakes is None:
         return tuple(SparkleReadings(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
-    shares = _shares(weights, flakes)
+    # What visible flakes reflect of all light, by luminance, at each of the angles.
+    wi, wo = _directions()
+    sums = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg)
+    gamma = np.radians(ANGLES_DEG)
+    base = sums.base - weights.kd
+    single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
+    whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
+    shares = np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
     return tuple(
         _sparkle(angle, _spots(angle, share, weights.ior, flakes))
         for angle, share in zip(ANGLES_DEG, shares.tolist(), strict=True)
@@ -82,17 +89,6 @@ def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:
         footprint=RESOLVED_MM,
         contrast=CONTRAST,
     )
-
-
-def _shares(weights: LobeWeights, flakes: Flakes) -> Floats:
-    """What visible flakes reflect of all light, by luminance, at each of the angles."""
-    wi, wo = _directions()
-    sums = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg)
-    gamma = np.radians(ANGLES_DEG)
-    base = sums.base - weights.kd
-    single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
-    whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
-    return np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
 
 
 @cache

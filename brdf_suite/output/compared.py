@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.files.images.pictures import MOST_OWN_BYTES, read_rgb
@@ -12,9 +11,6 @@ from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.pictures.comparison import ComparedPicture
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 LIGHT_ENDING = ".exr"
 SHOWN_ENDING = ".png"

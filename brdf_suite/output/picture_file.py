@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,9 +22,6 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.pictures.display import LINEAR, Display
 from brdf_suite.realtime.pictures.offscreen import DEFAULT_SAMPLES
 from brdf_suite.realtime.pictures.renderer import Renderer
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 Size = tuple[int, int]
 

@@ -9,10 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError
@@ -117,7 +115,7 @@ def write_turntable(
         if video:
             with writing_video(path, size, turn.frames_per_second, metadata) as feed:
                 for frame in _frames(loaded, shown, turn, drawing):
-                    feed(_drawn(loaded, frame, size, settings))
+                    feed(np.concatenate(list(loaded.scene.renderer.strips(frame, size, settings.samples))))
         else:
             with _new_folder(path) as folder:
                 for number, frame in enumerate(_frames(loaded, shown, turn, drawing), 1):
@@ -133,10 +131,6 @@ def _frames(loaded: LoadedScene, view: View, turn: Turn, progress: Progress | No
     for number in range(turn.frames):
         report(progress, number / turn.frames, f"frame {number + 1} of {turn.frames}")
         yield turned(view, number * step, loaded.scene.bounds.centre)
-
-
-def _drawn(loaded: LoadedScene, view: View, size: Size, settings: PictureSettings) -> NDArray[Any]:
-    return np.concatenate(list(loaded.scene.renderer.strips(view, size, settings.samples)))
 
 
 def check_folder(path: Path) -> None:

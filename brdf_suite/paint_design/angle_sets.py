@@ -88,10 +88,7 @@ def with_angle(paint: Paint, geometry: Geometry, reflectance: Reflectance | None
 def without_angle(paint: Paint, index: int) -> Paint:
     """Return the paint without the reading ``index``.
 
-    Raises
-    ------
-    ValueRangeError
-        Fewer than three readings under one light would be left.
+    Raises :class:`ValueRangeError`: Fewer than three readings under one light would be left.
     """
     left = [m for i, m in enumerate(paint.measurements) if i != index]
     lights = [m.illumination_deg for m in left]

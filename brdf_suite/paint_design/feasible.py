@@ -18,7 +18,7 @@ path; it takes some tens of fits.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -99,10 +99,7 @@ def nearest_feasible(
     ``fitter`` is one of the calling thread, patient: no exact fit is waited for. A paint that can be is its own
     nearest.
 
-    Raises
-    ------
-    Cancelled
-        The progress callback asked for it.
+    Raises :class:`Cancelled`: the progress callback asked for it.
     """
     report(progress, 0.0, "looking for the nearest paint")
     possible = nearest_reachable(paint)
@@ -156,26 +153,15 @@ def _under_glossier_coat(
         return found if found is not None and found.worst_delta_e <= _FAR_DELTA_E else None
 
     good: Feasible | None = None
-    for roughness in reversed(_TRIED_ROUGHNESSES):
-        try:
-            gloss = gloss_of_coat(paint, USUAL_IOR, roughness)
-        except UnreachableError:
-            continue
-        if gloss.gu_20 <= paint.gloss.gu_20:
-            continue
-        good = under(_rounded(gloss if paint.gloss.gu_60 is not None else Gloss(gloss.gu_20)))
-        if good is not None:
+    for gloss in reversed(_tried_coats(paint)):
+        if gloss.gu_20 > paint.gloss.gu_20 and (good := under(_mixed(gloss, gloss, 0.0))) is not None:
             break
     if good is None:
         return None
     best, low, high = good, 0.0, 1.0
-    start, wanted = good.paint.gloss, paint.gloss
     for _ in range(_COAT_HALVINGS):
         middle = 0.5 * (low + high)
-        at_60 = None
-        if start.gu_60 is not None and wanted.gu_60 is not None:
-            at_60 = start.gu_60 + middle * (wanted.gu_60 - start.gu_60)
-        found = under(_rounded(Gloss(start.gu_20 + middle * (wanted.gu_20 - start.gu_20), at_60)))
+        found = under(_mixed(good.paint.gloss, paint.gloss, middle))
         if found is None:
             high = middle
         else:
@@ -193,19 +179,21 @@ def nearest_reachable(paint: Paint) -> Paint | None:
     lifted = _lifted(paint)
     if lifted is not None:
         return lifted
-    starts = []
-    for roughness in _TRIED_ROUGHNESSES:
-        try:
-            gloss = gloss_of_coat(paint, USUAL_IOR, roughness)
-        except UnreachableError:
-            continue
-        start = replace(paint, gloss=gloss if paint.gloss.gu_60 is not None else Gloss(gloss.gu_20))
-        if _refusal(start) is None:
-            starts.append(start)
+    starts = [gloss for gloss in _tried_coats(paint) if _refusal(replace(paint, gloss=gloss)) is None]
     if not starts:
         return None
-    start = min(starts, key=lambda item: _gloss_apart(item.gloss, paint.gloss))
-    return replace(paint, gloss=_towards(paint, start.gloss))
+    start = min(starts, key=lambda gloss: _gloss_apart(gloss, paint.gloss))
+    return replace(paint, gloss=_towards(paint, start))
+
+
+def _tried_coats(paint: Paint) -> list[Gloss]:
+    """The gloss of each tried coat that the paint can have, in the readings that it has."""
+    found = []
+    for roughness in _TRIED_ROUGHNESSES:
+        with contextlib.suppress(UnreachableError):
+            gloss = gloss_of_coat(paint, USUAL_IOR, roughness)
+            found.append(gloss if paint.gloss.gu_60 is not None else Gloss(gloss.gu_20))
+    return found
 
 
 def _refusal(paint: Paint) -> UnreachableError | None:
@@ -237,33 +225,21 @@ def _lifted(paint: Paint) -> Paint | None:
 def _towards(paint: Paint, good: Gloss) -> Gloss:
     """The gloss nearest to the paint's own on the way from a ``good`` one: both readings, then each by itself."""
     wanted = paint.gloss
-
-    def mixed(share: float) -> Gloss:
-        at_60 = None
-        if wanted.gu_60 is not None and good.gu_60 is not None:
-            at_60 = good.gu_60 + share * (wanted.gu_60 - good.gu_60)
-        return _rounded(Gloss(good.gu_20 + share * (wanted.gu_20 - good.gu_20), at_60))
-
-    found = _farthest(paint, mixed)
-    if wanted.gu_60 is None or found.gu_60 is None:
-        return found
-    start_20, start_60 = found.gu_20, found.gu_60
-    found = _farthest(
-        paint,
-        lambda share: _rounded(Gloss(start_20 + share * (wanted.gu_20 - start_20), start_60)),
-    )
-    at_20, at_60 = found.gu_20, wanted.gu_60
-    return _farthest(paint, lambda share: _rounded(Gloss(at_20, start_60 + share * (at_60 - start_60))))
+    both = _farthest(paint, good, wanted)
+    if wanted.gu_60 is None or both.gu_60 is None:
+        return both
+    first = _farthest(paint, both, replace(wanted, gu_60=both.gu_60))
+    return _farthest(paint, first, replace(wanted, gu_20=first.gu_20))
 
 
-def _farthest(paint: Paint, gloss_at: Callable[[float], Gloss]) -> Gloss:
-    """The gloss of the largest share, 0 to 1, with which the paint can be; that of share 0 can."""
-    if _refusal(replace(paint, gloss=gloss_at(1.0))) is None:
-        return gloss_at(1.0)
-    low, high, found = 0.0, 1.0, gloss_at(0.0)
+def _farthest(paint: Paint, start: Gloss, wanted: Gloss) -> Gloss:
+    """The gloss nearest to the wanted one on the way from ``start`` with which the paint can be, as it can there."""
+    if _refusal(replace(paint, gloss=_mixed(start, wanted, 1.0))) is None:
+        return _mixed(start, wanted, 1.0)
+    low, high, found = 0.0, 1.0, _mixed(start, wanted, 0.0)
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
-        gloss = gloss_at(middle)
+        gloss = _mixed(start, wanted, middle)
         if _refusal(replace(paint, gloss=gloss)) is None:
             low, found = middle, gloss
         else:
@@ -271,9 +247,13 @@ def _farthest(paint: Paint, gloss_at: Callable[[float], Gloss]) -> Gloss:
     return found
 
 
-def _rounded(gloss: Gloss) -> Gloss:
-    at_60 = None if gloss.gu_60 is None else round(gloss.gu_60, _GLOSS_DIGITS)
-    return Gloss(round(gloss.gu_20, _GLOSS_DIGITS), at_60)
+def _mixed(start: Gloss, wanted: Gloss, share: float) -> Gloss:
+    """The gloss at a share of the way, in tenths of a gloss unit; at 60° where both have it."""
+    gu_20 = start.gu_20 + share * (wanted.gu_20 - start.gu_20)
+    if start.gu_60 is None or wanted.gu_60 is None:
+        return Gloss(round(gu_20, _GLOSS_DIGITS))
+    gu_60 = start.gu_60 + share * (wanted.gu_60 - start.gu_60)
+    return Gloss(round(gu_20, _GLOSS_DIGITS), round(gu_60, _GLOSS_DIGITS))
 
 
 def _gloss_apart(one: Gloss, other: Gloss) -> float:
@@ -311,12 +291,8 @@ def _lab(row: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Lab:
 
 def _with_labs(paint: Paint, labs: object) -> Paint:
     rows = [_lab(np.asarray(row, float)) for row in np.asarray(labs, float)]
-    return replace(
-        paint,
-        measurements=tuple(
-            replace(item, lab=lab) for item, lab in zip(paint.measurements, rows, strict=True)
-        ),
-    )
+    changed = (replace(item, lab=lab) for item, lab in zip(paint.measurements, rows, strict=True))
+    return replace(paint, measurements=tuple(changed))
 
 
 def _fitted(paint: Paint, fitter: PaintFitter) -> LobeFit | None:

@@ -33,10 +33,7 @@ _LEAST_DENSITY = 0.5
 def second_end(first: Paint, second: Paint | Standard) -> Paint:
     """Return the second paint read at the first one's angles; a paint of the same angles is returned as it is.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of them.
+    Raises :class:`SuiteError`: it has no colour at one of them.
     """
     standard = second if isinstance(second, Standard) else standard_of(second)
     if standard.paint is not None and _angles(standard.paint) == _angles(first):
@@ -51,16 +48,13 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
 
     Both must have the same angles (:func:`second_end`). At 0 and 1 it is the very first and second, but for the name.
 
-    Raises
-    ------
-    ValueRangeError
-        The share is out of its range, or the angles differ.
+    Raises :class:`ValueRangeError`: the share is out of its range, or the angles differ.
     """
     if not LEAST_SHARE <= share <= MOST_SHARE:
         raise ValueRangeError("share", f"from {LEAST_SHARE:g} to {MOST_SHARE:g} is wanted, not {share:g}")
     if _angles(first) != _angles(second):
         raise ValueRangeError("measurements", "both paints must be read at the same angles")
-    named = name or _name(first, second, share)
+    named = name or f"{first.name[:90]} {100.0 * share:.0f} % {second.name[:90]}"
     if share in (0.0, 1.0):
         return replace(first if share == 0.0 else second, name=named)
     nearer = first if share < 0.5 else second
@@ -84,11 +78,6 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
 
 def _angles(paint: Paint) -> frozenset[tuple[float, float]]:
     return frozenset((m.illumination_deg, m.aspecular_deg) for m in paint.measurements)
-
-
-def _name(first: Paint, second: Paint, share: float) -> str:
-    percent = f" {100.0 * share:.0f} % "
-    return f"{first.name[:90]}{percent}{second.name[:90]}"
 
 
 def _between(one: Lab, other: Lab, share: float) -> Lab:

@@ -68,16 +68,13 @@ class Standard:
         ``None`` where it has no reading there, and nothing that one could be computed from.
         """
         for reading in self.readings:
-            if _same(reading.illumination_deg, illumination_deg) and _same(
-                reading.aspecular_deg, aspecular_deg
-            ):
+            if _is_at(reading, illumination_deg, aspecular_deg):
                 return reading.lab, False
         key = (illumination_deg, aspecular_deg)
         if key not in self._computed:
             reflectance = self.seen
             if reflectance is None:
                 return None
-
             report = measure(reflectance, GeometrySet("one", "one", (Geometry(*key),)))
             self._computed[key] = report.readings[0].lab
         return self._computed[key], True
@@ -94,7 +91,6 @@ class Standard:
         """
         if self.reflectance is not None or self.paint is None:
             return self.reflectance
-
         try:
             return build_paint(self.paint)
         except (
@@ -265,7 +261,7 @@ def judge_all(standard: Standard, batches: Sequence[Paint], tolerances: Toleranc
 def _flops(standard: Standard, batch: Paint) -> tuple[float, float] | None:
     lightness: list[tuple[float, float]] = []
     for angle in FLOP_DEG:
-        read = [m.lab[0] for m in batch.measurements if _at(m, angle)]
+        read = [m.lab[0] for m in batch.measurements if _is_at(m, FLOP_LIGHT_DEG, angle)]
         known = standard.lab_at(FLOP_LIGHT_DEG, angle) if read else None
         if known is None:
             return None
@@ -283,23 +279,15 @@ def _gloss(standard: Gloss | None, batch: Gloss) -> dict[int, float]:
     return found
 
 
-def _at(measurement: Measurement, aspecular_deg: float) -> bool:
-    return _same(measurement.illumination_deg, FLOP_LIGHT_DEG) and _same(
-        measurement.aspecular_deg, aspecular_deg
-    )
-
-
-def _same(one: float, other: float) -> bool:
-    return abs(one - other) <= SAME_DEG
+def _is_at(measurement: Measurement, illumination_deg: float, aspecular_deg: float) -> bool:
+    apart = (measurement.illumination_deg - illumination_deg, measurement.aspecular_deg - aspecular_deg)
+    return max(map(abs, apart)) <= SAME_DEG
 
 
 def readings_like(standard: Standard, like: Paint) -> tuple[Measurement, ...]:
     """Return the standard's colours at the angles of ``like``, in the range of a paint's readings.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of the angles; the message names it.
+    Raises :class:`SuiteError`: it has no colour at one of the angles; the message names it.
     """
     measurements = []
     for m in like.measurements:
@@ -319,10 +307,7 @@ def paint_like(standard: Standard, like: Paint) -> Paint:
     A standard that is a paint is that paint. Of anything else the colours are its own; what it does not know (gloss,
     flakes, the rule between the angles) is that of ``like``.
 
-    Raises
-    ------
-    SuiteError
-        It has no colour at one of the angles; the message names it.
+    Raises :class:`SuiteError`: it has no colour at one of the angles; the message names it.
     """
     if standard.paint is not None:
         return standard.paint

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING, load_palette
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
@@ -73,14 +72,10 @@ def _read_by_instrument(material: Material, origin: str) -> Standard:
 
 def _of_palette(path: Path) -> tuple[Standard, ...]:
     palette = load_palette(path)
-    found = [_of_entry(entry, ", ".join((path.name, *entry.group))) for entry in palette]
+    found = [_of_paint(to_paint(entry.content), ", ".join((path.name, *entry.group))) for entry in palette]
     if not found:
         raise FileError(path, "holds no paint, so there is no standard in it")
     return tuple(found)
-
-
-def _of_entry(entry: Entry, origin: str) -> Standard:
-    return _of_paint(to_paint(entry.content), origin)
 
 
 def _of_handover(path: Path) -> tuple[Standard, ...]:

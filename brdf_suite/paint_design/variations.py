@@ -66,10 +66,7 @@ def variations(paint: Paint, step: float = USUAL_STEP) -> tuple[Variation, ...]:
     >>> found["lighter"].paint.lab_at(45.0), found["cleaner"].paint
     ((52.0, 0.0, 0.0), None)
 
-    Raises
-    ------
-    ValueRangeError
-        The step is not between 0.1 and 20.
+    Raises :class:`ValueRangeError`: the step is not between 0.1 and 20.
     """
     if not LEAST_STEP <= step <= MOST_STEP:
         raise ValueRangeError("step", f"from {LEAST_STEP:g} to {MOST_STEP:g} is wanted, not {step:g}")
@@ -94,8 +91,9 @@ def _varied(paint: Paint, direction: Direction, step: float) -> Variation:
         word = hue_word(float(lch[strongest, 2]), 1.0 if direction == "hue_forward" else -1.0)
     else:
         word = direction.replace("_", " ")
+    move, sign = _MOVES[direction]
     try:
-        moved = _MOVES[direction](paint, lch, step)
+        moved = move(paint, lch, sign * step)
     except _NoneError as reason:
         return Variation(direction, word, None, str(reason))
     lab = np.round(lch_to_lab(moved), _DECIMALS) + 0.0
@@ -112,55 +110,39 @@ class _NoneError(Exception):
     """There is no such neighbour; the message says why."""
 
 
-_Move = Callable[[Paint, Floats, float], Floats]
+def _lighter(_paint: Paint, lch: Floats, step: float) -> Floats:
+    return np.asarray(lch + np.array([step, 0.0, 0.0]))
 
 
-def _lighter(sign: float) -> _Move:
-    def move(_paint: Paint, lch: Floats, step: float) -> Floats:
-        return np.asarray(lch + np.array([sign * step, 0.0, 0.0]))
-
-    return move
-
-
-def _cleaner(sign: float) -> _Move:
-    def move(_paint: Paint, lch: Floats, step: float) -> Floats:
-        if lch[:, 1].max() < GREY_BELOW:
-            raise _NoneError("A grey has no chroma to change.")
-        if lch[:, 1].max() + sign * step < 0.0:
-            raise _NoneError(f"Its largest chroma is {lch[:, 1].max():.1f}, less than the step.")
-        moved = lch.copy()
-        # What is a grey beside coloured angles stays one: it has no hue to become cleaner in.
-        coloured = lch[:, 1] >= GREY_BELOW
-        moved[coloured, 1] = np.maximum(lch[coloured, 1] + sign * step, 0.0)
-        return moved
-
-    return move
+def _cleaner(_paint: Paint, lch: Floats, step: float) -> Floats:
+    if lch[:, 1].max() < GREY_BELOW:
+        raise _NoneError("A grey has no chroma to change.")
+    if lch[:, 1].max() + step < 0.0:
+        raise _NoneError(f"Its largest chroma is {lch[:, 1].max():.1f}, less than the step.")
+    moved = lch.copy()
+    # What is a grey beside coloured angles stays one: it has no hue to become cleaner in.
+    coloured = lch[:, 1] >= GREY_BELOW
+    moved[coloured, 1] = np.maximum(lch[coloured, 1] + step, 0.0)
+    return moved
 
 
-def _turned(sign: float) -> _Move:
-    def move(_paint: Paint, lch: Floats, step: float) -> Floats:
-        chroma = float(lch[:, 1].max())
-        if chroma < GREY_BELOW:
-            raise _NoneError("A grey has no hue to turn.")
-        # ΔH = 2 C sin(Δh / 2); across the whole circle is the farthest there is.
-        turn = 2.0 * math.degrees(math.asin(min(1.0, 0.5 * step / chroma)))
-        return np.asarray(lch + np.array([0.0, 0.0, sign * turn]))
-
-    return move
+def _turned(_paint: Paint, lch: Floats, step: float) -> Floats:
+    chroma = float(lch[:, 1].max())
+    if chroma < GREY_BELOW:
+        raise _NoneError("A grey has no hue to turn.")
+    # ΔH = 2 C sin(Δh / 2); across the whole circle is the farthest there is.
+    turn = 2.0 * math.degrees(math.asin(min(1.0, max(-1.0, 0.5 * step / chroma))))
+    return np.asarray(lch + np.array([0.0, 0.0, turn]))
 
 
-def _flopped(sign: float) -> _Move:
-    def move(paint: Paint, lch: Floats, step: float) -> Floats:
-        angles = np.abs([m.aspecular_deg for m in paint.measurements])
-        shares = flop_shares(angles)
-        moved = lch.copy()
-        moved[:, 0] += sign * step * shares
-        near, far = int(np.argmin(angles)), int(np.argmax(angles))
-        if sign < 0.0 and moved[near, 0] < moved[far, 0]:
-            raise _NoneError("It has no flop left to take away.")
-        return moved
-
-    return move
+def _flopped(paint: Paint, lch: Floats, step: float) -> Floats:
+    angles = np.abs([m.aspecular_deg for m in paint.measurements])
+    moved = lch.copy()
+    moved[:, 0] += step * flop_shares(angles)
+    near, far = int(np.argmin(angles)), int(np.argmax(angles))
+    if step < 0.0 and moved[near, 0] < moved[far, 0]:
+        raise _NoneError("It has no flop left to take away.")
+    return moved
 
 
 def flop_shares(aspecular_deg: Floats) -> Floats:
@@ -192,13 +174,14 @@ def _beyond(measurement: Measurement, lab: list[float]) -> str:
     return ""
 
 
-_MOVES: dict[Direction, _Move] = {
-    "lighter": _lighter(1.0),
-    "darker": _lighter(-1.0),
-    "cleaner": _cleaner(1.0),
-    "dirtier": _cleaner(-1.0),
-    "more_flop": _flopped(1.0),
-    "less_flop": _flopped(-1.0),
-    "hue_forward": _turned(1.0),
-    "hue_back": _turned(-1.0),
+_MOVES: dict[Direction, tuple[Callable[[Paint, Floats, float], Floats], float]] = {
+    "lighter": (_lighter, 1.0),
+    "darker": (_lighter, -1.0),
+    "cleaner": (_cleaner, 1.0),
+    "dirtier": (_cleaner, -1.0),
+    "more_flop": (_flopped, 1.0),
+    "less_flop": (_flopped, -1.0),
+    "hue_forward": (_turned, 1.0),
+    "hue_back": (_turned, -1.0),
 }
+"""What moves the colours, and the sign of its step."""

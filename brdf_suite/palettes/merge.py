@@ -14,7 +14,7 @@ one that they follow in their own order.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any, TypeVar
 
@@ -22,7 +22,6 @@ from brdf_suite.documents.palette import Entry, Group, Palette
 from brdf_suite.errors import ValueRangeError
 
 _Item = TypeVar("_Item", Entry, Group)
-_Value = TypeVar("_Value", Entry, Group, Palette)
 _WORDS = {
     "content": "the colour",
     "name": "the name",
@@ -54,22 +53,19 @@ def merge(base: Palette, ours: Palette, theirs: Palette) -> Merge:
     """
     if theirs == base or ours == theirs:
         return Merge(ours, (), ())
-    conflicts: list[str] = []
-    taken: list[str] = []
+    merger = _Merger()
     if ours == base:
-        merged = theirs
-        _append_changes(base.entries, theirs.entries, _entry_key, _entry_words, taken)
-        _append_changes(base.groups, theirs.groups, _group_key, _group_words, taken)
-        return Merge(merged, (), tuple(taken))
-    others = _apart(base, ours, theirs)
-    entries = _items(base.entries, ours.entries, others, _entry_key, _entry_words, conflicts, taken)
-    groups = _items(base.groups, ours.groups, theirs.groups, _group_key, _group_words, conflicts, taken)
-    own: dict[str, Any] = {}
-    for name in (field.name for field in fields(Palette)):
-        if name not in ("entries", "groups"):
-            old, mine, other = (getattr(side, name) for side in (base, ours, theirs))
-            own[name] = _field(name, old, mine, other, f"the palette {ours.name}", conflicts)
-    return Merge(Palette(entries=tuple(entries), groups=tuple(groups), **own), tuple(conflicts), tuple(taken))
+        merger.note_changes(base.entries, theirs.entries)
+        merger.note_changes(base.groups, theirs.groups)
+        return Merge(theirs, (), tuple(merger.taken))
+    own: dict[str, Any] = {
+        "entries": tuple(merger.items(base.entries, ours.entries, _apart(base, ours, theirs))),
+        "groups": tuple(merger.items(base.groups, ours.groups, theirs.groups)),
+    }
+    for name in (field.name for field in fields(Palette) if field.name not in own):
+        old, mine, other = (getattr(side, name) for side in (base, ours, theirs))
+        own[name] = merger.field(name, old, mine, other, f"the palette {ours.name}")
+    return Merge(Palette(**own), tuple(merger.conflicts), tuple(merger.taken))
 
 
 def with_ids_of(base: Palette, theirs: Palette) -> Palette:
@@ -125,157 +121,119 @@ def _apart(base: Palette, ours: Palette, theirs: Palette) -> tuple[Entry, ...]:
     return tuple(found)
 
 
-def _entry_key(entry: Entry) -> Hashable:
-    return entry.id
+def _by_key(items: Sequence[_Item]) -> dict[Hashable, _Item]:
+    return {item.id if isinstance(item, Entry) else item.path: item for item in items}
 
 
-def _group_key(group: Group) -> Hashable:
-    return group.path
+def _words(item: Entry | Group) -> str:
+    if isinstance(item, Group):
+        return f"the group {' / '.join(item.path)}"
+    return f"the entry {item.name or item.code or item.id}"
 
 
-def _entry_words(entry: Entry) -> str:
-    return f"the entry {entry.name or entry.code or entry.id}"
+class _Merger:
+    """Puts the changes of both sides together, and gathers the sentences about them."""
 
+    def __init__(self) -> None:
+        self.conflicts: list[str] = []
+        self.taken: list[str] = []
 
-def _group_words(group: Group) -> str:
-    return f"the group {' / '.join(group.path)}"
+    def note_changes(self, before: Sequence[_Item], after: Sequence[_Item]) -> None:
+        """Note what has changed from one state to the other."""
+        old, new = _by_key(before), _by_key(after)
+        self._take("new", (item for name, item in new.items() if name not in old))
+        self._take("removed", (item for name, item in old.items() if name not in new))
+        self._take("changed", (item for name, item in new.items() if name in old and old[name] != item))
 
+    def items(self, base: Sequence[_Item], ours: Sequence[_Item], theirs: Sequence[_Item]) -> list[_Item]:
+        """Return what becomes of the entries or groups of all sides, in order."""
+        old: dict[Hashable, _Item] = _by_key(base)
+        own: dict[Hashable, _Item] = _by_key(ours)
+        other: dict[Hashable, _Item] = _by_key(theirs)
+        kept: dict[Hashable, _Item] = {}
+        for name in dict.fromkeys((*own, *other)):
+            found = self._one(old.get(name), own.get(name), other.get(name))
+            if found is not None:
+                kept[name] = found
+        gone = (item for name, item in old.items() if own.get(name) == item and name not in other)
+        self._take("removed", gone)
+        return [kept[name] for name in _order(list(old), list(own), list(other), kept)]
 
-def _append_changes(
-    before: Sequence[_Item],
-    after: Sequence[_Item],
-    key: Callable[[_Item], Hashable],
-    words: Callable[[_Item], str],
-    taken: list[str],
-) -> None:
-    """Append to ``taken`` what has changed from one state to the other."""
-    old, new = {key(item): item for item in before}, {key(item): item for item in after}
-    taken += [_sentence(f"{words(item)} is new") for name, item in new.items() if name not in old]
-    taken += [_sentence(f"{words(item)} is removed") for name, item in old.items() if name not in new]
-    taken += [
-        _sentence(f"{words(item)} is changed")
-        for name, item in new.items()
-        if name in old and old[name] != item
-    ]
+    def _take(self, what: str, items: Iterable[Entry | Group]) -> None:
+        self.taken += [_sentence(f"{_words(item)} is {what}") for item in items]
 
+    def _one(self, base: _Item | None, ours: _Item | None, theirs: _Item | None) -> _Item | None:
+        """What becomes of one entry or group; None: it is gone."""
+        if ours is not None and theirs is not None:
+            if ours == theirs or theirs == base:
+                return ours
+            if ours == base:
+                self._take("changed", [theirs])
+                return theirs
+            return self._both(base, ours, theirs)
+        there = ours if ours is not None else theirs
+        if there is None or there == base:
+            return None
+        if base is None:
+            self._take("new", [there] if there is theirs else [])
+            return there
+        where = "here and was changed in the file" if there is theirs else "in the file and was changed here"
+        self.conflicts.append(_sentence(f"{_words(there)} was removed {where}; it is kept as it was changed"))
+        return there
 
-def _items(
-    base: Sequence[_Item],
-    ours: Sequence[_Item],
-    theirs: Sequence[_Item],
-    key: Callable[[_Item], Hashable],
-    words: Callable[[_Item], str],
-    conflicts: list[str],
-    taken: list[str],
-) -> list[_Item]:
-    old: dict[Hashable, _Item]
-    own: dict[Hashable, _Item]
-    other: dict[Hashable, _Item]
-    old, own, other = ({key(item): item for item in side} for side in (base, ours, theirs))
-    kept: dict[Hashable, _Item] = {}
-    for name in dict.fromkeys((*own, *other)):
-        found = _one(old.get(name), own.get(name), other.get(name), words, conflicts, taken)
-        if found is not None:
-            kept[name] = found
-    taken += [
-        _sentence(f"{words(item)} is removed")
-        for name, item in old.items()
-        if name in own and own[name] == item and name not in other
-    ]
-    return [kept[name] for name in _order(list(old), list(own), list(other), kept)]
+    def _both(self, base: _Item | None, ours: _Item, theirs: _Item) -> _Item:
+        """Both sides have changed it, or both have added it: field by field."""
+        values: dict[str, Any] = {}
+        for name in (field.name for field in fields(ours)):
+            old = None if base is None else getattr(base, name)
+            mine: Any = getattr(ours, name)
+            other: Any = getattr(theirs, name)
+            if name == "tags":
+                # Those that either added, without those that either removed, in our order.
+                gone = set(old or ()) - (set(mine) & set(other))
+                values[name] = tuple(tag for tag in dict.fromkeys((*mine, *other)) if tag not in gone)
+            else:
+                combine = self._content if name == "content" else self.field
+                values[name] = combine(name, old, mine, other, _words(ours))
+        merged = type(ours)(**values)
+        if merged != ours:
+            self._take("changed", [ours])
+        return merged
 
+    def _content(self, name: str, base: Any, ours: Any, theirs: Any, subject: str) -> Any:
+        """The paint or colour; of two of one kind a new name and new readings go together."""
+        if ours != theirs and base not in (ours, theirs) and type(base) is type(ours) is type(theirs):
+            if "name" in ours.__dataclass_fields__ and theirs == replace(ours, name=theirs.name):
+                # The names alone have met: the colour is the same.
+                self.conflicts.append(
+                    _sentence(
+                        f"the name of {subject} was changed here and in the file: here {ours.name}, "
+                        f"in the file {theirs.name}; it stays as it is here"
+                    )
+                )
+                return ours
+            changed: dict[str, object] = {}
+            for part in ours.__dataclass_fields__:
+                old, mine, other = (getattr(side, part) for side in (base, ours, theirs))
+                if mine == old and other != old:
+                    changed[part] = other
+                elif mine not in (old, other) and other != old:
+                    break
+            else:
+                # The two halves may make no paint: then they collide as any others.
+                with contextlib.suppress(ValueRangeError):
+                    return replace(ours, **changed)
+        return self.field(name, base, ours, theirs, subject)
 
-def _one(
-    base: _Item | None,
-    ours: _Item | None,
-    theirs: _Item | None,
-    words: Callable[[_Item], str],
-    conflicts: list[str],
-    taken: list[str],
-) -> _Item | None:
-    """What becomes of one entry or group; None: it is gone."""
-    if ours is not None and theirs is not None:
+    def field(self, name: str, base: object, ours: object, theirs: object, subject: str) -> Any:
+        """Return the value of the side that changed a field; where both did, ours, and note the conflict."""
         if ours == theirs or theirs == base:
             return ours
         if ours == base:
-            taken.append(_sentence(f"{words(theirs)} is changed"))
             return theirs
-        return _both(base, ours, theirs, words(ours), conflicts, taken)
-    there = ours if ours is not None else theirs
-    if base is None:
-        if there is theirs and there is not None:
-            taken.append(_sentence(f"{words(there)} is new"))
-        return there
-    if there == base or there is None:
-        return None
-    where = "here and was changed in the file" if there is theirs else "in the file and was changed here"
-    conflicts.append(_sentence(f"{words(there)} was removed {where}; it is kept as it was changed"))
-    return there
-
-
-def _both(
-    base: _Value | None, ours: _Value, theirs: _Value, subject: str, conflicts: list[str], taken: list[str]
-) -> _Value:
-    """Both sides have changed it, or both have added it: field by field."""
-    values: dict[str, Any] = {}
-    for field in fields(ours):
-        old = None if base is None else getattr(base, field.name)
-        mine, other = getattr(ours, field.name), getattr(theirs, field.name)
-        if field.name == "tags":
-            values["tags"] = _tags(old or (), mine, other)
-        elif field.name == "content":
-            values["content"] = _content(old, mine, other, subject, conflicts)
-        else:
-            values[field.name] = _field(field.name, old, mine, other, subject, conflicts)
-    merged = type(ours)(**values)
-    if merged != ours:
-        taken.append(_sentence(f"{subject} is changed"))
-    return merged
-
-
-def _content(base: Any, ours: Any, theirs: Any, subject: str, conflicts: list[str]) -> Any:
-    """The paint or colour; of two of one kind a new name and new readings go together."""
-    if ours != theirs and base not in (ours, theirs) and type(base) is type(ours) is type(theirs):
-        if "name" in ours.__dataclass_fields__ and theirs == replace(ours, name=theirs.name):
-            # The names alone have met: the colour is the same.
-            conflicts.append(
-                _sentence(
-                    f"the name of {subject} was changed here and in the file: here {ours.name}, "
-                    f"in the file {theirs.name}; it stays as it is here"
-                )
-            )
-            return ours
-        changed: dict[str, object] = {}
-        for name in ours.__dataclass_fields__:
-            old, mine, other = (getattr(side, name) for side in (base, ours, theirs))
-            if mine == old and other != old:
-                changed[name] = other
-            elif mine not in (old, other) and other != old:
-                break
-        else:
-            # The two halves may make no paint: then they collide as any others.
-            with contextlib.suppress(ValueRangeError):
-                return replace(ours, **changed)
-    return _field("content", base, ours, theirs, subject, conflicts)
-
-
-def _field(name: str, base: object, ours: object, theirs: object, subject: str, conflicts: list[str]) -> Any:
-    if ours == theirs or theirs == base:
+        what = f"{_WORDS.get(name, name)} of {subject} was changed here and in the file"
+        self.conflicts.append(_sentence(f"{what}; it stays as it is here"))
         return ours
-    if ours == base:
-        return theirs
-    conflicts.append(
-        _sentence(
-            f"{_WORDS.get(name, name)} of {subject} was changed here and in the file; it stays as it is here"
-        )
-    )
-    return ours
-
-
-def _tags(base: tuple[str, ...], ours: tuple[str, ...], theirs: tuple[str, ...]) -> tuple[str, ...]:
-    """Tags that either added, without those that either removed, in our order."""
-    gone = (set(base) - set(ours)) | (set(base) - set(theirs))
-    return tuple(tag for tag in dict.fromkeys((*ours, *theirs)) if tag not in gone)
 
 
 def _order(

@@ -59,10 +59,7 @@ def nearest(
     The answer is the one that comparing with every entry gives. An angle at which the wanted colour is not known (NaN)
     does not count; an entry that is not known at one that counts is not found. ``among`` (n,) leaves others out.
 
-    Raises
-    ------
-    ValueRangeError
-        The colour is known at none of the angles, or its shape is another.
+    Raises :class:`ValueRangeError`: the colour is known at none of the angles, or its shape is another.
     """
     check_choice(combine, "combine", COMBINATIONS)
     wanted = np.asarray(lab, float)

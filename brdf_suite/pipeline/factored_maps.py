@@ -75,10 +75,7 @@ def factored_maps(value: Factored) -> FactoredMaps:
 
     The ceiling is four times the largest sample that was factored, or 10⁴/sr where that is not known.
 
-    Raises
-    ------
-    ValueRangeError
-        There are more maps than are drawn (:func:`too_many_maps`).
+    Raises :class:`ValueRangeError`: there are more maps than are drawn (:func:`too_many_maps`).
     """
     maps, terms = _read(value)
     largest = value.facts.get("largest")

@@ -23,6 +23,7 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.atomic import with_lists
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.errors import FittingError
@@ -174,17 +175,7 @@ class LobeFit:
             "incidences_deg": list(self.incidences_deg),
             "samples": self.samples,
             "l1_relative": {name: list(errors) for name, errors in self.l1_errors.items()},
-            "angles": [
-                {
-                    "illumination_deg": row.illumination_deg,
-                    "aspecular_deg": row.aspecular_deg,
-                    "lab": list(row.lab),
-                    "lab_fitted": list(row.lab_fitted),
-                    "delta_e_2000": row.delta_e_2000,
-                    "fitted": row.fitted,
-                }
-                for row in self.angles
-            ],
+            "angles": [asdict(row, dict_factory=with_lists) for row in self.angles],
             "delta_e_2000_worst": self.worst_delta_e,
             "held_out": None if self.held_out is None else asdict(self.held_out),
             "notices": list(self.notices),
@@ -194,15 +185,10 @@ class LobeFit:
             plain["paint"] = self.name
             plain["coat_roughness"] = reflectance.roughness
             plain["paint_to_weights_ms"] = self.seconds * 1e3
+            rows = [asdict(row, dict_factory=with_lists) for row in self.readings]
             plain["angles"] = [
-                {
-                    "illumination_deg": row.illumination_deg,
-                    "aspecular_deg": row.aspecular_deg,
-                    "lab_asked": list(row.lab),
-                    "lab_fitted": list(row.lab_fitted),
-                    "delta_e_2000": row.delta_e_2000,
-                }
-                for row in self.readings
+                {"lab_asked" if name == "lab" else name: row[name] for name in row if name != "fitted"}
+                for row in rows
             ]
         return plain
 
@@ -355,10 +341,7 @@ def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleErr
 
 
 def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:
-    return {
-        "base": as_rgb_tuple(fit.base_error.relative),
-        "coat": as_rgb_tuple(fit.coat_error.relative),
-    }
+    return {"base": as_rgb_tuple(fit.base_error.relative), "coat": as_rgb_tuple(fit.coat_error.relative)}
 
 
 def _light_notice(reflectance: Reflectance, weights: LobeWeights) -> tuple[str, ...]:

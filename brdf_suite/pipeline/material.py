@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Literal
 from brdf_suite.appearance.colour.flat_colours import to_paint
 from brdf_suite.appearance.light.matrix import ILLUMINANT_OF
 from brdf_suite.documents.paint import Paint
-from brdf_suite.documents.palette import Entry, Palette
+from brdf_suite.documents.palette import Entry
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING, AnyPaint, load_any_paint, load_paint
 from brdf_suite.documents.view_settings import LightColour
@@ -71,10 +71,7 @@ def default_paint() -> Paint:
 def file_kind(path: str | os.PathLike[str]) -> FileKind:
     """Return what a file is, by its content.
 
-    Raises
-    ------
-    FileError
-        It cannot be read, or its content is of no known format.
+    Raises :class:`FileError`: it cannot be read, or its content is of no known format.
     """
     known = document_kind(path)
     if known is None and is_file(os.fspath(path)) and not Path(path).stat().st_size:
@@ -126,7 +123,10 @@ def load_material(
     if isinstance(found, Entry):
         return material_of_entry(found, text)
     if found is None:
-        return _load_model(text) if not is_file(text) else load_measured(text, observer_deg)
+        if is_file(text):
+            return load_measured(text, observer_deg)
+        model = MODELS[text]
+        return Material(model.title, model.make(), text, notices=(f"{model.source}.",))
     if isinstance(found, Paint) and solved_through is not None:
         solved = build_through(found, solved_through)
         return _designed(found, text, solved.reflectance, solved.notices)
@@ -145,10 +145,7 @@ def load_document(name_or_path: str | os.PathLike[str]) -> AnyPaint | None:
 def material_of(document: AnyPaint, origin: str = "") -> Material:
     """Return a paint document as a material; ``origin`` is the name or path that messages call it by.
 
-    Raises
-    ------
-    UnreachableError
-        No such paint can have the gloss or colours that the document asks for.
+    Raises :class:`UnreachableError`: no such paint can have the gloss or colours that the document asks for.
     """
     try:
         if isinstance(document, Paint):
@@ -208,9 +205,7 @@ def under_illuminant(material: Material, colour: LightColour) -> Material:
     Without spectra nothing is known, and under D65 or in the environment's own light nothing changes.
     """
     illuminant = ILLUMINANT_OF.get(colour.illuminant, "D65")
-    if illuminant == "D65":
-        return material
-    if not has_spectra(material.reflectance):
+    if illuminant == "D65" or not has_spectra(material.reflectance):
         return material
     from brdf_suite.reflectance.instruments.under_light import relit  # 15 ms at the start of each program
 
@@ -232,37 +227,26 @@ def _find(text: str) -> AnyPaint | Entry | None:
     if is_file(text):
         kind = file_kind(text)
         if kind == "palette":
-            return _only_entry(text)
+            entries = load_palette_file(text).palette.entries
+            if not entries:
+                raise FileError(text, "is a palette without a paint")
+            if len(entries) > 1:
+                example = f"{text}{ENTRY_MARK}{entries[0].id}"
+                raise FileError(
+                    text, f"is a palette of {len(entries):,} paints; name one of them, as in {example}"
+                )
+            return entries[0]
         return load_any_paint(text) if kind == "paint" else None
     path, _, entry_id = text.rpartition(ENTRY_MARK)
     if path and is_file(path):
-        return palette_entry(load_palette_file(path).palette, path, entry_id)
+        palette = load_palette_file(path).palette
+        if entry_id not in palette.by_id:
+            raise FileError(path, f"has no entry {entry_id!r}")
+        return palette.entry(entry_id)
     if text in MODELS:
         return None
     check_exists(text, "paint", [*names, *TABLE_1])
     return load_any_paint(text)
-
-
-def palette_entry(palette: Palette, path: str, entry_id: str) -> Entry:
-    """Return an entry of the palette in ``path``; raise :class:`FileError` where there is none of that id."""
-    if entry_id not in palette.by_id:
-        raise FileError(path, f"has no entry {entry_id!r}")
-    return palette.entry(entry_id)
-
-
-def _only_entry(path: str) -> Entry:
-    entries = load_palette_file(path).palette.entries
-    if not entries:
-        raise FileError(path, "is a palette without a paint")
-    if len(entries) > 1:
-        example = f"{path}{ENTRY_MARK}{entries[0].id}"
-        raise FileError(path, f"is a palette of {len(entries):,} paints; name one of them, as in {example}")
-    return entries[0]
-
-
-def _load_model(name: str) -> Material:
-    model = MODELS[name]
-    return Material(model.title, model.make(), name, notices=(f"{model.source}.",))
 
 
 def _foreign_kind(path: str | os.PathLike[str]) -> FileKind:

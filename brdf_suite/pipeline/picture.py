@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import cache, partial
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,10 +33,7 @@ from brdf_suite.realtime.values import (
     MeshPart,
 )
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.surface.occlusion.baked import BakedMesh
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"
@@ -131,7 +128,9 @@ class SceneRenderer:
     def set_surface(self, mesh: Mesh, baked: BakedMesh | None = None) -> None:
         """Show this surface, with what was baked for it where that is at hand."""
         self.renderer.set_mesh(mesh_parts(mesh, baked))
-        self.renderer.set_ground(None if baked is None else _ground(baked.ground))
+        light = None if baked is None else baked.ground
+        field = None if light is None else GroundField(light.height, light.low, light.high, light.transfer)
+        self.renderer.set_ground(field)
 
     def set_surface_images(self, images: SurfaceImages) -> None:
         """Lay a normal map, a mask and the second paint on the paint, or take them off, from the next frame on."""
@@ -156,10 +155,6 @@ class SceneRenderer:
         """Give every OpenGL object back."""
         self._angles.close()
         self.renderer.release()
-
-
-def _ground(light: GroundLight) -> GroundField:
-    return GroundField(light.height, light.low, light.high, light.transfer)
 
 
 def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:

@@ -257,10 +257,7 @@ def prepare_light(
 def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Mesh:
     """Return a surface by packaged name or by file, whose numbers are in ``unit`` (see :func:`read_mesh`).
 
-    Raises
-    ------
-    FileError
-        There is no such surface, or its file cannot be read; the message says why.
+    Raises :class:`FileError`: there is no such surface, or its file cannot be read; the message says why.
     """
     check_surface(name_or_path)
     shipped = packaged_name(os.fspath(name_or_path), surface_names())

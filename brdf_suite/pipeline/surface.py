@@ -22,10 +22,7 @@ def wants_baking(look: SurfaceLook) -> bool:
 def load_shaped(name_or_path: str, look: SurfaceLook, progress: Progress | None = None) -> Mesh:
     """Return a surface by packaged name or by file, in the unit, scale and place that ``look`` says.
 
-    Raises
-    ------
-    FileError
-        There is no such surface, or its file cannot be read; the message says why.
+    Raises :class:`FileError`: there is no such surface, or its file cannot be read; the message says why.
     """
     report(progress, 0.0, "reading the surface")
     mesh = load_surface(name_or_path, look.unit)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Illuminant, LightColour
@@ -13,9 +12,6 @@ from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.relief.values import MaskImage, PeelTile, SlopeMap, TangentMap
 from brdf_suite.surface.orange_peel import TILE_WAVES, peel_slopes
-
-if TYPE_CHECKING:
-    from brdf_suite.pipeline.lobe_fit import LobeFit
 
 
 @dataclass(frozen=True)

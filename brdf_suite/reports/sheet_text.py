@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from PIL import ImageFont
@@ -64,3 +64,15 @@ def shortened(text: str, font: FreeTypeFont, width: int) -> str:
         middle = (low + high + 1) // 2
         low, high = (middle, high) if font.getlength(text[:middle] + "...") <= width else (low, middle - 1)
     return text[:low].rstrip() + "..."
+
+
+def broken(text: str, measure: Callable[[str], float], width: float, lines: int) -> list[str]:
+    """Return a text broken into so many lines at most, all but the last no wider than ``width`` by ``measure``."""
+    found = [""]
+    for word in text.split():
+        longer = f"{found[-1]} {word}".strip()
+        if found[-1] and len(found) < lines and measure(longer) > width:
+            found.append(word)
+        else:
+            found[-1] = longer
+    return found

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.png_filters import unfilter
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.memory_limit import check_made
+from brdf_suite.files.bounded_reading import check_made
 
 Content = bytes | mmap.mmap
 """Of a file: as bytes, or mapped, so that only what is asked for is read."""

@@ -23,9 +23,9 @@ from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_p
 from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
 from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
 from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
-from brdf_suite.files.memory_limit import within_memory
 
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
 

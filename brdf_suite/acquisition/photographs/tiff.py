@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
-from brdf_suite.files.memory_limit import check_made
+from brdf_suite.files.bounded_reading import check_made
 
 if TYPE_CHECKING:
     from tifffile import TiffPage

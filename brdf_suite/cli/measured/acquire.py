@@ -169,7 +169,14 @@ def run(options: argparse.Namespace) -> int:
     )
     road = Acquisition.open(options.folder, chosen)
     if options.check:
-        return _check(road, options.json)
+        findings = road.check(None)
+        if options.json:
+            print_json({"session": road.session.name, "findings": [one.to_json() for one in findings]})
+        else:
+            for one in findings:
+                print(f"{one.severity}: {one.path}: {one.reason}")
+            print(f"{road.session.name}: {len(road.session.positions)} positions, {len(findings)} findings")
+        return 1 if any(one.severity == "fatal" for one in findings) else 0
     if options.output is None:
         raise SuiteError(
             "Say where the table goes: -o OUT.brdftable or -o OUT.binary (or --check the folder only)."
@@ -182,17 +189,6 @@ def run(options: argparse.Namespace) -> int:
     else:
         _print_summary(found, options.output)
     return 0
-
-
-def _check(road: Acquisition, as_json: bool) -> int:
-    findings = road.check(None)
-    if as_json:
-        print_json({"session": road.session.name, "findings": [one.to_json() for one in findings]})
-    else:
-        for one in findings:
-            print(f"{one.severity}: {one.path}: {one.reason}")
-        print(f"{road.session.name}: {len(road.session.positions)} positions, {len(findings)} findings")
-    return 1 if any(one.severity == "fatal" for one in findings) else 0
 
 
 def _print_summary(found: Acquired, output: Path) -> None:

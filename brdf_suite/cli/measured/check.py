@@ -8,7 +8,7 @@ from brdf_suite.cli.output import print_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance import registry
-from brdf_suite.reflectance.checks import CheckReport, check_model, check_reflectance
+from brdf_suite.reflectance.checks import check_model, check_reflectance
 
 
 def add(command: argparse.ArgumentParser) -> None:
@@ -34,35 +34,25 @@ def run(options: argparse.Namespace) -> int:
     """Check and print."""
     if options.models == (options.what is not None):
         raise SuiteError("Name one paint, file or model to check, or give --models for every model.")
-    reports = _all_models() if options.models else [_report(options.what)]
+    if options.models or options.what in registry.MODELS:
+        models = registry.MODELS.values() if options.models else [registry.MODELS[options.what]]
+        reports = [check_model(entry) for entry in models]
+    else:
+        item = load_material(options.what)
+        reports = [check_reflectance(item.reflectance, item.name)]
     if options.json:
         print_json({"reports": [r.to_json() for r in reports]} if options.models else reports[0].to_json())
     else:
         for report in reports:
-            _print(report)
+            print(f"{report.name}: {'held' if report.passed else 'NOT held'}")
+            print(f"{'check':>20}  {'violation':>10}  outcome")
+            for finding in report.findings:
+                where = f", {finding.where}" if finding.size > 0.0 else ""
+                if finding.typical:
+                    where += f"; median {finding.typical:.2g}"
+                print(f"{finding.check:>20}  {finding.size:10.3g}  {finding.outcome} ({finding.unit}{where})")
+            print(f"{'polar angle °':>20}  {'directional albedo r, g, b':^32}  {'white furnace r, g, b':^32}")
+            for angle, light, view in zip(report.incidence_deg, report.albedo, report.furnace, strict=True):
+                albedo, furnace = ("".join(f"{value:10.4f}" for value in row) for row in (light, view))
+                print(f"{angle:20.0f}  {albedo:^32}  {furnace:^32}")
     return 0 if all(report.passed for report in reports) else 1
-
-
-def _all_models() -> list[CheckReport]:
-    return [check_model(entry) for entry in registry.MODELS.values()]
-
-
-def _report(what: str) -> CheckReport:
-    if what in registry.MODELS:
-        return check_model(registry.MODELS[what])
-    item = load_material(what)
-    return check_reflectance(item.reflectance, item.name)
-
-
-def _print(report: CheckReport) -> None:
-    print(f"{report.name}: {'held' if report.passed else 'NOT held'}")
-    print(f"{'check':>20}  {'violation':>10}  outcome")
-    for finding in report.findings:
-        where = f", {finding.where}" if finding.size > 0.0 else ""
-        if finding.typical:
-            where += f"; median {finding.typical:.2g}"
-        print(f"{finding.check:>20}  {finding.size:10.3g}  {finding.outcome} ({finding.unit}{where})")
-    print(f"{'polar angle °':>20}  {'directional albedo r, g, b':^32}  {'white furnace r, g, b':^32}")
-    for angle, light, view in zip(report.incidence_deg, report.albedo, report.furnace, strict=True):
-        albedo, furnace = ("".join(f"{value:10.4f}" for value in row) for row in (light, view))
-        print(f"{angle:20.0f}  {albedo:^32}  {furnace:^32}")

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.cli.output import add_arguments, print_json, print_notes, progress_bar
-from brdf_suite.fitting.metrics import ErrorFigures, HeldOut
+from brdf_suite.fitting.metrics import ErrorFigures
 from brdf_suite.inspection.angle_fit import fit_at_angles, judged_gammas
-from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material
 
 
@@ -44,7 +44,15 @@ def run(options: argparse.Namespace) -> int:
     if options.json:
         print_json(found.to_json())
         return 0
-    _print_weights(found)
+    weights = found.weights
+    print(
+        f"{found.name}: {len(weights.exponents)} lobes, {found.fit_seconds * 1e3:.2f} ms"
+        + (", time-limited" if found.time_limited else "")
+    )
+    print(f"{'exponent':>17}  {'KDD r':>11}{'g':>10}{'b':>10} {'KG r':>11}{'g':>10}{'b':>10}")
+    for exponent, base, gloss in zip(weights.exponents, weights.kdd, weights.kg, strict=True):
+        print(f"{exponent:17,.1f}  {_triple(base)} {_triple(gloss)}")
+    print(f"               KD  {_triple(weights.kd)}")
     if found.readings:
         print(" aspecular °    L* asked   fitted      ΔE00")
         for row in found.readings:
@@ -61,7 +69,14 @@ def run(options: argparse.Namespace) -> int:
     for part, errors in found.l1_errors.items():
         print(f"L1 error, {part}: " + ", ".join(f"{100.0 * error:.1f} %" for error in errors) + " (R, G, B)")
     if found.held_out is not None:
-        _print_held_out(found.held_out)
+        print(
+            f"where the fit did not look ({found.held_out.pairs:,} direction pairs: {found.held_out.where}):"
+        )
+        print(
+            f"    {_figures(found.held_out.figures)}; {100.0 * found.held_out.relative_rms:.0f} % of the data's own RMS"
+        )
+        if found.held_out.away is not None:
+            print(f"    more than 5° from the mirror direction: {_figures(found.held_out.away)}")
     print_notes(found.notices)
     return 0
 
@@ -88,25 +103,6 @@ def _at_angles(options: argparse.Namespace) -> int:
         print(f"{theta:15.0f}      " + "".join(f"{'':8}" if v is None else f"{v:8.2f}" for v in values))
     print_notes(found.notices)
     return 0
-
-
-def _print_weights(found: LobeFit) -> None:
-    weights = found.weights
-    print(
-        f"{found.name}: {len(weights.exponents)} lobes, {found.fit_seconds * 1e3:.2f} ms"
-        + (", time-limited" if found.time_limited else "")
-    )
-    print(f"{'exponent':>17}  {'KDD r':>11}{'g':>10}{'b':>10} {'KG r':>11}{'g':>10}{'b':>10}")
-    for exponent, base, gloss in zip(weights.exponents, weights.kdd, weights.kg, strict=True):
-        print(f"{exponent:17,.1f}  {_triple(base)} {_triple(gloss)}")
-    print(f"               KD  {_triple(weights.kd)}")
-
-
-def _print_held_out(held_out: HeldOut) -> None:
-    print(f"where the fit did not look ({held_out.pairs:,} direction pairs: {held_out.where}):")
-    print(f"    {_figures(held_out.figures)}; {100.0 * held_out.relative_rms:.0f} % of the data's own RMS")
-    if held_out.away is not None:
-        print(f"    more than 5° from the mirror direction: {_figures(held_out.away)}")
 
 
 def _figures(figures: ErrorFigures) -> str:

@@ -97,7 +97,10 @@ def run(options: argparse.Namespace) -> int:
             for k, model in enumerate(others)
         ]
     if options.output is not None:
-        _write(found, options.output)
+        if found.paint is not None and options.output.suffix.lower() == _PAINT:
+            save_paint(found.paint, options.output)
+        else:
+            write_brdftable(found.fit, options.output)
     if state is not None and options.state is None:
         StartsFile(state).remove()
     rows = [found, *beside]
@@ -137,13 +140,6 @@ def _check_output(options: argparse.Namespace) -> None:
         raise FileError(output, "exists already; name another file, or add --overwrite")
     if not output.parent.is_dir():
         raise FileError(output, "cannot be written: its folder does not exist")
-
-
-def _write(found: FileFit, output: Path) -> None:
-    if found.paint is not None and output.suffix.lower() == _PAINT:
-        save_paint(found.paint, output)
-    else:
-        write_brdftable(found.fit, output)
 
 
 def _print_summary(found: FileFit) -> None:

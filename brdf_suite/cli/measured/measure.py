@@ -129,7 +129,8 @@ def _print_table(item: Material, report: InstrumentReport, illuminant: str) -> N
 def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: str) -> None:
     writer = csv.writer(sys.stdout, lineterminator="\n")
     first = measured[0][1]
-    names = [_column(reading.geometry.name) for reading in first.readings]
+    # Columns of the usual light are named by the aspecular angle alone.
+    names = [reading.geometry.name.removeprefix("45as") for reading in first.readings]
     head = ["name", "source", *(f"{axis}_{name}" for name in names for axis in ("L", "a", "b"))]
     if illuminant != "D65":
         head += [f"{axis}_{name}_{illuminant}" for name in names for axis in ("L", "a", "b")]
@@ -150,8 +151,3 @@ def _print_csv(measured: list[tuple[Material, InstrumentReport]], illuminant: st
             ["", "", ""] if path is None else [f"{v:.4f}" for v in (path.length, path.hue_deg, path.chroma)]
         )
         writer.writerow(row)
-
-
-def _column(geometry: str) -> str:
-    """Return the name of a column; those of the usual light are named by the aspecular angle alone."""
-    return geometry.removeprefix("45as")

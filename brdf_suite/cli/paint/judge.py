@@ -8,7 +8,6 @@ from dataclasses import replace
 from brdf_suite.appearance.difference.tolerance import Tolerances, difference_title
 from brdf_suite.cli.output import print_json
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances, verdict_text
-from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.standard import AngleRow, BatchReport, Standard, judge_all, paint_like
 from brdf_suite.paint_design.standard_files import load_standards
@@ -38,7 +37,13 @@ def add(command: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Judge and print; 1 where a batch fails."""
     standard = _chosen(load_standards(options.standard), options.name, options.standard)
-    batches = _batches(options.batch, standard)
+    # What is no designed paint is read at the standard's angles, or at the usual ones where it has none of its own.
+    like = standard.paint
+    if like is None and len(standard.readings) >= 3:
+        like = replace(default_paint(), measurements=standard.readings)
+    batches = [
+        paint_like(one, like or default_paint()) for path in options.batch for one in load_standards(path)
+    ]
     angles = [m.aspecular_deg for paint in batches for m in paint.measurements]
     tolerances = parse_tolerances(options, angles) or Tolerances({}, None, options.difference)
     reports = judge_all(standard, batches, tolerances)
@@ -69,14 +74,6 @@ def _chosen(standards: tuple[Standard, ...], name: str | None, path: str) -> Sta
         known = ", ".join(standard.name for standard in standards[:20])
         raise SuiteError(f"{path}: holds no standard called {name!r}; there are {known}.")
     return found[0]
-
-
-def _batches(paths: list[str], standard: Standard) -> list[Paint]:
-    # What is no designed paint is read at the standard's angles, or at the usual ones where it has none of its own.
-    like = standard.paint
-    if like is None and len(standard.readings) >= 3:
-        like = replace(default_paint(), measurements=standard.readings)
-    return [paint_like(one, like or default_paint()) for path in paths for one in load_standards(path)]
 
 
 def _print(report: BatchReport, standard: Standard, title: str) -> None:

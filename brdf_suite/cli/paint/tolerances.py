@@ -62,10 +62,7 @@ def tolerance(text: str) -> tuple[float | None, dict[str, float]]:
 def parse_tolerances(options: argparse.Namespace, read: Sequence[float]) -> Tolerances | None:
     """Return what the options ask for at the angles that are ``read``; ``None`` where nothing shall be judged.
 
-    Raises
-    ------
-    SuiteError
-        There is no such formula, a limit is no size, or an angle is not read.
+    Raises :class:`SuiteError`: there is no such formula, a limit is no size, or an angle is not read.
     """
     find_difference(options.difference)
     if not options.tolerance:

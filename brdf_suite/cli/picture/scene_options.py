@@ -95,10 +95,7 @@ def _point_light(text: str) -> Lamp:
 def parse_view(options: argparse.Namespace) -> View:
     """Return the view that the options ask for.
 
-    Raises
-    ------
-    SuiteError
-        The view, the environment or the mesh is not there, or a number out of its range.
+    Raises :class:`SuiteError`: the view, the environment or the mesh is not there, or a number out of its range.
     """
     from brdf_suite.documents.store import load_view
     from brdf_suite.pipeline.scene import (

@@ -311,10 +311,7 @@ class DiskCache:
 def write(path: Path, parts: Iterable[bytes | memoryview]) -> None:
     """Write an entry under a temporary name, sync it, and give it its name in one step.
 
-    Raises
-    ------
-    OSError
-        The disk is full or read-only; nothing is left behind.
+    Raises :class:`OSError`: the disk is full or read-only; nothing is left behind.
     """
     folder, key = path.parent, path.name.split(".")[0]
     folder.mkdir(parents=True, exist_ok=True)

@@ -241,18 +241,13 @@ class Table:
 @cache
 def known_settings() -> frozenset[str]:
     """Return the names of every setting that a paint can have."""
-
-    found = set(flatten_paint(_example()))
+    found = set(flatten_paint(solid_paint("any", (50.0, 0.0, 0.0))))
     for name, hint in typing.get_type_hints(Paint).items():
         # A part that may be absent: Flakes | None, and whatever else paints get.
         for kind in typing.get_args(hint) if isinstance(hint, types.UnionType) else ():
             if dataclasses.is_dataclass(kind):
                 found |= {f"{name}.{part.name}" for part in dataclasses.fields(kind)}
     return frozenset(found)
-
-
-def _example() -> Paint:
-    return solid_paint("any", (50.0, 0.0, 0.0))
 
 
 FORMAT = ExportFormat(

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.memory_limit import check_made
+from brdf_suite.files.bounded_reading import check_made
 
 MOST_ROWS = 4096
 """The largest prefiltered face has 2,048 texels on 90°; a map of 8,192 × 4,096 holds as many."""

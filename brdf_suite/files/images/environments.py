@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.bounded_reading import open_plain, within_memory
 from brdf_suite.files.images.exr.image import read_exr, write_exr, write_exr_strips
 from brdf_suite.files.images.png import write_png, write_png_strips
 from brdf_suite.files.images.primaries import REC2020, rgb_to_working
 from brdf_suite.files.images.radiance import read_radiance
-from brdf_suite.files.memory_limit import within_memory
 
 MAX_RADIANCE = 1e15
 """Largest radiance that is kept: a million times the sun in cd/m², and safe to square in float32."""
@@ -74,11 +73,6 @@ def clip_negative(pixels: NDArray[np.float32]) -> tuple[NDArray[np.float32], lis
     lowest = float(pixels.min())
     note = f"{_pixels(negative)} ({share}) held negative radiance, down to {lowest:.3g}; clamped to 0"
     return np.maximum(pixels, np.float32(0.0)), [note]
-
-
-def note_darkness(pixels: NDArray[np.float32]) -> list[str]:
-    """Return a note where no pixel (h, w, 3) gives any light, which is rarely meant."""
-    return [] if pixels.any() else ["every pixel is black: nothing is lit by this environment"]
 
 
 def _pixels(where: NDArray[np.bool_]) -> str:
@@ -171,7 +165,8 @@ def read_environment_image(path: PathLike) -> ImageData:
         pixels = pixels @ matrix.T
     # After the conversion: a saturated colour of narrower primaries is a sound one in the working space.
     pixels, clipped = clip_negative(pixels)
-    notices = (*notes, *repairs, *clipped, *note_darkness(pixels))
+    dark = [] if pixels.any() else ["every pixel is black: nothing is lit by this environment"]
+    notices = (*notes, *repairs, *clipped, *dark)
     return ImageData(np.ascontiguousarray(pixels), notices, layout)
 
 

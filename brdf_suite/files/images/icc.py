@@ -31,10 +31,7 @@ def profile_bytes(space: DisplaySpace) -> bytes:
 
     Its colours are adapted from D65 to D50 by Bradford's transform, which the profile says too (``chad``).
 
-    Raises
-    ------
-    ValueError
-        The space is a monitor's.
+    Raises :class:`ValueError`: the space is a monitor's.
     """
     if space.primaries is None or space.codes is not None:
         raise ValueError(f"{space.title} is not defined by primaries and the sRGB curve")
@@ -102,10 +99,7 @@ def read_display_profile(data: bytes, name: str) -> DisplaySpace:
 
     White goes to the monitor's white, as in a media-relative rendering: eyes adapt to the screen that they see.
 
-    Raises
-    ------
-    FileError
-        It is damaged, or not of an RGB device with a matrix and curves.
+    Raises :class:`FileError`: it is damaged, or not of an RGB device with a matrix and curves.
     """
     tags = _tags(data, name)
     wanted = [b"rXYZ", b"gXYZ", b"bXYZ", b"rTRC", b"gTRC", b"bTRC"]

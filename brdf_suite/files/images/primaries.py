@@ -31,10 +31,7 @@ REC2020: Chromaticities = _flat(REC2020_PRIMARIES)
 def rgb_to_xyz(chromaticities: Chromaticities) -> NDArray[np.float64]:
     """Return the (3, 3) matrix from linear RGB to XYZ, where RGB (1, 1, 1) is white with Y = 1.
 
-    Raises
-    ------
-    ValueError
-        The primaries are not finite, lie on a line, or do not enclose the white point.
+    Raises :class:`ValueError`: the primaries are not finite, lie on a line, or do not enclose the white point.
     """
     values = np.asarray(chromaticities, dtype=np.float64).reshape(4, 2)
     if not np.isfinite(values).all() or (values[:, 1] < 1e-6).any():

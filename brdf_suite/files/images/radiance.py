@@ -29,10 +29,7 @@ def read_radiance(
 ) -> tuple[NDArray[np.float32], Chromaticities, tuple[str, ...]]:
     """Return pixels (h, w, 3) float32 in the file's own primaries, those primaries, and notes.
 
-    Raises
-    ------
-    FileError
-        The file is damaged, truncated or not a Radiance picture.
+    Raises :class:`FileError`: the file is damaged, truncated or not a Radiance picture.
     """
     data = read_bytes(path)
     if not data.startswith((b"#?RADIANCE", b"#?RGBE", b"#?AUTOPANO")):

@@ -90,10 +90,7 @@ def read_mask(path: PathLike) -> NDArray[np.float32]:
 
     White is 1 and black 0, as the numbers stand in the file: a mask is a share, not a colour.
 
-    Raises
-    ------
-    FileError
-        The file cannot be read as an image.
+    Raises :class:`FileError`: the file cannot be read as an image.
     """
     pixels, _ = _read(path)
 

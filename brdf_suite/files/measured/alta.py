@@ -48,24 +48,6 @@ def _projected(rows: SampleRows, x: Floats) -> _Pair:
     return directions(rows, x[:, 0], zero), wo
 
 
-def _view_light_azimuth(rows: SampleRows, x: Floats) -> _Pair:
-    return directions(rows, x[:, 1], x[:, 2]), directions(rows, x[:, 0], np.zeros(len(x)))
-
-
-def _view_light(rows: SampleRows, x: Floats) -> _Pair:
-    zero = np.zeros(len(x))
-    return directions(rows, x[:, 1], zero), directions(rows, x[:, 0], zero)
-
-
-def _spherical(rows: SampleRows, x: Floats) -> _Pair:
-    return directions(rows, x[:, 0], x[:, 1]), directions(rows, x[:, 2], x[:, 3])
-
-
-def _cartesian(rows: SampleRows, x: Floats) -> _Pair:
-    view, light = x[:, :3], x[:, 3:]
-    return _unit(rows, light), _unit(rows, view)
-
-
 def _half_angles(rows: SampleRows, theta_h: Floats, phi_h: Floats, theta_d: Floats, phi_d: Floats) -> _Pair:
     pair = from_half_angle_coordinates(theta_h, phi_h, theta_d, phi_d)
     return _unit(rows, pair[0]), _unit(rows, pair[1])
@@ -86,10 +68,16 @@ def _unit(rows: SampleRows, w: Floats) -> Floats:
 
 _INPUTS: dict[str, tuple[int, Callable[[SampleRows, Floats], _Pair]]] = {
     "ISOTROPIC_TL_TV_PROJ_DPHI": (3, _projected),
-    "ISOTROPIC_TV_TL_DPHI": (3, _view_light_azimuth),
-    "ISOTROPIC_TV_TL": (2, _view_light),
-    "SPHERICAL_TL_PL_TV_PV": (4, _spherical),
-    "CARTESIAN": (6, _cartesian),
+    "ISOTROPIC_TV_TL_DPHI": (
+        3, lambda rows, x: (directions(rows, x[:, 1], x[:, 2]), directions(rows, x[:, 0], 0.0 * x[:, 0]))
+    ),
+    "ISOTROPIC_TV_TL": (
+        2, lambda rows, x: (directions(rows, x[:, 1], 0.0 * x[:, 0]), directions(rows, x[:, 0], 0.0 * x[:, 0]))
+    ),
+    "SPHERICAL_TL_PL_TV_PV": (
+        4, lambda rows, x: (directions(rows, x[:, 0], x[:, 1]), directions(rows, x[:, 2], x[:, 3]))
+    ),
+    "CARTESIAN": (6, lambda rows, x: (_unit(rows, x[:, 3:]), _unit(rows, x[:, :3]))),
     "RUSIN_TH_TD_PD": (3, lambda rows, x: _half_angles(rows, x[:, 0], 0.0 * x[:, 0], x[:, 1], x[:, 2])),
     "RUSIN_TH_PH_TD_PD": (4, lambda rows, x: _half_angles(rows, x[:, 0], x[:, 1], x[:, 2], x[:, 3])),
     "RUSIN_TH_TD": (
@@ -154,10 +142,7 @@ class _Header:
 def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSamples:
     """Return the samples of an ALTA file; one output is grey, three are Rec. 709 (or XYZ where it says so).
 
-    Raises
-    ------
-    FileError
-        With the line of the first fault.
+    Raises :class:`FileError`: with the line of the first fault.
     """
     header = _Header(path)
     rows: SampleRows | None = None
@@ -210,10 +195,7 @@ def read_alta(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
 def write_alta(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     """Write RGB samples, and return notes for the user (Rec. 709, as readers of ALTA expect), grey ones in one column.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written.
+    Raises :class:`FileError`: the file cannot be written.
     """
     scattered = as_samples(value)
     theta_i, phi_i = angles(scattered.wi)

@@ -107,10 +107,7 @@ def write_astm(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
     Spectra where there are any, else Rec. 709 RGB, or one column where all is grey.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written.
+    Raises :class:`FileError`: the file cannot be written.
     """
     scattered = as_samples(value)
     if scattered.spectra is not None and scattered.wavelengths_nm is not None:

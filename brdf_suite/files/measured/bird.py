@@ -177,16 +177,13 @@ def _numbers(path: PathLike, values: list[Any], name: str, count: int | None) ->
         raise FileError(path, reason, f"data.{name}.values")
     numbers = np.empty(len(values))
     for index, value in enumerate(values):
-        number = float(value) if isinstance(value, (int, float)) and _fits(value) else math.nan
+        # An int of JSON may be too large for a float.
+        number = float(value) if isinstance(value, (int, float)) and abs(value) < 1e300 else math.nan
         if isinstance(value, bool) or not math.isfinite(number):
             reason = f"expected a finite number, not {describe(value)}"
             raise FileError(path, reason, f"data.{name}.values[{index}]")
         numbers[index] = number
     return numbers
-
-
-def _fits(value: float) -> bool:
-    return abs(value) < 1e300  # an int of JSON may be too large for a float
 
 
 def _angle(path: PathLike, axis: dict[str, Any], name: str, count: int) -> Floats:
@@ -245,16 +242,15 @@ def write_bird(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     return sampling_notes(value, scattered)
 
 
-def _looks(head: bytes, _size: int) -> bool:
-    start = head.removeprefix(b"\xef\xbb\xbf").lstrip()
-    return start.startswith(b"{") and b'"metadata"' in head and b'"brdfp' not in head
-
-
 FORMAT = MeasuredFormat(
     name="bird",
     title="BiRD JSON",
     endings=(".json",),
-    sniff=_looks,
+    sniff=lambda head, _size: (
+        head.removeprefix(b"\xef\xbb\xbf").lstrip().startswith(b"{")
+        and b'"metadata"' in head
+        and b'"brdfp' not in head
+    ),
     read=read_bird,
     write=write_bird,
 )

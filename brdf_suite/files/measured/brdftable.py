@@ -26,7 +26,7 @@ import numpy as np
 from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.array_file import Layout, read_arrays, write_arrays
-from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions, tabulation_notes
+from brdf_suite.files.measured.format import MeasuredFormat, tabulation_notes
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import MOST_MORE, Factored
 from brdf_suite.reflectance.protocol import Reflectance
@@ -57,10 +57,7 @@ def product_parts(value: Factored) -> tuple[dict[str, Any], dict[str, AnyArray]]
 def product_value(header: Mapping[str, Any], arrays: Mapping[str, AnyArray]) -> Factored:
     """Return what :func:`product_parts` took apart; ``header`` holds ``maps``, ``source`` and ``facts``.
 
-    Raises
-    ------
-    ValueRangeError
-        ``maps`` is not as it should be, or an array is missing or is no map.
+    Raises :class:`ValueRangeError`: ``maps`` is not as it should be, or an array is missing or is no map.
     """
     maps = header["maps"]
     if set(maps) != {"logarithmic", "more", "peak"} or not isinstance(maps["logarithmic"], bool):
@@ -113,10 +110,7 @@ def write_brdftable(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
     Returns notes: what was lost, each a clause for the user.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written, or the facts of the table are not plain values.
+    Raises :class:`FileError`: the file cannot be written, or the facts of the table are not plain values.
     """
     table: Table
     notes: tuple[str, ...] = ()
@@ -256,15 +250,11 @@ def _plain(value: Any) -> Any:
     return value.item() if isinstance(value, np.generic) else value
 
 
-def _read(path: PathLike, _: ReadOptions) -> Table:
-    return read_brdftable(path)
-
-
 FORMAT = MeasuredFormat(
     "brdftable",
     "BRDF Suite table",
     (".brdftable",),
     lambda head, _: head.startswith(LAYOUT.magic),
-    _read,
+    lambda path, _: read_brdftable(path),
     write_brdftable,
 )

@@ -96,10 +96,7 @@ def _name(comments: list[str]) -> str:
 def write_cornell(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     """Write spectral samples, and return notes for the user; numbers are written so that they read back unchanged.
 
-    Raises
-    ------
-    FileError
-        The value holds colours only, or the file cannot be written.
+    Raises :class:`FileError`: the value holds colours only, or the file cannot be written.
     """
     scattered = as_samples(value)
     if scattered.spectra is None or scattered.wavelengths_nm is None:

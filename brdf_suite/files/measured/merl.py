@@ -110,10 +110,7 @@ def write_merl(value: Reflectance, path: PathLike, *, scale_factors: bool = True
     written with them. Rec. 709 is narrower than the working space: negative channels become 0, because a
     negative one would read as a hole; a note states how many.
 
-    Raises
-    ------
-    FileError
-        The file cannot be written; the old one, if any, is as it was.
+    Raises :class:`FileError`: the file cannot be written; the old one, if any, is as it was.
     """
     notes: list[str] = []
     if isinstance(value, IsotropicTable):

@@ -50,10 +50,7 @@ _LARGEST = 8 << 30
 def sniff(path: PathLike) -> MeasuredFormat:
     """Return the format of the file at ``path``, by its content.
 
-    Raises
-    ------
-    FileError
-        It cannot be read, is empty, or is of no known format.
+    Raises :class:`FileError`: it cannot be read, is empty, or is of no known format.
     """
     with open_plain(path, _LARGEST) as stream:
         head = stream.read(_HEAD)
@@ -77,10 +74,7 @@ def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> Meas
     The value has ``eval`` and ``facts``; its class says what more it can do (a
     :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`, scattered samples, a table).
 
-    Raises
-    ------
-    FileError
-        With the place in the file: byte offset, line or field. Nothing is partly read.
+    Raises :class:`FileError`: with the place in the file: byte offset, line or field. Nothing is partly read.
     """
     value: MeasuredReflectance = sniff(path).read(path, options or ReadOptions())
     return value

@@ -54,10 +54,7 @@ Arrays = dict[str, npt.NDArray[np.generic]]
 def unpack(content: bytes, path: PathLike) -> Arrays:
     """Return the arrays of a tensor file, as read-only views into ``content``.
 
-    Raises
-    ------
-    FileError
-        The header is damaged, or an array lies outside the file; with the byte offset.
+    Raises :class:`FileError`: the header is damaged, or an array lies outside the file; with the byte offset.
     """
     place = 0
 
@@ -243,10 +240,7 @@ def write_rgl(value: Reflectance, path: PathLike) -> tuple[str, ...]:
     A TensorReflectance is written as it is; any other isotropic reflectance is tabulated first
     (:func:`~brdf_suite.reflectance.tensor.tabulate.tabulate`), with its spectra where it has them.
 
-    Raises
-    ------
-    FileError
-        The reflectance is not isotropic or not finite, or the file cannot be written.
+    Raises :class:`FileError`: the reflectance is not isotropic or not finite, or the file cannot be written.
     """
     tensor = value if isinstance(value, TensorReflectance) else _tabulated(value, path)
     text = tensor.description.encode("utf-8") or b" "

@@ -106,10 +106,7 @@ def samples(
 
     Negative values, the noise of dark readings, become 0; ``facts`` then says how many.
 
-    Raises
-    ------
-    FileError
-        There is no row, or a value is beyond what a reflectance can be.
+    Raises :class:`FileError`: there is no row, or a value is beyond what a reflectance can be.
     """
     if len(rows) == 0:
         raise FileError(rows.path, "holds no samples", "the end of the file")

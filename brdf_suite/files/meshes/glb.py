@@ -47,10 +47,7 @@ _LOOKS: dict[str, tuple[tuple[float, float, float, float], float, float]] = {
 def write_mesh_glb(mesh: Mesh, path: PathLike) -> None:
     """Write ``mesh`` so that :func:`read_own_glb` gives back the same numbers. Same mesh, same bytes.
 
-    Raises
-    ------
-    FileError
-        The folder is missing or not writeable; an older file of that name is kept.
+    Raises :class:`FileError`: the folder is missing or not writeable; an older file of that name is kept.
     """
     document, binary = _document(mesh)
     text = json.dumps(document, separators=(",", ":"), sort_keys=True).encode()
@@ -119,10 +116,7 @@ def _material(word: str) -> dict[str, Any]:
 def split_glb(path: PathLike, data: bytes) -> tuple[dict[str, Any], memoryview]:
     """Return the JSON document and the binary chunk (empty where there is none) of a binary glTF file.
 
-    Raises
-    ------
-    FileError
-        Not binary glTF 2, cut short, or its JSON is damaged; the message gives the byte offset.
+    Raises :class:`FileError`: not binary glTF 2, cut short, or its JSON is damaged; the message gives the byte offset.
     """
     if len(data) < _HEADER.size + _CHUNK.size or data[:4] != b"glTF":
         raise FileError(path, "not a binary glTF file (it does not begin with the letters glTF)", "byte 0")
@@ -158,10 +152,7 @@ def is_own(document: dict[str, Any]) -> bool:
 def read_own_glb(path: PathLike, document: dict[str, Any], binary: memoryview, name: str) -> Mesh:
     """Return the mesh of a file of ours, from what :func:`split_glb` gave.
 
-    Raises
-    ------
-    FileError
-        The file was damaged or changed by hand.
+    Raises :class:`FileError`: the file was damaged or changed by hand.
     """
     try:
         parts = []

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.memory_limit import MOST_MADE_BYTES, check_made
+from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, check_made
 from brdf_suite.surface.repair import RawPart
 
 # In order: the first row with a word that a name begins a word with decides. Paint comes first, since

@@ -49,10 +49,7 @@ def encode_baked(mesh: Mesh, baked: BakedMesh) -> list[bytes | memoryview]:
 def read_baked(path: PathLike, mesh: Mesh) -> BakedMesh:
     """Return what was baked for ``mesh``.
 
-    Raises
-    ------
-    FileError
-        It is not there, damaged, of another version, or was baked for another mesh.
+    Raises :class:`FileError`: it is not there, damaged, of another version, or was baked for another mesh.
     """
     header, arrays = read_arrays(LAYOUT, path)
     try:
@@ -89,10 +86,7 @@ def occlusion_cache() -> DiskCache:
 def baked_occlusion(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
     """Return the occlusion of ``mesh``, baked now or before.
 
-    Raises
-    ------
-    Cancelled
-        ``progress`` asked for it; nothing is kept.
+    Raises :class:`Cancelled`: ``progress`` asked for it; nothing is kept.
     """
     key = occlusion_key(mesh)
     cache = occlusion_cache()

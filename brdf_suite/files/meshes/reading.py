@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.memory_limit import within_memory
+from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.meshes.glb import is_own, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.meshes.gltf import material_word, read_gltf
 from brdf_suite.surface.mesh import Mesh, PartGeometry
@@ -33,10 +33,7 @@ _LARGEST = float(np.finfo(np.float32).max)
 def check_stl(path: PathLike, data: bytes) -> None:
     """Refuse a binary STL whose size is not that of the triangles that its header promises.
 
-    Raises
-    ------
-    FileError
-        The file is cut off, or something was appended; with both numbers.
+    Raises :class:`FileError`: the file is cut off, or something was appended; with both numbers.
     """
     if b"\0" not in data[:4096]:
         return  # text: zero bytes are in every count and in nearly every coordinate of the binary kind
@@ -53,10 +50,7 @@ def check_stl(path: PathLike, data: bytes) -> None:
 def read_parts(path: PathLike) -> list[RawPart]:
     """Return the parts with triangles, in world axes and the unit of the file, unchecked.
 
-    Raises
-    ------
-    FileError
-        The file is damaged or refers to what it does not hold.
+    Raises :class:`FileError`: the file is damaged or refers to what it does not hold.
     """
     # Imported here: it takes a third of a second, and only meshes of others need it.
     import trimesh
@@ -64,8 +58,11 @@ def read_parts(path: PathLike) -> list[RawPart]:
     try:
         scene = trimesh.load_scene(os.fspath(path), process=False)
         names = scene.graph.nodes_geometry
+        faces: dict[str, Any] = {
+            node: getattr(scene.geometry[scene.graph[node][1]], "faces", None) for node in names
+        }
         return [
-            _raw_part(path, scene, node) for node in names if _has_faces(scene.geometry[scene.graph[node][1]])
+            _raw_part(path, scene, node) for node in names if faces[node] is not None and len(faces[node])
         ]
     except FileError:
         raise
@@ -96,10 +93,6 @@ def _in_words(error: Exception) -> str:
     if isinstance(error, UnicodeError):
         return "damaged: it holds bytes that are no text where text belongs"
     return "damaged, or not the kind of mesh that its name says"
-
-
-def _has_faces(geometry: Any) -> bool:
-    return getattr(geometry, "faces", None) is not None and len(geometry.faces) > 0
 
 
 def _raw_part(path: PathLike, scene: Any, node: str) -> RawPart:

@@ -175,10 +175,7 @@ def _counted(sentence: str, count: int) -> str:
 def decode_text(content: bytes, path: PathLike, collector: Collector | None = None) -> str:
     """Return a text file's text: UTF-8, with or without a mark, UTF-16 with one, else Latin-1, which is reported.
 
-    Raises
-    ------
-    FileError
-        It holds a NUL byte, so it is no text.
+    Raises :class:`FileError`: it holds a NUL byte, so it is no text.
     """
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
         try:

@@ -48,10 +48,7 @@ def face_lab(paint: Paint | CookTorrancePaint | FactoredPaint) -> Lab:
 def as_readings(paint: Paint | CookTorrancePaint | FactoredPaint) -> Paint:
     """Return a paint as readings; one of another kind is read by the virtual instruments at six angles.
 
-    Raises
-    ------
-    SuiteError
-        What is read of it is beyond a paint's range.
+    Raises :class:`SuiteError`: what is read of it is beyond a paint's range.
     """
     return paint if isinstance(paint, Paint) else _measured(paint)
 

@@ -1,13 +1,18 @@
-"""Registry entry of a palette format, and the results of reading and writing one."""
+"""Registry entry of a palette format, that of our own, and the results of reading and writing one."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from brdf_suite.documents.flat_colour import MODELS
 from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import PALETTE_ENDING, encode_palette, palette_from_bytes
 from brdf_suite.errors import PathLike
+
+_OWN_HEAD = re.compile(rb'\s*\{\s*"format"\s*:\s*"brdfpalette"')
 
 Groups = Literal["none", "flat", "nested"]
 
@@ -80,3 +85,18 @@ class PaletteFormat:
     groups: Groups = "none"
     paints: bool = False
     order: Order = "kept"
+
+
+OWN = PaletteFormat(
+    name="brdfpalette",
+    title="BRDF Suite palette",
+    endings=(PALETTE_ENDING,),
+    models=MODELS,
+    holds="Everything.",
+    sniff=lambda head, _size: bool(_OWN_HEAD.match(head.removeprefix(b"\xef\xbb\xbf"))),
+    read=lambda content, path: (palette_from_bytes(content, path), ()),
+    write=encode_palette,
+    groups="nested",
+    paints=True,
+)
+"""``.brdfpalette``: lossless."""

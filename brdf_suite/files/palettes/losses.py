@@ -9,8 +9,7 @@ from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.palettes import collecting
 from brdf_suite.files.palettes.conversions import in_srgb
-from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.own import FORMAT as OWN
+from brdf_suite.files.palettes.format import OWN, PaletteFormat
 
 _SAME = 1e-9
 
@@ -18,10 +17,7 @@ _SAME = 1e-9
 def encode_palette(palette: Palette, known: PaletteFormat) -> bytes:
     """Return the content of a palette's file in a format.
 
-    Raises
-    ------
-    SuiteError
-        The format is only read, or cannot hold so many colours.
+    Raises :class:`SuiteError`: the format is only read, or cannot hold so many colours.
     """
     if known.write is None:
         raise SuiteError(f"{known.title} is only read here; choose another format.")
@@ -31,10 +27,7 @@ def encode_palette(palette: Palette, known: PaletteFormat) -> bytes:
 def find_losses(palette: Palette, known: PaletteFormat, content: bytes, path: PathLike) -> tuple[str, ...]:
     """Return what of a palette is missing or changed in the content of its file, in sentences.
 
-    Raises
-    ------
-    SuiteError
-        The palette is so large that the file would be beyond what is read of its format.
+    Raises :class:`SuiteError`: the palette is so large that the file would be beyond what is read of its format.
     """
     many = len(palette) > collecting.MOST_COLOURS
     try:

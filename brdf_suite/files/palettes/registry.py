@@ -6,26 +6,22 @@ module and one line here: every check of the formats goes over this list.
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.palette import Palette
-from brdf_suite.documents.palette_store import LARGEST_PALETTE
+from brdf_suite.documents.palette_store import LARGEST_PALETTE, without_collection
 from brdf_suite.errors import FileError, PathLike, SuiteError
 from brdf_suite.files.bounded_reading import read_bytes
-from brdf_suite.files.palettes import own
 from brdf_suite.files.palettes.archive import kpl, sbz
 from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
-from brdf_suite.files.palettes.format import LARGEST, PaletteFormat, ReadPalette, WrittenPalette
+from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
 from brdf_suite.files.palettes.losses import encode_palette, find_losses
 from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
 from brdf_suite.files.palettes.xml import cxf3, scribus, soc
 
 FORMATS: tuple[PaletteFormat, ...] = (
-    own.FORMAT,
+    OWN,
     ase.FORMAT,
     acb.FORMAT,
     gpl.FORMAT,
@@ -102,11 +98,11 @@ def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = N
     """Return the palette in the content of a file, of a format where that is known; errors as :func:`read_palette`."""
     if known is None:
         known = sniff(content, path)
-    if known is not own.FORMAT and len(content) > LARGEST:
+    if known is not OWN and len(content) > LARGEST:
         raise FileError(
             path, f"has {len(content):,} bytes, more than the {LARGEST:,} allowed", f"byte {LARGEST}"
         )
-    with _no_collection():
+    with without_collection():
         palette, notes = known.read(content, path)
     return ReadPalette(palette, notes, known)
 
@@ -116,10 +112,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
 
     A file that says no name has its own, so whether the palette's is lost depends on ``path``.
 
-    Raises
-    ------
-    SuiteError
-        It cannot be written in that format at all.
+    Raises :class:`SuiteError`: it cannot be written in that format at all.
     """
     return find_losses(palette, known, encode_palette(palette, known), path or f"the {known.title} file")
 
@@ -127,10 +120,7 @@ def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple
 def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> WrittenPalette:
     """Write a palette, whole or not at all, in the format given or that the ending names.
 
-    Raises
-    ------
-    SuiteError
-        The ending names no format, the format cannot hold the palette, or the disk refuses.
+    Raises :class:`SuiteError`: the ending names no format, the format cannot hold the palette, or the disk refuses.
     """
     if known is None:
         known = format_for(path)
@@ -138,15 +128,3 @@ def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None 
     lost = find_losses(palette, known, content, path)
     write_atomically(path, content)
     return WrittenPalette(known, len(content), lost)
-
-
-@contextmanager
-def _no_collection() -> Iterator[None]:
-    """Hold the collector of cycles: a hundred thousand new objects make it look through them again and again."""
-    running = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if running:
-            gc.enable()

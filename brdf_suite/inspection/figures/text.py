@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Literal
 from brdf_suite.documents.atomic import write_atomically
 
 if TYPE_CHECKING:  # the windows write figures, and only then measure
-    from brdf_suite.inspection.figures.figures import AngleReading, ErrorSet, ReflectanceFigures
+    from brdf_suite.inspection.figures.figures import ReflectanceFigures
 
 _CHANNELS = ("red", "green", "blue")
 
@@ -44,7 +44,8 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
     rows: list[FigureRow] = []
 
     def add(group: Group, name: str, unit: str, values: Iterable[float | None]) -> None:
-        rows.append(FigureRow(group, name, unit, tuple(_kept(value) for value in values)))
+        kept = (None if value is None or not math.isfinite(value) else float(value) for value in values)
+        rows.append(FigureRow(group, name, unit, tuple(kept)))
 
     for c, channel in enumerate(_CHANNELS):
         add("overview", f"hemispherical albedo, {channel}", "", [f.curve.hemispherical[c] for f in figures])
@@ -60,7 +61,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
     for k, geometry in enumerate(g.name for g in figures[0].geometry_set.geometries):
         readings = [f.readings[k] for f in figures]
         for c, quantity in enumerate(("L*", "a*", "b*")):
-            add("colours", f"{quantity} {geometry}", "", [_lab_value(reading, c) for reading in readings])
+            add("colours", f"{quantity} {geometry}", "", [r.lab and r.lab[c] for r in readings])
         add("colours", f"ΔE00 of the fit {geometry}", "", [reading.delta_e_fit for reading in readings])
         add(
             "colours",
@@ -77,7 +78,7 @@ def figure_rows(named: Sequence[Named]) -> tuple[FigureRow, ...]:
             (", away from the mirror", [None if e is None else e.away for e in errors]),
         ):
             for name, unit, field in _ERRORS:
-                add("errors", f"{title}, {name}{where}", unit, [_error(one, field) for one in sets])
+                add("errors", f"{title}, {name}{where}", unit, [getattr(one, field, None) for one in sets])
     return tuple(row for row in rows if any(value is not None for value in row.values))
 
 
@@ -111,18 +112,6 @@ _ERRORS = (
     ("relative root mean square", "", "relative_rms"),
     ("root mean square of cube roots", "", "cube_root_rms"),
 )
-
-
-def _error(errors: ErrorSet | None, field: str) -> float | None:
-    return None if errors is None else float(getattr(errors, field))
-
-
-def _lab_value(reading: AngleReading, channel: int) -> float | None:
-    return None if reading.lab is None else reading.lab[channel]
-
-
-def _kept(value: float | None) -> float | None:
-    return None if value is None or not math.isfinite(value) else float(value)
 
 
 def _number(value: float | None) -> str:

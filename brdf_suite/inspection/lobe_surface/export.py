@@ -6,7 +6,6 @@ import os
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.files.meshes.writing import PointMesh, write_obj, write_ply
@@ -35,7 +34,7 @@ def surface_mesh(surface: LobeSurface, size: float = 1.0) -> PointMesh:
         surface.colours.reshape(-1, 3)[used],
         again.reshape(-1, 3).astype(np.int32),
         "value",
-        _numbers(surface)[used],
+        surface.values.reshape(-1)[used],
     )
 
 
@@ -72,7 +71,3 @@ def scale_words(scale: RadiusScale, size: float = 1.0) -> tuple[str, ...]:
         f"a length of {size:g} is radius 1; full = {scale.full:.9g} 1/sr; {how}",
         "x along the tangent, z along the normal of the surface",
     )
-
-
-def _numbers(surface: LobeSurface) -> npt.NDArray[np.float32]:
-    return np.asarray(surface.values.reshape(-1))

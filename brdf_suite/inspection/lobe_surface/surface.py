@@ -107,11 +107,6 @@ def nice_ceiling(value: float) -> float:
 _ROUNDING = 6e-7
 
 
-def surface_points(grid: LobeGrid, radius: Singles) -> Singles:
-    """Return r·ω (rows, columns, 3) float32 for ``radius`` (rows, columns); NaN where the radius is."""
-    return np.asarray(grid.directions.astype(np.float32) * radius[..., None])
-
-
 def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
     """Return unit normals (rows, columns, 3) float32, outwards; the mirror direction itself where nothing is known."""
     rows, columns = grid.shape
@@ -142,7 +137,10 @@ def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
         part += along_centre * centre[axis]
         part -= r_psi * across[:, axis]
         normals[..., axis] = part
-    normals[0] = _tip(normals[0])
+    # One normal for the mirror direction, where all columns meet: the mean of theirs that are known.
+    known_tips = normals[0, :-1][np.isfinite(normals[0, :-1]).all(axis=-1)]
+    if len(known_tips):
+        normals[0] = known_tips.mean(axis=0)
     length = np.sqrt(np.einsum("jki,jki->jk", normals, normals))
     known = length > 1e-20
     if not known.all():  # radius 0 all around, or a hole
@@ -150,12 +148,6 @@ def surface_normals(grid: LobeGrid, radius: Singles) -> Singles:
         length[~known] = 1.0
     normals /= length[..., None]
     return normals
-
-
-def _tip(ring: Singles) -> Singles:
-    """One normal for the mirror direction, where all columns meet: the mean of theirs that are known."""
-    known = ring[:-1][np.isfinite(ring[:-1]).all(axis=-1)]
-    return np.broadcast_to(known.mean(axis=0), ring.shape) if len(known) else ring
 
 
 def _per_gamma(radius: Singles, gamma: Singles) -> Singles:
@@ -307,7 +299,7 @@ def _made(
 ) -> LobeSurface:
     if most_radius is not None:
         radius = np.minimum(radius, np.float32(most_radius))  # keeps a NaN
-    points, normals = surface_points(grid, radius), surface_normals(grid, radius)
+    points, normals = grid.directions.astype(np.float32) * radius[..., None], surface_normals(grid, radius)
     if holes:
         points = np.nan_to_num(points)
     # The least radius of a logarithm is 0 too.

@@ -167,10 +167,7 @@ def flat_picture(paint: AnyPaint, look: SwatchLook) -> NDArray[np.uint8]:
 
     A chip has the paint's reading at its angle, and where it has none what its reflectance gives.
 
-    Raises
-    ------
-    UnreachableError
-        A colour is wanted that only the reflectance knows, and no such paint can be.
+    Raises :class:`UnreachableError`: a colour is wanted that only the reflectance knows, and no such paint can be.
     """
     if look.form == "chips":
         bands = _chips(paint, look.angles_deg)

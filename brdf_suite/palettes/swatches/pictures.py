@@ -26,7 +26,6 @@ from brdf_suite.pipeline.material import material_of
 
 if TYPE_CHECKING:
     from brdf_suite.output.still import LoadedScene
-    from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
     from brdf_suite.realtime.pictures.captured import CapturedForm, CapturedPaint
 
 _Found: TypeAlias = Bytes | SuiteError
@@ -88,7 +87,9 @@ class SwatchPainter:
         paints = [to_paint(content) for content in contents]
         draw = self._rendered if look.is_rendered else self._flat
         return [
-            SwatchPicture(key, found if isinstance(found, np.ndarray) else None, _words(found))
+            SwatchPicture(key, found, "")
+            if isinstance(found, np.ndarray)
+            else SwatchPicture(key, None, str(found) if isinstance(found, SuiteError) else "")
             for key, found in zip(keys, draw(paints, look), strict=True)
         ]
 
@@ -203,7 +204,3 @@ class SwatchPainter:
 def _waves(fit: LobeFit) -> bool:
     peel = fit.orange_peel
     return peel is not None and peel.slope_deg > 0.0
-
-
-def _words(found: object) -> str:
-    return str(found) if isinstance(found, SuiteError) else ""

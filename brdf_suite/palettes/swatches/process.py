@@ -87,7 +87,8 @@ class SwatchServer:
         asked: list[tuple[object, str | _Refusal]] = []
         for item in items:
             try:
-                content = _content(item)
+                inside = {name: item[name] for name in ("paint", "flat") if name in item}
+                content = entry_from_json(inside, "the request").content
                 own = swatch_key(content, look)
                 contents[own] = content
                 asked.append((item.get("key"), own))
@@ -142,12 +143,6 @@ class SwatchServer:
 def _fault(error: Exception) -> _Refusal:
     words = f"The program met a fault of its own: {type(error).__name__}: {error}"
     return _Refusal(words, "".join(traceback.format_exception(error)))
-
-
-def _content(item: Mapping[str, Any]) -> Content:
-    return entry_from_json(
-        {name: item[name] for name in ("paint", "flat") if name in item}, "the request"
-    ).content
 
 
 def serve(lines: TextIO, out: TextIO, store: SwatchStore | None = None) -> None:

@@ -37,10 +37,7 @@ def sheet_items(source: Path) -> tuple[str, list[SheetItem]]:
 
     A paint of a folder that cannot be read is an item with its problem.
 
-    Raises
-    ------
-    FileError
-        There is no such file or folder, or nothing in it.
+    Raises :class:`FileError`: there is no such file or folder, or nothing in it.
     """
     if source.is_dir():
         files = sorted(source.glob(f"*{PAINT_ENDING}"), key=lambda path: path.name.casefold())
@@ -148,56 +145,35 @@ def write_sheet_of(
     if not items:
         raise FileError(path, "there is no paint to draw")
     subtitle = _subtitle(view, form)
-    if path.suffix.lower() == PDF_ENDING:
-        return _write_pdf(title, subtitle, items, view, cell, path, columns, settings, form, progress)
-
-    columns = min(len(items), columns or max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0]))))
-    layout = SheetLayout.of(title, subtitle, items, cell, columns)
     problems: list[str] = []
+    drawing = subrange(progress, 0.2, 1.0)
     with item_pictures(view, cell, settings, Display(space), form, subrange(progress, 0.0, 0.2)) as pictures:
-        painter = SheetPainter(pictures, layout, problems)
-        rows = painter.strips(subrange(progress, 0.2, 1.0))
-        metadata = {
-            "Software": "BRDF Suite",
-            "Title": title,
-            "Description": f"{len(items)} paints, {subtitle}",
-        }
-        write_png_strips(path, layout.size, rows, metadata, space)
+        if path.suffix.lower() == PDF_ENDING:
+            # reportlab is much to import.
+            from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet
+
+            columns = columns or DEFAULT_COLUMNS
+            data, pages, missing = pdf_sheet(
+                title, subtitle, items, cell, columns, pictures.draw, problems, drawing
+            )
+            write_atomically(path, data)
+            size = (0, 0)
+        else:
+            best = max(1, round(math.sqrt(len(items) * cell[1] * 1.3 / cell[0])))
+            layout = SheetLayout.of(title, subtitle, items, cell, min(len(items), columns or best))
+            size, pages, missing = layout.size, 0, layout.missing
+            strips = SheetPainter(pictures, layout, problems).strips(drawing)
+            metadata = {
+                "Software": "BRDF Suite",
+                "Title": title,
+                "Description": f"{len(items)} paints, {subtitle}",
+            }
+            write_png_strips(path, size, strips, metadata, space)
         notices = pictures.notices
     report(progress, 1.0, "written")
-    return Sheet(path, *layout.size, len(items), tuple(problems), _with_missing(notices, layout.missing))
-
-
-def _write_pdf(
-    title: str,
-    subtitle: str,
-    items: Sequence[SheetItem],
-    view: View,
-    cell: Size,
-    path: Path,
-    columns: int | None,
-    settings: PictureSettings,
-    form: Form | None,
-    progress: Progress | None,
-) -> Sheet:
-    from brdf_suite.reports.contact_sheet.pdf import DEFAULT_COLUMNS, pdf_sheet  # reportlab is much to import
-
-    problems: list[str] = []
-    with item_pictures(view, cell, settings, Display(), form, subrange(progress, 0.0, 0.2)) as pictures:
-        data, pages, missing = pdf_sheet(
-            title,
-            subtitle,
-            items,
-            cell,
-            columns or DEFAULT_COLUMNS,
-            pictures.draw,
-            problems,
-            subrange(progress, 0.2, 1.0),
-        )
-        notices = pictures.notices
-    write_atomically(path, data)
-    report(progress, 1.0, "written")
-    return Sheet(path, 0, 0, len(items), tuple(problems), _with_missing(notices, missing), pages)
+    if missing:
+        notices = (*notices, f"no font of this system has the letters {missing}")
+    return Sheet(path, *size, len(items), tuple(problems), notices, pages)
 
 
 def _check(path: Path, columns: int | None, settings: PictureSettings) -> DisplaySpace:
@@ -217,10 +193,6 @@ def _check(path: Path, columns: int | None, settings: PictureSettings) -> Displa
     _, space = settings.of_file(path)
     check_target(path)
     return space
-
-
-def _with_missing(notices: tuple[str, ...], missing: str) -> tuple[str, ...]:
-    return (*notices, f"no font of this system has the letters {missing}") if missing else notices
 
 
 def _subtitle(view: View, form: Form | None) -> str:

@@ -13,7 +13,7 @@ from PIL import Image, ImageDraw
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reports.contact_sheet.pictures import ItemPictures, SheetItem
-from brdf_suite.reports.sheet_text import font_for, shortened
+from brdf_suite.reports.sheet_text import broken, font_for, shortened
 
 Size = tuple[int, int]
 MARGIN = 16
@@ -98,14 +98,7 @@ class SheetLayout:
 
 def wrapped(text: str, font: Any, width: int, lines: int) -> list[str]:
     """Return a text broken into so many lines at most, the last one shortened."""
-    words, wrapped = text.split(), [""]
-    for word in words:
-        longer = f"{wrapped[-1]} {word}".strip()
-        if wrapped[-1] and font.getlength(longer) > width and len(wrapped) < lines:
-            wrapped.append(word)
-        else:
-            wrapped[-1] = longer
-    return [shortened(line, font, width) for line in wrapped]
+    return [shortened(line, font, width) for line in broken(text, font.getlength, width, lines)]
 
 
 _GREY = 119

@@ -13,6 +13,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reports.contact_sheet.pictures import SheetItem
 from brdf_suite.reports.pdf_pen import Pen
+from brdf_suite.reports.sheet_text import broken
 
 Size = tuple[int, int]
 Draw = Callable[[SheetItem], tuple[NDArray[np.uint8], list[str]]]
@@ -109,7 +110,9 @@ class _Pages:
             x, y, self.pen.shortened(name, _NAME, self.width, bold=True), _NAME, bold=True, colour=_BLACK
         )
         if pixels is None:
-            lines = self._wrapped(" ".join(lines))
+            lines = broken(
+                " ".join(lines), lambda text: self.pen.width(text, _TEXT), self.width, _CAPTION_LINES
+            )
         for line in lines[:_CAPTION_LINES]:
             y += _LINE * _TEXT
             self.pen.text(x, y, self.pen.shortened(line, _TEXT, self.width), _TEXT, colour=_SOFT)
@@ -144,14 +147,3 @@ class _Pages:
         self.pen.text(MARGIN, self.y, text, _TEXT, colour=_SOFT)
         self.y += 10.0
         self.fresh = True
-
-    def _wrapped(self, text: str) -> list[str]:
-        """A text on as many lines as there are for a caption."""
-        lines = [""]
-        for word in text.split():
-            longer = f"{lines[-1]} {word}".strip()
-            if lines[-1] and len(lines) < _CAPTION_LINES and self.pen.width(longer, _TEXT) > self.width:
-                lines.append(word)
-            else:
-                lines[-1] = longer
-        return lines

@@ -68,10 +68,7 @@ class ItemPictures:
     def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], list[str]]:
         """Return the picture (h, w, 3) of an item and the lines below its name.
 
-        Raises
-        ------
-        SuiteError
-            There is no such picture; the message names the paint.
+        Raises :class:`SuiteError`: there is no such picture; the message names the paint.
         """
 
         if item.paint is None:
@@ -139,7 +136,13 @@ def item_pictures(
 
 def caption(fit: LobeFit) -> list[str]:
     """Return the flop index and L*a*b* at 15, 45 and 110° with the light at 45°, as lines of text."""
-    found = _readings(fit)
+    measured = [(row.illumination_deg, row.aspecular_deg, row.lab) for row in fit.readings or fit.angles]
+    found = {}
+    for wanted in ANGLES_DEG:
+        for light, aspecular, lab in measured:
+            if abs(light - 45.0) < _SAME_ANGLE_DEG and abs(aspecular - wanted) < _SAME_ANGLE_DEG:
+                found[wanted] = lab
+                break
     lines = []
     if len(found) == len(ANGLES_DEG):
         index = flop_index(*(found[angle][0] for angle in ANGLES_DEG))
@@ -148,14 +151,3 @@ def caption(fit: LobeFit) -> list[str]:
         # A minus that every font has.
         lines.append(f"{angle:g}°: L* {lightness:.1f}  a* {a:.1f}  b* {b:.1f}")
     return lines
-
-
-def _readings(fit: LobeFit) -> dict[float, tuple[float, float, float]]:
-    measured = [(row.illumination_deg, row.aspecular_deg, row.lab) for row in fit.readings or fit.angles]
-    found = {}
-    for wanted in ANGLES_DEG:
-        for light, aspecular, lab in measured:
-            if abs(light - 45.0) < _SAME_ANGLE_DEG and abs(aspecular - wanted) < _SAME_ANGLE_DEG:
-                found[wanted] = lab
-                break
-    return found

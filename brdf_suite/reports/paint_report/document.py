@@ -177,14 +177,16 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
     report(progress, 0.0, "fitting")
     material = item.material or material_of(item.paint, item.paint.name)
     fit = fit_material(material)
-    light = _usual_light(item)
+    lights = [m.illumination_deg for m in item.paint.measurements]
+    light = max(sorted(set(lights)), key=lights.count)  # with the most readings
     batch = None
     if options.standard is not None:
         batch = judge_batch(options.standard, item.paint, options.tolerances, ("2000",))
     pictures: tuple[ReportPicture, ...] = ()
     if options.pictures:
         pictures = draw_pictures(fit, options.view, options.scale, subrange(progress, 0.1, 0.9))
-    angles = _angles(item, light)
+    used = [m.aspecular_deg for m in item.paint.measurements if m.illumination_deg == light]
+    angles = np.arange(min(used), max(used) + 0.5 * _STEP_DEG, _STEP_DEG)
     model = _lab_over(fit.reflectance, light, angles)
     curves = [
         AngleCurve("paint", angles, lab_to_lch(model)),
@@ -208,17 +210,6 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
         standard_name="" if options.standard is None else options.standard.name,
         remarks=_remarks(item, fit),
     )
-
-
-def _usual_light(item: ExportItem) -> float:
-    """The light with the most readings, degrees."""
-    lights = [m.illumination_deg for m in item.paint.measurements]
-    return max(sorted(set(lights)), key=lights.count)
-
-
-def _angles(item: ExportItem, light: float) -> Floats:
-    used = [m.aspecular_deg for m in item.paint.measurements if m.illumination_deg == light]
-    return np.arange(min(used), max(used) + 0.5 * _STEP_DEG, _STEP_DEG)
 
 
 def _lab_over(reflectance: Reflectance, light: float, angles: Floats) -> Floats:

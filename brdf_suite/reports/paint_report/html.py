@@ -71,14 +71,10 @@ def format_with(options: ReportOptions) -> ExportFormat:
         ending=".html",
         holds="One page with pictures, plots and numbers; the paint itself goes along as data.",
         losses=report_losses,
-        write=partial(write_report, options, _draw),
+        write=partial(write_report, options, lambda made: (page(made).encode("utf-8"), ())),
         read=read,
         sniff=is_report,
     )
-
-
-def _draw(made: Report) -> tuple[bytes, tuple[str, ...]]:
-    return page(made).encode("utf-8"), ()
 
 
 def page(made: Report) -> str:

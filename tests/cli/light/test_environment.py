@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from brdf_suite.cli.light.info import bars
+from brdf_suite.cli.light.environment import bars
 from brdf_suite.cli.main import main
 from brdf_suite.documents.studio import Sky, load_light
 from brdf_suite.files.images.environments import read_environment_image, write_exr

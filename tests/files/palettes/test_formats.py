@@ -27,7 +27,7 @@ from brdf_suite.files.palettes import (
     read_palette,
     write_palette,
 )
-from brdf_suite.files.palettes.text.css_colour import parse_colour
+from brdf_suite.files.palettes.text.css import parse_colour
 
 WRITTEN = [known for known in FORMATS if known.write is not None]
 NAMES = [known.name for known in FORMATS]

@@ -18,7 +18,7 @@ from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Palette
 from brdf_suite.files.palettes import find_format, write_palette
 from brdf_suite.files.palettes.conversions import lab_d50
-from brdf_suite.files.palettes.text.css_colour import format_css
+from brdf_suite.files.palettes.text.css import format_css
 
 PAINT = Paint(
     "Silver",

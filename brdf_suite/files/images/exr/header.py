@@ -62,10 +62,7 @@ class ExrHeader:
 def parse_headers(path: PathLike, stream: BinaryIO) -> tuple[ExrHeader, ...]:
     """Parse the headers of the open file ``stream``, one per part; ``path`` is for the messages.
 
-    Raises
-    ------
-    FileError
-        Not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
+    Raises :class:`FileError`: not an EXR file, truncated, of a kind that is not read, or with impossible sizes.
     """
     reader = _Reader(path, stream.read(_HEADER_LIMIT))
     if reader.take(4) != _MAGIC:
@@ -87,7 +84,7 @@ def parse_headers(path: PathLike, stream: BinaryIO) -> tuple[ExrHeader, ...]:
     for header, attributes in zip(headers, found, strict=True):
         tiled = _text(attributes, "type").startswith("tiled") if several else bool(flags & _TILED)
         if header.deep:
-            _skip_table(path, reader, attributes)
+            reader.take(8 * _chunk_count(path, attributes))
         elif tiled and ("tiles" not in attributes or len(attributes["tiles"][1]) != 9):
             raise FileError(path, "is tiled but lacks a sound 'tiles' attribute", f"byte {reader.at}")
         elif several:
@@ -142,10 +139,6 @@ def _chunk_count(path: PathLike, attributes: dict[str, tuple[int, bytes]]) -> in
     if count < 1:
         raise FileError(path, "has a part without a sound 'chunkCount' attribute", f"byte {place}")
     return int(count)
-
-
-def _skip_table(path: PathLike, reader: _Reader, attributes: dict[str, tuple[int, bytes]]) -> None:
-    reader.take(8 * _chunk_count(path, attributes))
 
 
 class _Reader:
@@ -248,10 +241,7 @@ class ExrLight:
 def choose_light(path: PathLike, headers: Sequence[ExrHeader]) -> ExrLight:
     """Return the first part that holds R, G and B (also in a layer), or else Y with or without its chroma.
 
-    Raises
-    ------
-    FileError
-        No part does, or what does is deep, of integers, or stored at reduced resolution.
+    Raises :class:`FileError`: no part does, or what does is deep, of integers, or stored at reduced resolution.
     """
     flat = [header for header in headers if not header.deep]
     if not flat:

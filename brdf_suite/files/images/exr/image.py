@@ -20,11 +20,10 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
-from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.bounded_reading import MOST_MADE_BYTES, open_plain
 from brdf_suite.files.images.area_reduction import check_reducible, read_reduced
 from brdf_suite.files.images.exr.header import ExrHeader, ExrLight, choose_light, parse_headers, to_rgb
 from brdf_suite.files.images.primaries import REC709, REC2020, Chromaticities
-from brdf_suite.files.memory_limit import MOST_MADE_BYTES
 
 MOST_WHOLE_BYTES = MOST_MADE_BYTES
 """Largest content, unpacked, of a file that is read as a whole: of a later part, or of luminance and chroma."""
@@ -50,10 +49,7 @@ def read_exr(path: PathLike) -> ExrImage:
     display window is placed in it; what it does not cover is black. Files without chromaticities are Rec. 709, as
     the format says. What is larger than 8,192 × 4,096 is reduced by area as it is read.
 
-    Raises
-    ------
-    FileError
-        The file is damaged or of a kind that is not read.
+    Raises :class:`FileError`: the file is damaged or of a kind that is not read.
     """
     with open_plain(path) as stream:
         headers = parse_headers(path, stream)

@@ -243,12 +243,6 @@ def _entry(entry: Entry, place: tuple[int, int]) -> str:
     )
 
 
-def _sniff(head: bytes, _size: int) -> bool:
-    return is_zip(head) and (
-        any(mime in head[:200] for mime in _MIMETYPES) or _COLOURS.encode("ascii") in head
-    )
-
-
 FORMAT = PaletteFormat(
     name="kpl",
     title="Krita palette",
@@ -257,7 +251,9 @@ FORMAT = PaletteFormat(
     groups="flat",
     holds="Names in any script, codes, groups, columns, RGB, CMYK, Lab and Gray with every digit, their profiles, "
     "inks of their own, comments.",
-    sniff=_sniff,
+    sniff=lambda head, _size: (
+        is_zip(head) and (any(mime in head[:200] for mime in _MIMETYPES) or _COLOURS.encode("ascii") in head)
+    ),
     read=read,
     write=write,
     order="none first",

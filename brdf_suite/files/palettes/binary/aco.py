@@ -101,10 +101,7 @@ def _add(collector: Collector, at: int, words: _Words, name: str) -> None:
 def write(palette: Palette) -> bytes:
     """Return the content of an ACO file: both versions, or those that the file had that the palette came from.
 
-    Raises
-    ------
-    SuiteError
-        It has more than 65,535 entries.
+    Raises :class:`SuiteError`: it has more than 65,535 entries.
     """
     entries = palette.entries
     if len(entries) > 0xFFFF:

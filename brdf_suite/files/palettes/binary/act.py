@@ -37,17 +37,15 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
     return collector.finish(columns=16)
 
 
-def _sniff(head: bytes, size: int) -> bool:
-    """Detect a colour table by its size; a file of printable characters alone is a text."""
-    return size in (_TABLE, _WITH_COUNT) and not all(9 <= byte < 127 for byte in head[:_TABLE])
-
-
 FORMAT = PaletteFormat(
     name="act",
     title="Photoshop colour table, or raw PAL",
     endings=(".act", ".pal"),
     models=("RGB",),
     holds="Read only. sRGB in 8 bits, without names, 256 at most.",
-    sniff=_sniff,
+    # Known by its size alone; a file of printable characters is a text.
+    sniff=lambda head, size: (
+        size in (_TABLE, _WITH_COUNT) and not all(9 <= byte < 127 for byte in head[:_TABLE])
+    ),
     read=read,
 )

@@ -22,7 +22,7 @@ from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.palettes.collecting import Collector, decode_text
 from brdf_suite.files.palettes.conversions import convert_to_rgb8
 from brdf_suite.files.palettes.format import PaletteFormat
-from brdf_suite.files.palettes.text.css_colour import convert_to_css, parse_colour, space_word
+from brdf_suite.files.palettes.text.css import convert_to_css, parse_colour, space_word
 
 _OURS = "brdf-suite"
 _MODELS = ("RGB", "HSL", "Lab", "LCh", "XYZ")
