@@ -15,7 +15,7 @@ import numpy as np
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.basis import default_basis
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
 from brdf_suite.lighting.filter.kernels.compilation import compile_now

@@ -6,7 +6,7 @@ import moderngl
 import numpy as np
 import pytest
 
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.cube_edges import balance_edges
 from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces

@@ -8,7 +8,7 @@ import pytest
 
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.lighting.cubemap import texel_directions, texel_solid_angles
+from brdf_suite.geometry.cube_map import texel_directions, texel_solid_angles
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import pack_faces
 from brdf_suite.lighting.filter.kernels import compilation as compiled

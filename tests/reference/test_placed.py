@@ -124,7 +124,7 @@ def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
 
 
 def test_visible_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
-    from brdf_suite.realtime.material.flake_share import visible_flake_lobe
+    from brdf_suite.realtime.lights.block import visible_flake_lobe
 
     theta = math.radians(45.0)
     base = np.full((1, 3), 0.5)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Reals
-from brdf_suite.lighting.cubemap import face_coordinates
+from brdf_suite.geometry.cube_map import face_coordinates
 
 _SHARE = 1.0 / 16.0  # of t times the difference of the two neighbours, which are 4h apart: 0.25·h
 _CORNER_SHARE = 1.2 * _SHARE  # a corner's look-ups take the mean of three texels

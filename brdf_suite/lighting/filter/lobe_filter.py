@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.harmonics import analyse, synthesise, worker_count
 from brdf_suite.lighting.filter.kernels.compilation import kernels
 from brdf_suite.lighting.filter.ring_to_cube import cube_from_rings, rings_for

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
 from brdf_suite.lighting.filter.prefilter import face_size
