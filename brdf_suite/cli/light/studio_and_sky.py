@@ -10,8 +10,7 @@ from brdf_suite.documents.light_store import STUDIO_ENDING, LightDocument, load_
 from brdf_suite.documents.studio import SKY_MODELS, Sky
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.images.environments import write_exr
-from brdf_suite.lighting.procedural.booth import BOOTH
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import BOOTH, EXAMPLE
 from brdf_suite.pipeline.environments import draw_light
 
 

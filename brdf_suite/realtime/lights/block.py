@@ -17,6 +17,7 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import about_y, from_horizon
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.values import MaterialWeights
 
@@ -67,11 +68,8 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     """Return the block, :data:`BLOCK_SIZE` bytes: the environment's lights, turned with it, and the view's lamps."""
     block = np.zeros((1 + 2 * MOST_LIGHTS, 4), np.float32)
     count = 0 if view.sparkle.mode == "off" else min(view.sparkle.light_count, len(environment.spreads))
-    turn = math.radians(view.rotation_deg)
-    cosine, sine = math.cos(turn), math.sin(turn)
-    about_y = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
     rows = block[1:].reshape(MOST_LIGHTS, 2, 4)
-    rows[:count, 0, :3] = environment.directions[:count] @ about_y.T
+    rows[:count, 0, :3] = environment.directions[:count] @ about_y(math.radians(view.rotation_deg)).T
     rows[:count, 0, 3] = _OF_ENVIRONMENT
     rows[:count, 1, :3] = environment.strengths[:count] @ environment_matrix(view.light_colour).T
     rows[:count, 1, 3] = environment.spreads[:count]
@@ -85,10 +83,7 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
 def _place(lamp: Lamp) -> tuple[Floats, float]:
     if lamp.kind == "point":
         return np.asarray(lamp.position), _POINT
-    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
-    level = math.cos(elevation)
-    towards = np.array([level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth)])
-    return towards, _DIRECTIONAL
+    return from_horizon(lamp.azimuth_deg, lamp.elevation_deg), _DIRECTIONAL
 
 
 @lru_cache(maxsize=64)

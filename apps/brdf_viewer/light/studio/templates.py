@@ -10,8 +10,7 @@ from brdf_qt.program.translation import mark
 
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.studio import Backdrop, Sky, Studio, StudioLamp
-from brdf_suite.lighting.procedural.booth import BOOTH
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import BOOTH, EXAMPLE
 
 TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
     {
