@@ -40,6 +40,19 @@ def mirror_cosine(wi: Floats, wo: Floats) -> Floats:
     return np.clip(dot, 0.0, 1.0)
 
 
+def about_y(angle: float) -> Floats:
+    """Return the rotation (3, 3) by ``angle`` (radians) about +y, counter-clockwise seen from above."""
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
+
+
+def from_horizon(azimuth_deg: float, elevation_deg: float) -> Floats:
+    """Return the unit direction (3,), y up, at an elevation and an azimuth from +z towards +x, degrees."""
+    azimuth, elevation = np.radians([azimuth_deg, elevation_deg])
+    level = np.cos(elevation)
+    return np.array([level * np.sin(azimuth), np.sin(elevation), level * np.cos(azimuth)])
+
+
 def illumination(illumination_deg: npt.ArrayLike) -> Floats:
     """Return ``wi`` (..., 3) of a light at a polar angle in degrees, on the -x side."""
     theta = np.radians(np.asarray(illumination_deg, float))

@@ -24,7 +24,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
-from brdf_suite.realtime.material.flake_share import visible_flake_lobe
+from brdf_suite.realtime.lights.block import visible_flake_lobe
 from brdf_suite.reflectance.flakes.glints import Spots, spots
 from brdf_suite.reflectance.flakes.tilt import flake_slope, tilt_place
 from brdf_suite.reflectance.models.cosine_lobes import lobe_sums

@@ -20,7 +20,7 @@ from brdf_suite.pipeline.exposure import metered
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.pictures.display import LINEAR, Display
-from brdf_suite.realtime.pictures.offscreen import DEFAULT_SAMPLES
+from brdf_suite.realtime.pictures.light_pass import DEFAULT_SAMPLES
 from brdf_suite.realtime.pictures.renderer import Renderer
 
 Size = tuple[int, int]

@@ -23,7 +23,7 @@ from brdf_suite.realtime.gl.context import Context, create_context, release_cont
 from brdf_suite.realtime.gl.objects import Counters
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.pictures.captured import CapturedPaint
-from brdf_suite.realtime.pictures.offscreen import SECOND_PAINT
+from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.values import (
     CubeFaces,

@@ -17,8 +17,7 @@ from brdf_suite.files.meshes.reading import read_mesh
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
-from brdf_suite.lighting.filter.partial_maps import PartialMaps
-from brdf_suite.lighting.filter.prefilter import LobeMaps, Ready, prefilter
+from brdf_suite.lighting.filter.prefilter import LobeMaps, PartialMaps, Ready, prefilter
 from brdf_suite.lighting.lights.glinting import GlintLights, glint_lights
 from brdf_suite.lighting.lobe_map_cache import MapCache
 from brdf_suite.pipeline.environments import AUTOMATIC, draw_light, read_environment

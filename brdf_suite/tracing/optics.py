@@ -24,7 +24,7 @@ from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, Mask, TwoToneBsd
 from brdf_suite.reference.bsdfs.translate import divide, translate
 from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.scalar import AS_A_TABLE, LobesSeen, table_bsdf
-from brdf_suite.reference.scene.relief import OrangePeelSlopes, Slopes
+from brdf_suite.reference.scene.place import OrangePeelSlopes, Slopes
 from brdf_suite.reflectance.protocol import Reflectance
 
 
@@ -124,7 +124,17 @@ def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf
         layer = FlakeLayer(
             paint.flakes, ior, view.sparkle.strength, as_texture=view.sparkle.mode == "texture"
         )
-    return LayeredPaintBsdf(base, coat, _shape(dress, view), _peel(paint, view), layer), notices
+    shape = None
+    if dress.normal_map is not None:
+        width = view.relief.normal_width_mm
+        tiles = (1.0 / width, 1.0 / (width * dress.normal_map.aspect))
+        shape = Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
+    peel = None
+    slope_deg, length_mm = _peel_of(paint, view)
+    if slope_deg > 0.0:
+        tile, slope = orange_peel_tile(), math.tan(math.radians(slope_deg))
+        peel = OrangePeelSlopes.of(tile.slopes, 1.0 / (tile.waves * length_mm), slope)
+    return LayeredPaintBsdf(base, coat, shape, peel, layer), notices
 
 
 def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, float, tuple[str, ...]]:
@@ -137,22 +147,6 @@ def _divided(reflectance: Reflectance, view: View) -> tuple[Any, Any | None, flo
         return base, coat if weights.kg.any() else None, ior, ()
     parts = divide(reflectance)
     return parts.base, parts.coat, parts.ior, parts.notices
-
-
-def _shape(dress: Dress, view: View) -> Slopes | None:
-    if dress.normal_map is None:
-        return None
-    width = view.relief.normal_width_mm
-    tiles = (1.0 / width, 1.0 / (width * dress.normal_map.aspect))
-    return Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
-
-
-def _peel(paint: Material, view: View) -> OrangePeelSlopes | None:
-    slope_deg, length_mm = _peel_of(paint, view)
-    if slope_deg <= 0.0:
-        return None
-    tile = orange_peel_tile()
-    return OrangePeelSlopes.of(tile.slopes, 1.0 / (tile.waves * length_mm), math.tan(math.radians(slope_deg)))
 
 
 def _peel_of(paint: Material, view: View) -> tuple[float, float]:

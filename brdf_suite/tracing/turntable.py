@@ -114,7 +114,8 @@ def write_traced_turntable(
         codes, exposed = draw(turned(shown, number * step, bounds.centre))
         if number == 0:
             shown = replace(shown, exposure_mode="locked", exposure_ev=exposed.exposure_ev)
-            _write_state(folder, key, shown.exposure_ev)
+            with replacing(folder / _STATE) as temporary:
+                temporary.write_text(json.dumps({"key": key, "exposure_ev": shown.exposure_ev}))
         write_png(_frame(folder, number), codes, {"Software": "BRDF Suite", "Title": name})
     if video:
         with writing_video(path, size, turn.frames_per_second, {"Title": name}) as feed:
@@ -122,9 +123,15 @@ def write_traced_turntable(
                 report(progress, 0.9 + 0.1 * number / turn.frames, "writing the video")
                 frame = read_rgb(_frame(folder, number), ("PNG",), most_bytes=MOST_OWN_BYTES)
                 feed(frame)
-        shutil.rmtree(folder, ignore_errors=True)  # the video is there: what is left over is no fault of it
+        shutil.rmtree(folder, ignore_errors=True)  # the video is there: what remains is no fault of it
     else:
-        _become(folder, path)
+        try:
+            (folder / _STATE).unlink(missing_ok=True)
+            if path.is_dir():
+                path.rmdir()
+            folder.rename(path)
+        except OSError as error:
+            raise FileError(path, f"cannot be written: {error.strerror or error}") from error
     report(progress, 1.0, "written")
     return TurntableFiles(path, turn.frames, *size, name, notices)
 
@@ -190,21 +197,5 @@ def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:
     return 0, 0.0
 
 
-def _write_state(folder: Path, key: str, exposure_ev: float) -> None:
-    with replacing(folder / _STATE) as temporary:
-        temporary.write_text(json.dumps({"key": key, "exposure_ev": exposure_ev}))
-
-
 def _frame(folder: Path, number: int) -> Path:
     return folder / f"frame_{number + 1:04d}.png"
-
-
-def _become(folder: Path, path: Path) -> None:
-    """Give the folder of frames its name."""
-    try:
-        (folder / _STATE).unlink(missing_ok=True)
-        if path.is_dir():
-            path.rmdir()
-        folder.rename(path)
-    except OSError as error:
-        raise FileError(path, f"cannot be written: {error.strerror or error}") from error

@@ -70,8 +70,7 @@ def lobe_maps(folder: Path) -> Iterator[Path]:
     from brdf_designer.preview.scene import LIGHT_WIDTH
 
     from brdf_suite.lighting.filter.prefilter import prefilter
-    from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key
-    from brdf_suite.lighting.lobe_map_file import pack_maps
+    from brdf_suite.lighting.lobe_map_cache import PACKAGED_ENDING, cache_key, pack_maps
     from brdf_suite.pipeline.environments import read_environment
     from brdf_suite.pipeline.scene import default_view, find_environment, map_exponents, narrowed
 

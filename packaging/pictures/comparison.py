@@ -36,7 +36,7 @@ from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.phong import CoatedPhong, Phong
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from brdf_suite.reflectance.protocol import Reflectance
-from brdf_suite.tracing.agreement.errors import errors_of
+from brdf_suite.tracing.agreement.comparison import errors_of
 from brdf_suite.tracing.raytraced.picture import Quality, RaytracedSession
 from brdf_suite.tracing.reference.scene import build_reference
 

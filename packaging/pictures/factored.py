@@ -33,7 +33,7 @@ from brdf_suite.pipeline.scene import load_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.realtime.camera import compose
 from brdf_suite.realtime.pictures.display import LINEAR
-from brdf_suite.realtime.pictures.geometry import geometry_picture
+from brdf_suite.realtime.pictures.probe import geometry_picture
 from brdf_suite.realtime.pictures.tone_curves import to_display, tone_curve
 from tools.evaluation.direct_lamps import half_angles_deg, lamp_radiance
 

@@ -29,7 +29,7 @@ from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import load_environment, load_surface
 from brdf_suite.realtime.camera import compose
 from brdf_suite.realtime.pictures.display import LINEAR
-from brdf_suite.realtime.pictures.offscreen import SECOND_PAINT
+from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.realtime.relief.values import MaskImage, SlopeMap, TangentMap
 from brdf_suite.reflectance.factored.model import Factored

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from brdf_suite.documents.studio import Sky
 from brdf_suite.files.images.png import write_png
 from brdf_suite.lighting.procedural import BOOTH, ProceduralEnvironment, sky, studio
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import EXAMPLE
 from brdf_suite.realtime.pictures.tone_curves import to_display
 
 IMAGES = Path(__file__).resolve().parents[2] / "docs" / "images"

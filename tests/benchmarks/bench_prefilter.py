@@ -15,13 +15,13 @@ import numpy as np
 
 from brdf_suite.errors import SuiteError
 from brdf_suite.fitting.lobes.basis import default_basis
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray, pack_faces
+from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit, lobe_coefficients
 from brdf_suite.lighting.filter.kernels.compilation import compile_now
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
 from brdf_suite.lighting.filter.prefilter import Ready, face_size, prefilter
-from brdf_suite.lighting.filter.zonal import BROAD_BANDLIMIT, lobe_bandlimit, lobe_coefficients
 from brdf_suite.lighting.latlong import angles, fejer_weights
 from brdf_suite.progress import Progress, report
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import Cancelled
+from brdf_suite.lighting.filter.harmonics import lobe_coefficients
 from brdf_suite.lighting.filter.kernels import compilation as compiled
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
-from brdf_suite.lighting.filter.zonal import lobe_coefficients
 from brdf_suite.lighting.latlong import fejer_weights, ring_angles
 
 

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.lighting.cubemap import texel_directions, texel_solid_angles
+from brdf_suite.geometry.cube_map import texel_directions, texel_solid_angles
 
 
 def gl_look_up(direction: np.ndarray, size: int) -> tuple[int, int, int]:

@@ -5,7 +5,7 @@ import pytest
 from scipy.special import sph_harm_y
 
 from brdf_suite.errors import Cancelled
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.harmonics import analyse, synthesise
 from brdf_suite.lighting.filter.ring_to_cube import cube_from_rings, rings_for
 from brdf_suite.lighting.latlong import angles, fejer_weights, ring_angles

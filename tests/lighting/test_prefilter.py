@@ -8,14 +8,14 @@ import pytest
 
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.lighting.cubemap import texel_directions, texel_solid_angles
+from brdf_suite.geometry.cube_map import texel_directions, texel_solid_angles
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import pack_faces
+from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit
 from brdf_suite.lighting.filter.kernels import compilation as compiled
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
 from brdf_suite.lighting.filter.prefilter import background_size, face_size, prefilter
 from brdf_suite.lighting.filter.texel_values import pack_lobe
-from brdf_suite.lighting.filter.zonal import BROAD_BANDLIMIT, lobe_bandlimit
 
 EXPONENTS = (1.0, 2.0, 3.7, 20.0, 320.0, 3500.0)
 

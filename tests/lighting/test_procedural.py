@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.procedural import ProceduralEnvironment, booth, overcast, sunny
-from brdf_suite.lighting.procedural.booth import BOOTH
+from brdf_suite.lighting.procedural.daylight import SUN, overcast_sky
 from brdf_suite.lighting.procedural.lamps import LampSurface
-from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import (
     centres,
     colour_from_chromaticity,
@@ -21,8 +20,8 @@ from brdf_suite.lighting.procedural.panorama import (
     solid_angles,
 )
 from brdf_suite.lighting.procedural.preetham import sky_radiance, zenith
+from brdf_suite.lighting.procedural.studio import BOOTH
 from brdf_suite.lighting.procedural.sun import SOLID_ANGLE, Sun, add_disc
-from brdf_suite.lighting.procedural.sunny import SUN
 from brdf_suite.resources import resource
 
 MAKERS = {"booth": booth, "sunny": sunny, "overcast": overcast}

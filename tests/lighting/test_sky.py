@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.documents.studio import Sky
 from brdf_suite.lighting.procedural import sky
+from brdf_suite.lighting.procedural.daylight import overcast_sky
 from brdf_suite.lighting.procedural.hosek_wilkie import (
     WAVELENGTHS_NM,
     HosekWilkieSky,
@@ -20,11 +21,9 @@ from brdf_suite.lighting.procedural.hosek_wilkie import (
     spectrum_to_working,
     sun_spectral,
 )
-from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import centres, directions, horizontal_illuminance, solid_angles
 from brdf_suite.lighting.procedural.sky import build_sky
-from brdf_suite.lighting.procedural.sun import DIAMETER_DEG, Sun
-from brdf_suite.lighting.procedural.sun_disc import LimbDisc
+from brdf_suite.lighting.procedural.sun import DIAMETER_DEG, LimbDisc, Sun
 
 
 def dome(count: int, seed: int = 3) -> np.ndarray:

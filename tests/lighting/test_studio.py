@@ -15,9 +15,9 @@ from brdf_suite.documents.studio import Backdrop, BoothRoom, Studio, StudioLamp
 from brdf_suite.errors import Cancelled
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.lighting.procedural import booth, studio
-from brdf_suite.lighting.procedural.example import EXAMPLE
 from brdf_suite.lighting.procedural.lamps import LampSurface
 from brdf_suite.lighting.procedural.panorama import centres, directions, solid_angles
+from brdf_suite.lighting.procedural.studio import EXAMPLE
 from brdf_suite.resources import resource
 
 VOID = Backdrop(luminance=0.0)

@@ -5,10 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.lighting.cubemap import texel_directions
-from brdf_suite.lighting.filter.cube_edges import edge_changes
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.kernels import compilation as compiled
-from brdf_suite.lighting.filter.texel_values import BEND_SHARE, bends, pack_background, pack_lobe
+from brdf_suite.lighting.filter.texel_values import (
+    BEND_SHARE,
+    bends,
+    edge_changes,
+    pack_background,
+    pack_lobe,
+)
 
 SIZE = 96
 

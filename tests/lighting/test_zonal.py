@@ -3,7 +3,12 @@
 import numpy as np
 import pytest
 
-from brdf_suite.lighting.filter.zonal import largest_exponent, lobe_bandlimit, lobe_coefficients, lobe_tail
+from brdf_suite.lighting.filter.harmonics import (
+    largest_exponent,
+    lobe_bandlimit,
+    lobe_coefficients,
+    lobe_tail,
+)
 
 
 @pytest.mark.parametrize("exponent", [0.7, 1.0, 2.0, 7.5, 160.0, 5000.0])

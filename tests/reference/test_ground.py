@@ -7,7 +7,7 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import SurfaceLook
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.material import Material

@@ -35,7 +35,7 @@ def pixels(path: Path) -> np.ndarray:
 
 
 def test_bits_colours_and_transparency_are_those_asked_for(traced, tmp_path: Path) -> None:
-    from brdf_suite.tracing.reference.file import write_reference
+    from brdf_suite.tracing.reference.picture import write_reference
 
     scene, estimate = traced
     write_reference(tmp_path / "a.png", scene, estimate, PictureSettings())

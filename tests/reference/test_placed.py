@@ -73,7 +73,7 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
 
 
 def test_the_flake_texture_is_that_of_the_core(variant) -> None:
-    from brdf_suite.reference.flakes.texture import texture_ratio
+    from brdf_suite.reference.flakes.texture import flakes_seen, seen_ratio
     from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
     from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
 
@@ -82,9 +82,9 @@ def test_the_flake_texture_is_that_of_the_core(variant) -> None:
     slope = (rng.normal(size=(len(at), 2)) * 0.1).astype(np.float32).astype(float)
     known = {"density": 120.0, "size": 0.02, "roughness": 0.17, "colour_spread": 0.3}
     wanted = flake_texture_ratio(at, across, down, slope, np.full(len(at), 0.01), **known)
-    found = np.array(
-        texture_ratio(placed(at, across, down), vectors(slope, "Vector2f"), 0.01, FLAKES, PIXEL_REACH)
-    ).T
+    place = placed(at, across, down)
+    seen = flakes_seen(FLAKES, place.uv, place.across, place.down, PIXEL_REACH)
+    found = np.array(seen_ratio(FLAKES, seen, vectors(slope, "Vector2f"), 0.01**2)).T
     assert np.abs(found - wanted).max() < 1e-3 * wanted.max()
     assert np.quantile(np.abs(found - wanted), 0.99) < 1e-3
     assert wanted.std() > 1.0
@@ -124,7 +124,7 @@ def test_visible_flakes_send_as_much_as_in_the_core(variant) -> None:
 
 
 def test_visible_flakes_agree_with_the_real_time_share_at_the_mirror_direction() -> None:
-    from brdf_suite.realtime.material.flake_share import visible_flake_lobe
+    from brdf_suite.realtime.lights.block import visible_flake_lobe
 
     theta = math.radians(45.0)
     base = np.full((1, 3), 0.5)
@@ -180,7 +180,7 @@ def leaning_paint(variant):
 
     from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
     from brdf_suite.reference.bsdfs.translate import divide
-    from brdf_suite.reference.scene.relief import Slopes
+    from brdf_suite.reference.scene.place import Slopes
 
     parts = divide(build_paint(load_shipped_paint("copper")))
     slopes = np.full((4, 4, 2), (0.3, -0.2), np.float32)

@@ -39,8 +39,7 @@ def cancel_at(samples: int):
 
 
 def test_sums_in_a_file_are_the_same_again(tmp_path: Path) -> None:
-    from brdf_suite.reference.raytraced.picture import Sums
-    from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
+    from brdf_suite.reference.raytraced.picture import Sums, read_sums, write_sums
 
     rng = np.random.default_rng(1)
     sums = Sums(rng.random((5, 4, 7)), 3, 1.5)

@@ -25,6 +25,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     """Ratio by ratio: the same places, footprints, slopes and spreads in numpy."""
     import mitsuba as mi
 
+    from brdf_suite.reference.flakes.texture import flakes_seen
     from brdf_suite.reference.raytraced import flakes as fl
     from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
     from brdf_suite.reflectance.flakes.tilt import flake_slope
@@ -38,7 +39,7 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     spread = rng.uniform(0.0, 0.2, n)
     sparkle = fl.SparkleField(FLAKES, 1.5)
     two = [mi.Point2f(np.ascontiguousarray(x.T, np.float32)) for x in (at, across, down)]
-    seen = fl.flakes_seen(sparkle, two[0], mi.Vector2f(two[1]), mi.Vector2f(two[2]))
+    seen = flakes_seen(FLAKES, two[0], mi.Vector2f(two[1]), mi.Vector2f(two[2]))
     light, view = (mi.Vector3f(np.ascontiguousarray(w.T, np.float32)) for w in (wi, wo))
     base = mi.Color3f(1e6)  # so bright that flakes have a small share of it, and the sum gives the ratio
     value = np.array(fl.sparkling(sparkle, seen, light, view, mi.Float(spread.astype(np.float32)), base)).T

@@ -11,7 +11,7 @@ from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.progress import Progress, report
-from brdf_suite.realtime.pictures.geometry import GeometryPicture
+from brdf_suite.realtime.pictures.probe import GeometryPicture
 from brdf_suite.reflectance.protocol import Reflectance
 
 

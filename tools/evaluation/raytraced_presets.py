@@ -23,7 +23,8 @@ from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.tracing.agreement.comparison import PictureErrors, errors_of
 from brdf_suite.tracing.raytraced.picture import PRESETS, Quality, RaytracedSession
-from brdf_suite.tracing.reference.scene import Size, prepare_reference
+from brdf_suite.tracing.reference.scene import prepare_reference
+from brdf_suite.tracing.traced_picture import Size
 
 _WHOLE = 0.999
 _PATH_STEPS = (4, 12, 48, 192)

@@ -17,7 +17,7 @@ from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.progress import Progress, report, subrange
-from brdf_suite.reference.raytraced.sums_file import write_sums
+from brdf_suite.reference.raytraced.picture import write_sums
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.traced.job import Job, TracedFrame, add_coverage
 from brdf_viewer.traced.request import TraceRequest

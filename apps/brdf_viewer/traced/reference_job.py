@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.reference.denoise import check_denoiser, denoise_picture
 from brdf_suite.reference.estimate_file import write_estimate
+from brdf_suite.reference.passes import check_denoiser, denoise_picture
 from brdf_suite.tracing.reference.live import LiveReference
 from brdf_viewer.traced.job import TracedFrame, add_coverage
 

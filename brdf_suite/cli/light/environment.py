@@ -20,8 +20,7 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import angles, column_angles, direction, ring_angles, sample
 from brdf_suite.lighting.lights import DirectionalLights, directional_lights
 from brdf_suite.lighting.lights.extract import DEFAULT_METHOD, MAX_LIGHTS, METHODS
-from brdf_suite.lighting.procedural.booth import BOOTH
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import BOOTH, EXAMPLE
 from brdf_suite.lighting.statistics import EnvironmentStatistics, Histogram, environment_statistics
 from brdf_suite.pipeline.environments import draw_light, read_environment, read_environment_file
 from brdf_suite.pipeline.scene import find_environment

@@ -10,8 +10,7 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.array_file import read_header
 from brdf_suite.files.cache.disk_cache import CacheEntry
 from brdf_suite.files.meshes.occlusion_cache import occlusion_cache
-from brdf_suite.lighting.lobe_map_cache import MapCache
-from brdf_suite.lighting.lobe_map_file import PLAIN
+from brdf_suite.lighting.lobe_map_cache import PLAIN, MapCache
 from brdf_suite.palettes.swatches.store import SwatchStore
 
 

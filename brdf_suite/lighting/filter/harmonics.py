@@ -20,10 +20,12 @@ the rings: rings north and south of the equator enter as sum (even k) and differ
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from brdf_suite.arrays import Complexes, Floats
 from brdf_suite.progress import Progress, report
@@ -33,6 +35,7 @@ _RINGS = 32
 _STEPS = 16
 _LIFT = 300.0
 _MAX_WORKERS = 8
+_Item = TypeVar("_Item")
 
 
 def worker_count() -> int:
@@ -105,18 +108,23 @@ def _orders_on(cosines: Floats, bandlimit: int) -> int:
     return min(bandlimit, int(np.ceil(reach + margin))) + 1
 
 
-def _run(work: Callable[[int], None], blocks: int, progress: Progress | None, what: str) -> None:
-    """Run ``work`` on every block on a few threads (numpy frees the lock); report and cancel between them."""
-    with ThreadPoolExecutor(worker_count()) as pool:
-        futures = [pool.submit(work, block) for block in range(blocks)]
-        try:
-            for done, future in enumerate(futures):
-                future.result()
-                report(progress, (done + 1) / blocks, what)
-        except BaseException:
-            for future in futures:
-                future.cancel()
-            raise
+def run_all(
+    pool: ThreadPoolExecutor,
+    work: Callable[[_Item], None],
+    items: Iterable[_Item],
+    progress: Progress | None = None,
+    what: str = "",
+) -> None:
+    """Run ``work`` on every item in the pool (numpy frees the lock); report and cancel between them."""
+    futures = [pool.submit(work, item) for item in items]
+    try:
+        for done, future in enumerate(futures):
+            future.result()
+            report(progress, (done + 1) / len(futures), what)
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
 
 
 def analyse(
@@ -164,7 +172,8 @@ def analyse(
                 target += values[:, : target.shape[1]]
         free.append(mine)
 
-    _run(work, len(starts), progress, "analysing the environment")
+    with ThreadPoolExecutor(worker_count()) as pool:
+        run_all(pool, work, range(len(starts)), progress, "analysing the environment")
     result: Floats = np.sum(sums, axis=0)
     result *= (scale.factors.T * np.exp(-_LIFT))[:, :, None]
     coefficients: Complexes = result.view(np.complex128)
@@ -197,5 +206,71 @@ def synthesise(coefficients: Complexes, cosines: Floats, progress: Progress | No
             pairs = np.ascontiguousarray(values.transpose(0, 2, 1))
             result[:count, rows] = pairs.view(np.complex128)
 
-    _run(work, len(starts), progress, "filtering")
+    with ThreadPoolExecutor(worker_count()) as pool:
+        run_all(pool, work, range(len(starts)), progress, "filtering")
     return result
+
+
+SIGMAS = 6.0
+"""Bandlimit in units of √n: right to 1e-5 of the sky beside a sun 10⁵ times as bright."""
+
+MIN_BANDLIMIT = 32
+BROAD_BANDLIMIT = 255
+"""Bandlimit of lobes with a slow tail (small n), and the most that the first, broad pass needs."""
+
+
+def lobe_coefficients(exponent: float, bandlimit: int) -> NDArray[np.float64]:
+    """Return k_l, l = 0…bandlimit, of the unit-gain cosine lobe ``(n+1)/(2π)·max(0, cosδ)^n``.
+
+    It is zonal, so convolving with it multiplies every coefficient of degree l by ``k_l``, the lobe's Legendre
+    coefficient ``(n+1)·∫₀¹ x^n P_l(x) dx``. Integrating by parts with the recurrence of P_l gives ``k_0 = 1,
+    k_1 = (n+1)/(n+2), k_l = k_(l-2)·(n-l+2)/(n+l+1)`` for any real n > -1.
+
+
+    >>> lobe_coefficients(1.0, 2)
+    array([1.        , 0.66666667, 0.25      ])
+    """
+    k = np.empty(bandlimit + 1)
+    for start, first in ((0, 1.0), (1, (exponent + 1.0) / (exponent + 2.0))):
+        degrees = np.arange(start + 2, bandlimit + 1, 2)
+        ratios = (exponent - degrees + 2.0) / (exponent + degrees + 1.0)
+        if start <= bandlimit:
+            k[start::2] = first * np.concatenate([[1.0], np.cumprod(ratios)])
+    return k
+
+
+def lobe_bandlimit(exponent: float, tolerance: float = 1e-6) -> int:
+    """Return the degree above which the lobe of an exponent is left out.
+
+    6√n for sharp lobes. For small n the lobe has a kink at its rim, and its coefficients fall only like
+    l^-(n+1.5): then the smallest degree whose whole tail, ``Σ (2l+1)/4π·|k_l|``, is below ``tolerance`` of
+    the lobe's peak ``(n+1)/2π``, at most ``BROAD_BANDLIMIT``.
+    """
+    sharp = max(MIN_BANDLIMIT, int(np.ceil(SIGMAS * np.sqrt(exponent))))
+    if sharp >= BROAD_BANDLIMIT:
+        return sharp
+    degrees = np.arange(4 * BROAD_BANDLIMIT)
+    terms = (2.0 * degrees + 1.0) / (4.0 * np.pi) * np.abs(lobe_coefficients(exponent, degrees.size - 1))
+    tail = np.cumsum(terms[::-1])[::-1]
+    below = np.nonzero(tail[1:] <= tolerance * (exponent + 1.0) / (2.0 * np.pi))[0]
+    by_tail = int(below[0]) if below.size else BROAD_BANDLIMIT
+    return min(max(sharp, by_tail), BROAD_BANDLIMIT)
+
+
+def largest_exponent(rings: int) -> float:
+    """Return the largest exponent that a map of so many rings can be filtered with: √n = rings / 4.3.
+
+    A sharper lobe lies between the rings: Fejér's rule no longer integrates it, and a constant environment
+    would come out 1.6 % wrong at four times this exponent. The environment itself is then the better lobe
+    map. The transforms end at a bandlimit of 2,048, which no exponent above 116,508 keeps within.
+    """
+    return min(float((rings / 4.3) ** 2), (MAX_BANDLIMIT / SIGMAS) ** 2)
+
+
+def lobe_tail(exponent: float, bandlimit: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return angles (n,) 0…π and, at each, the unit-gain lobe minus its sum up to ``bandlimit``."""
+    angles = np.linspace(0.0, np.pi, 24 * (bandlimit + 1))
+    cosine = np.cos(angles)
+    lobe = (exponent + 1.0) / (2.0 * np.pi) * np.maximum(cosine, 0.0) ** exponent
+    terms = lobe_coefficients(exponent, bandlimit) * (2.0 * np.arange(bandlimit + 1) + 1.0) / (4.0 * np.pi)
+    return angles, lobe - np.polynomial.legendre.legval(cosine, terms)

@@ -7,17 +7,19 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.lighting.cubemap import texel_directions
-from brdf_suite.lighting.filter.harmonics import analyse, synthesise, worker_count
-from brdf_suite.lighting.filter.kernels.compilation import kernels
-from brdf_suite.lighting.filter.ring_to_cube import cube_from_rings, rings_for
-from brdf_suite.lighting.filter.zonal import (
+from brdf_suite.geometry.cube_map import texel_directions
+from brdf_suite.lighting.filter.harmonics import (
     BROAD_BANDLIMIT,
+    analyse,
     largest_exponent,
     lobe_bandlimit,
     lobe_coefficients,
     lobe_tail,
+    synthesise,
+    worker_count,
 )
+from brdf_suite.lighting.filter.kernels.compilation import kernels
+from brdf_suite.lighting.filter.ring_to_cube import cube_from_rings, rings_for
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles, sample
 from brdf_suite.progress import Progress, subrange
 
@@ -34,7 +36,7 @@ class LobeFilter:
     light comes out constant. Maps of fewer than 256 rings are first enlarged, because a broad lobe needs that
     many.
 
-    Lobes are cut off at the degree of :func:`brdf_suite.lighting.filter.zonal.lobe_bandlimit`. Where that is cut
+    Lobes are cut off at the degree of :func:`brdf_suite.lighting.filter.harmonics.lobe_bandlimit`. Where that is cut
     short (exponents below about 8, whose rim is a kink) the tail of the 16 strongest texels is added
     directly.
 

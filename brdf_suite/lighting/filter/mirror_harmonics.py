@@ -18,8 +18,8 @@ from functools import lru_cache
 import numpy as np
 
 from brdf_suite.arrays import Floats
+from brdf_suite.lighting.filter.harmonics import lobe_coefficients
 from brdf_suite.lighting.filter.shading_table import typical_power
-from brdf_suite.lighting.filter.zonal import lobe_coefficients
 
 BROAD_DEGREES = 48
 SHARP_DEGREES = 320

@@ -1,13 +1,13 @@
 """Prefiltering of an environment: one cube map per lobe exponent.
 
-Method: convolution in spherical harmonics (:mod:`brdf_suite.lighting.filter.harmonics`,
-:mod:`brdf_suite.lighting.filter.zonal`), brought to the cube by :mod:`brdf_suite.lighting.filter.ring_to_cube`.
-Exponents too sharp for the map's rings get the environment itself,
+Method: convolution in spherical harmonics (:mod:`brdf_suite.lighting.filter.harmonics`), brought to the cube by
+:mod:`brdf_suite.lighting.filter.ring_to_cube`. Exponents too sharp for the map's rings get the environment itself,
 resampled.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -16,9 +16,9 @@ import numpy as np
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter, ring_count
 from brdf_suite.lighting.filter.texel_values import pack_background, pack_lobe
-from brdf_suite.lighting.filter.zonal import BROAD_BANDLIMIT, largest_exponent, lobe_bandlimit
 from brdf_suite.progress import Progress, report, subrange
 
 ALGORITHM_VERSION = 4
@@ -68,7 +68,7 @@ def face_size(exponent: float) -> int:
 
     A bilinear look-up in the middle of a face errs by E/(2F²) of the lobe's peak
     (:mod:`brdf_suite.lighting.filter.texel_values`), one at an edge of the cube by up to 0.9 %
-    (:mod:`brdf_suite.lighting.filter.cube_edges`).
+    (:mod:`brdf_suite.lighting.filter.texel_values`).
     """
     wanted = _TEXELS_PER_WIDTH * np.sqrt(exponent)
     sizes = sorted(base << shift for base in (64, 96) for shift in range(6))
@@ -136,3 +136,49 @@ def prefilter(
     report(progress, 1.0, "the environment is filtered")
     lobes = tuple(maps.get(exponent, background) for exponent in wanted)
     return LobeMaps(wanted, lobes, maps[DIFFUSE_EXPONENT], background)
+
+
+class PartialMaps:
+    """Lobe maps while they are being filtered, in the order of :func:`prefilter`: what is there stands in for the rest.
+
+    Attributes
+    ----------
+    wanted
+        How many maps there will be: one for each lobe that the environment distinguishes from a sharper one, the
+        diffuse map, and the background.
+    """
+
+    def __init__(self, environment: Environment, exponents: Sequence[float]) -> None:
+        self._exponents = tuple(float(exponent) for exponent in exponents)
+        # The background stands for the sharpest lobe that its rings distinguish from it.
+        self._background_exponent = largest_exponent(ring_count(environment.radiance.shape[0]))
+        self._made: dict[float, FaceArray] = {}
+        self._background: FaceArray | None = None
+        self.wanted = len(filtered_exponents(environment, exponents)) + 1
+
+    @property
+    def made(self) -> int:
+        """How many maps are there."""
+        return len(self._made) + (self._background is not None)
+
+    def add(self, exponent: float | None, faces: FaceArray) -> None:
+        """Take one map, as ``ready`` of the prefilter gives it."""
+        if exponent is None:
+            self._background = faces
+        else:
+            self._made[exponent] = faces
+
+    def maps(self) -> LobeMaps | None:
+        """Return maps to draw with; None while the broad lobes are not all there.
+
+        A lobe without a map of its own gets the one that is nearest in sharpness, by the ratio of exponents; the
+        arrays themselves are shared, so that no texture is made twice.
+        """
+        if self._background is None or DIFFUSE_EXPONENT not in self._made:
+            return None
+        there = [*self._made.items(), (self._background_exponent, self._background)]
+        lobes = tuple(
+            min(there, key=lambda known: abs(math.log(known[0] / exponent)))[1]
+            for exponent in self._exponents
+        )
+        return LobeMaps(self._exponents, lobes, self._made[DIFFUSE_EXPONENT], self._background)

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Complexes, Floats, Reals
-from brdf_suite.lighting.cubemap import face_coordinates
+from brdf_suite.geometry.cube_map import face_coordinates
 from brdf_suite.lighting.filter.harmonics import worker_count
 
 WIDTH = 8

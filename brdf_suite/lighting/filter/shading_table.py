@@ -21,7 +21,7 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.fresnel import fresnel_dielectric
-from brdf_suite.lighting.filter.zonal import lobe_coefficients
+from brdf_suite.lighting.filter.harmonics import lobe_coefficients
 from brdf_suite.progress import Progress, report
 
 Target = Literal["plain", "coated", "gloss"]

@@ -8,7 +8,6 @@
 array([12.566371, 12.566371, 12.566371])
 """
 
-from brdf_suite.lighting.lights.directional import DirectionalLights
-from brdf_suite.lighting.lights.extract import METHODS, directional_lights
+from brdf_suite.lighting.lights.extract import METHODS, DirectionalLights, directional_lights
 
 __all__ = ["METHODS", "DirectionalLights", "directional_lights"]

@@ -114,25 +114,20 @@ def sum_cells(radiance: NDArray[np.float32], max_columns: int = MAX_COLUMNS) -> 
         energy = np.roll(radiance[here], -first, axis=1) * texel[here, None, None]
         luminous = energy @ LUMINANCE
         moments = luminous[..., None] * direction(ring_angles(height)[here, None], phi[None, :])
-        part = Cells(
-            energy,
-            luminous,
-            moments,
-            2.0 * np.pi * rings[here],
-            edges[here.start : here.stop + 1],
-            widths,
-            turn,
-        )
+        sizes = 2.0 * np.pi * rings[here], edges[here.start : here.stop + 1], widths
+        part = Cells(energy, luminous, moments, *sizes, turn)
         blocks.append(part if step == 1 else part.joined(step))
-    return Cells(
-        np.concatenate([block.energy for block in blocks]),
-        np.concatenate([block.luminous for block in blocks]),
-        np.concatenate([block.moments for block in blocks]),
-        np.concatenate([block.solid_angles for block in blocks]),
-        np.concatenate([blocks[0].theta[:1], *(block.theta[1:] for block in blocks)]),
-        blocks[0].widths,
-        turn,
-    )
+    sums = [(block.energy, block.luminous, block.moments, block.solid_angles) for block in blocks]
+    theta = np.concatenate([blocks[0].theta[:1], *(block.theta[1:] for block in blocks)])
+    energy, luminous, moments, solid_angles = (np.concatenate(part) for part in zip(*sums, strict=True))
+    return Cells(energy, luminous, moments, solid_angles, theta, blocks[0].widths, turn)
+
+
+def sum_by_label(labels: NDArray[np.intp], values: Floats) -> Floats:
+    """Return the sums (k, c) of cells' values (h, w, ...) for each of ``labels`` (h·w,), 0 to k - 1."""
+    flat = values.reshape(labels.size, -1)
+    count = int(labels.max()) + 1
+    return np.stack([np.bincount(labels, flat[:, k], count) for k in range(flat.shape[1])], axis=1)
 
 
 def _seam(profile: Floats) -> int:

@@ -3,18 +3,82 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import about_y
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.lights.cells import Cells, sum_cells
-from brdf_suite.lighting.lights.directional import DirectionalLights
-from brdf_suite.lighting.lights.median_cut import median_cut
-from brdf_suite.lighting.lights.relaxed import relaxed_strata
+from brdf_suite.lighting.lights.cells import Cells, sum_by_label, sum_cells
+from brdf_suite.lighting.lights.median_cut import median_cut, relaxed_strata
 from brdf_suite.lighting.lights.structured import structured_strata
+
+
+@dataclass(frozen=True, eq=False)
+class DirectionalLights:
+    """Directional lights of an environment; reflected radiance is ``Σ_d f_r(ω_d, ω_o)·strength_d·max(0, N·ω_d)``.
+
+    (Günther et al. 2005, equation 4.) The cells cover the sphere once; the strongest light comes first.
+
+    Attributes
+    ----------
+    directions
+        (l, 3) unit vectors towards the lights, world space.
+    strengths
+        (l, 3), ∫L dω over the light's cell: the irradiance on a surface that faces it, in the working space.
+        Divided by the solid angle it is the cell's mean radiance.
+    solid_angles
+        (l,) steradians of the cells; they sum to 4π.
+
+    Raises
+    ------
+    ValueRangeError
+        The shapes do not belong together, or a value is not finite or negative where it may not be.
+    """
+
+    directions: Floats
+    strengths: Floats
+    solid_angles: Floats
+
+    def __post_init__(self) -> None:
+        check_lights(self, "solid_angles")
+        lengths = np.linalg.norm(self.directions, axis=1)
+        if np.abs(lengths - 1.0).max(initial=0.0) > 1e-9:
+            raise ValueRangeError("directions", "must have length 1")
+
+    def __len__(self) -> int:
+        return len(self.solid_angles)
+
+    def brightest(self, count: int) -> DirectionalLights:
+        """Return the ``count`` strongest lights; the others' light is left out."""
+        return DirectionalLights(self.directions[:count], self.strengths[:count], self.solid_angles[:count])
+
+    def turned(self, angle: float) -> DirectionalLights:
+        """Return the lights turned by ``angle`` (radians) about +y, counter-clockwise seen from above."""
+        return replace(self, directions=self.directions @ about_y(angle).T)
+
+    def irradiance(self, normals: Floats) -> Floats:
+        """Return the irradiance (..., 3) on surfaces of unit ``normals`` (..., 3)."""
+        return np.asarray(np.maximum(normals @ self.directions.T, 0.0) @ self.strengths)
+
+
+def check_lights(owner: object, sizes: str) -> None:
+    """Check a frozen value's ``directions`` (l, 3), ``strengths`` (l, 3) and ``sizes`` (l,); store them read-only."""
+    count = len(getattr(owner, sizes))
+    for name, shape in (("directions", (count, 3)), ("strengths", (count, 3)), (sizes, (count,))):
+        values = np.ascontiguousarray(getattr(owner, name), dtype=np.float64)
+        if values.shape != shape:
+            raise ValueRangeError(name, f"must have the shape {shape}, not {values.shape}")
+        if not np.isfinite(values).all() or (name != "directions" and values.min(initial=0.0) < 0.0):
+            raise ValueRangeError(name, "must be finite, and never negative")
+        values.flags.writeable = False
+        object.__setattr__(owner, name, values)
+
 
 MAX_LIGHTS = 1024
 DEFAULT_METHOD = "relaxed"
@@ -57,12 +121,7 @@ def directional_lights(
 def lights_from_labels(cells: Cells, labels: NDArray[np.intp]) -> DirectionalLights:
     """Return one light for each of the ``labels`` (h, w) of cells, which are 0 and more, the strongest first."""
     at = labels.ravel()
-    count = int(at.max()) + 1
-
-    def summed(values: NDArray[np.float64]) -> NDArray[np.float64]:
-        flat = values.reshape(at.size, -1)
-        return np.stack([np.bincount(at, flat[:, k], count) for k in range(flat.shape[1])], axis=1)
-
+    summed = partial(sum_by_label, at)
     strengths = summed(cells.energy)
     areas = cells.areas()
     solid_angles = summed(areas)[:, 0]

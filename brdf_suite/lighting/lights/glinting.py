@@ -8,15 +8,18 @@ strata of its own, without the sky around it; those that lie side by side and ar
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import about_y
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.lights.cells import Cells, sum_cells
+from brdf_suite.lighting.lights.cells import Cells, sum_by_label, sum_cells
+from brdf_suite.lighting.lights.extract import check_lights
 from brdf_suite.lighting.lights.structured import structured_strata
 
 MOST_LIGHTS = 16
@@ -48,23 +51,14 @@ class GlintLights:
     spreads: Floats
 
     def __post_init__(self) -> None:
-        count = len(self.spreads)
-        for name, shape in (("directions", (count, 3)), ("strengths", (count, 3)), ("spreads", (count,))):
-            values = np.ascontiguousarray(getattr(self, name), dtype=np.float64)
-            if values.shape != shape:
-                raise ValueRangeError(name, f"must have the shape {shape}, not {values.shape}")
-            if not np.isfinite(values).all() or (name != "directions" and values.min(initial=0.0) < 0.0):
-                raise ValueRangeError(name, "must be finite, and never negative")
-            object.__setattr__(self, name, values)
+        check_lights(self, "spreads")
 
     def __len__(self) -> int:
         return len(self.spreads)
 
     def turned(self, angle: float) -> GlintLights:
         """Return the lights turned by ``angle`` (radians) about +y, counter-clockwise seen from above."""
-        cosine, sine = np.cos(angle), np.sin(angle)
-        turn = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
-        return GlintLights(self.directions @ turn.T, self.strengths, self.spreads)
+        return replace(self, directions=self.directions @ about_y(angle).T)
 
 
 def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLights:
@@ -90,12 +84,7 @@ def glint_lights(environment: Environment, count: int = MOST_LIGHTS) -> GlintLig
 
 def _strata(cells: Cells) -> tuple[Floats, Floats, Floats]:
     """Light (k, 3), moments (k, 3) and squared spread along an axis (k,) of the strata."""
-    labels = structured_strata(cells, _STRATA).ravel()
-    number = int(labels.max()) + 1
-
-    def summed(values: Floats) -> Floats:
-        flat = values.reshape(labels.size, -1)
-        return np.stack([np.bincount(labels, flat[:, k], number) for k in range(flat.shape[1])], axis=1)
+    summed = partial(sum_by_label, structured_strata(cells, _STRATA).ravel())
 
     energy, moments = summed(cells.energy), summed(cells.moments)
     luminous = np.maximum(energy @ LUMINANCE, 1e-300)
@@ -135,10 +124,5 @@ def _joined(energy: Floats, moments: Floats, spread2: Floats) -> tuple[Floats, F
         whole = float(light @ LUMINANCE)
         own_spread = max(1.0 - float(np.linalg.norm(moment)) / whole, square / whole)
         out.append((light, moment, own_spread))
-    if not out:
-        return np.zeros((0, 3)), np.zeros((0, 3)), np.zeros(0)
-    return (
-        np.stack([item[0] for item in out]),
-        np.stack([item[1] for item in out]),
-        np.array([item[2] for item in out]),
-    )
+    lights, means, spreads = zip(*out, strict=True) if out else ((), (), ())
+    return np.reshape(lights, (-1, 3)), np.reshape(means, (-1, 3)), np.array(spreads)

@@ -10,8 +10,8 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import Sky
+from brdf_suite.lighting.procedural.daylight import overcast_sky
 from brdf_suite.lighting.procedural.hosek_wilkie import HosekWilkieSky
-from brdf_suite.lighting.procedural.overcast import overcast_sky
 from brdf_suite.lighting.procedural.panorama import (
     ProceduralEnvironment,
     Radiance,
@@ -24,8 +24,7 @@ from brdf_suite.lighting.procedural.panorama import (
     solid_angles,
 )
 from brdf_suite.lighting.procedural.preetham import sky_radiance
-from brdf_suite.lighting.procedural.sun import Sun
-from brdf_suite.lighting.procedural.sun_disc import LimbDisc
+from brdf_suite.lighting.procedural.sun import LimbDisc, Sun
 from brdf_suite.progress import Progress, subrange
 
 CITATIONS = {
@@ -57,19 +56,15 @@ def sky(
         The progress callback asked for it.
     """
     above = build_sky(description)
+    sun = Sun(description.sun_elevation_deg, description.sun_azimuth_deg)
     clear = description.model != "overcast"
-    disc = None
-    if clear:
-        disc = LimbDisc(
-            Sun(description.sun_elevation_deg, description.sun_azimuth_deg), description.turbidity
-        )
+    disc = LimbDisc(sun, description.turbidity) if clear else None
     toward = directions(centres(128)[:64], centres(256))
     cosine = toward[..., 1] * solid_angles(128)[:64]
     light = np.einsum("rc,rck->k", cosine, above(toward))
     if disc is not None:
-        light += (
-            disc.illuminance() * disc.sun.direction[1]
-        )  # the ground is lit whether or not the disc is drawn
+        # The ground is lit whether or not the disc is drawn.
+        light += disc.illuminance() * sun.direction[1]
     ground = light * description.ground_albedo / np.pi
 
     def radiance(toward: Floats) -> Floats:

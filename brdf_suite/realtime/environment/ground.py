@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.shader_source import compose
 from brdf_suite.realtime.values import CubeFaces, GroundField
 
 GROUND_UNIT = 12
@@ -30,23 +30,12 @@ def environment_harmonics(faces: CubeFaces, degree: int) -> Floats:
     size = faces.size // step
     trimmed = pixels[:, : size * step, : size * step]
     pooled = trimmed.reshape(6, size, step, size, step, 3).mean(axis=(2, 4)).astype(np.float64)
-    place = (np.arange(size) + 0.5) / size * 2.0 - 1.0
-    s, t = np.meshgrid(place, place)
-    one = np.ones_like(s)
-    # OpenGL 3.3, table 3.10.
-    major = [(one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one)]
-    directions = np.stack([np.stack(axes, axis=-1) for axes in major])
-    length = np.linalg.norm(directions, axis=-1)
-    solid_angle = (2.0 / size) ** 2 / length**3
+    directions = texel_directions(size)
+    # A face lies at the distance 1, so the largest component is one over the texel's distance.
+    solid_angle = np.abs(directions).max(axis=-1) ** 3
     solid_angle *= 4.0 * np.pi / solid_angle.sum()
-    harmonics = low_harmonics(directions / length[..., None], degree)
+    harmonics = low_harmonics(directions, degree)
     return np.asarray(np.einsum("fij,fijh,fijc->hc", solid_angle, harmonics, pooled) * faces.scale)
-
-
-def soften_harmonics(degree: int) -> Floats:
-    """Return a factor for each harmonic that keeps a small bright light from ringing: Lanczos' sinc."""
-    degrees = np.repeat(np.arange(degree + 1), 2 * np.arange(degree + 1) + 1)
-    return np.asarray(np.sinc(degrees / (degree + 1)))
 
 
 def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
@@ -55,8 +44,10 @@ def ground_ratio(transfer: NDArray[np.float32], light: Floats) -> Floats:
     ``transfer`` (rows, columns, h) as in :class:`GroundField`, ``light`` (h, 3) the light's harmonics. The corner
     of the field is open ground.
     """
-    soft = soften_harmonics(round(len(light) ** 0.5) - 1)[:, None] * light
-    arriving = transfer.astype(np.float64) @ soft
+    degrees = np.arange(round(len(light) ** 0.5))
+    # Lanczos' sinc keeps a small bright light from ringing.
+    soft = np.sinc(np.repeat(degrees, 2 * degrees + 1) / len(degrees))
+    arriving = transfer.astype(np.float64) @ (soft[:, None] * light)
     full = arriving[0, 0]
     ratio = np.divide(arriving, full, out=np.ones_like(arriving), where=full > 0.0)
     return np.asarray(np.clip(ratio, 0.0, 1.0))
@@ -71,7 +62,6 @@ class GroundShadow:
         self._light: Floats | None = None
         self._background: CubeFaces | None = None
         self._texture: moderngl.Texture | None = None
-        self._drawing: tuple[moderngl.Program, moderngl.VertexArray] | None = None
         self._shown: tuple[float, bytes] | None = None
 
     @property
@@ -104,10 +94,7 @@ class GroundShadow:
         if self._field is None or self._background is None:
             return
         texture = self._brought_up_to_date(self._field, self._background, turn, colours)
-        if self._drawing is None:
-            program = self._objects.program(compose("ground.vert.glsl"), compose("ground.frag.glsl"))
-            self._drawing = (program, self._objects.vertex_array(program))
-        program, corners = self._drawing
+        program, corners = self._objects.screen("ground.frag.glsl", vertex="ground.vert.glsl")
         texture.use(GROUND_UNIT)
         values = {
             "world_to_clip": world_to_clip,
@@ -152,7 +139,5 @@ class GroundShadow:
 
     def release(self) -> None:
         """Give the texture back."""
-        if self._texture is not None:
-            self._objects.release(self._texture)
-        self._texture = None
-        self._shown = None
+        self._objects.release(self._texture)
+        self._texture = self._shown = None

@@ -53,20 +53,12 @@ class LookUpTable:
         exponents = np.exp(self._logs)
         for target, rows in plain_values["targets"].items():
             # Logarithms of ratios, because they hardly change from one exponent to the next.
-            ratio = np.stack(
-                [
-                    np.interp(at, roots, np.log(row["exponent"]) - log)
-                    for row, log in zip(rows, self._logs, strict=True)
-                ]
-            )
-            amplitude = np.stack(
-                [
-                    np.interp(at, roots, np.log(np.asarray(row["amplitude"]) * (e + 1.0)))
-                    for row, e in zip(rows, exponents, strict=True)
-                ]
-            )
+            ratio, amplitude = [], []
+            for row, log, e in zip(rows, self._logs, exponents, strict=True):
+                ratio.append(np.interp(at, roots, np.log(row["exponent"]) - log))
+                amplitude.append(np.interp(at, roots, np.log(np.asarray(row["amplitude"]) * (e + 1.0))))
             toward = np.array([row["toward_normal"] for row in rows], np.float64)
-            self._rows[target] = (toward, ratio, amplitude)
+            self._rows[target] = (toward, np.stack(ratio), np.stack(amplitude))
         self.diffuse_exponent = float(plain_values["diffuse"]["exponent"])
         """Of the look-up at N for a diffuse base under a coat."""
         self.diffuse_amplitude = float(plain_values["diffuse"]["amplitude"])

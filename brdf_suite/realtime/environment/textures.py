@@ -1,5 +1,9 @@
 """Textures of one environment: the stack of broad lobes, a cube map per sharp lobe, diffuse, background.
 
+The stack is a 3-D texture: each slice is the map of one exponent on the octahedral square; between slices the texture
+unit mixes linearly. (OpenGL 3.3 has no arrays of cube maps, and the levels of one cube map force a factor of four
+between exponents.)
+
 A map that serves several purposes (the background is the map of the lobes too sharp to be filtered) is uploaded
 once. A new environment of the same sizes is written into the textures that are there. Maps of sharp lobes can wait
 until a material asks for them: those are most of the bytes, and few paints look all of them up.
@@ -8,17 +12,94 @@ until a material asks for them: those are most of the bytes, and few paints look
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import moderngl
 import numpy as np
 
 from brdf_suite.realtime.environment.ladder import BROADEST_SHARP, Ladder
-from brdf_suite.realtime.environment.lobe_stack import LobeStack
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.objects import GpuObjects, Target
 from brdf_suite.realtime.material.ramp import MAX_SHARP
 from brdf_suite.realtime.values import CubeFaces, EnvironmentMaps
+
+_SMALLEST, _LARGEST = 33, 255  # OpenGL 3.3 grants 256 texels along the edge of a 3-D texture
+
+
+class LobeStack:
+    """The lobe stack texture and its uniforms."""
+
+    def __init__(self, objects: GpuObjects) -> None:
+        self._objects = objects
+        self._texture: moderngl.Texture3D | None = None
+        self._target = Target(objects)
+        self._staging: dict[int, moderngl.TextureCube] = {}
+        self._scale = 1.0
+        self.ladder = Ladder((1.0,))
+
+    def load(self, maps: Sequence[tuple[float, CubeFaces]]) -> None:
+        """Make the slices from cube maps by exponent, rising."""
+        size = min(_LARGEST, max(_SMALLEST, round(2.3 * max(faces.size for _, faces in maps)) | 1))
+        shape = (size, size, len(maps))
+        if self._texture is None or self._texture.size != shape:
+            self.release()
+            self._texture = self._objects.texture_3d(shape)
+        if {faces.size for _, faces in maps} != set(self._staging):
+            self._release_staging()
+        self._scale = max(faces.scale for _, faces in maps)
+        # Slices are drawn into a plain image and copied: a slice cannot be drawn into through moderngl.
+        framebuffer, texture = self._target.prepare((size, size), "f2")
+        program, screen = self._objects.screen("stack.frag.glsl")
+        slices = []
+        with graphics_errors(self._objects.context, "loading the broad lobes' maps"):
+            self._objects.bind(framebuffer, (size, size))
+            for _, faces in maps:
+                self._stage(faces).use(0)
+                program["cube"], program["gain"] = 0, faces.scale / self._scale
+                program["last_texel"] = float(size - 1)
+                screen.render(moderngl.TRIANGLES, vertices=3)
+                slices.append(texture.read())
+            self._texture.write(b"".join(slices))
+        self._objects.counters.texture_uploads += len(slices)
+        self.ladder = Ladder(tuple(exponent for exponent, _ in maps))
+
+    def use(self, unit: int) -> None:
+        """Bind the texture."""
+        if self._texture is not None:
+            self._texture.use(unit)
+
+    def uniforms(self, unit: int) -> dict[str, object]:
+        """Return the values of lobe_stack.glsl's uniforms."""
+        size = self._texture.size[0] if self._texture is not None else 1
+        return {
+            "lobe_stack": unit,
+            "stack_scale": self._scale,
+            "stack_square": (0.5 * (size - 1) / size, 0.5),
+            "stack_octave": self.ladder.octave,
+        }
+
+    def release(self) -> None:
+        """Give texture and framebuffer back."""
+        self._target.release()
+        self._objects.release(self._texture)
+        self._release_staging()
+        self._texture = None
+
+    def _stage(self, faces: CubeFaces) -> moderngl.TextureCube:
+        if faces.size not in self._staging:
+            self._staging[faces.size] = self._objects.cube(faces.size)
+        cube = self._staging[faces.size]
+        for face in range(6):
+            cube.write(face, np.ascontiguousarray(faces.faces[face]))
+        cube.filter = (moderngl.LINEAR, moderngl.LINEAR)
+        return cube
+
+    def _release_staging(self) -> None:
+        for cube in self._staging.values():
+            self._objects.release(cube)
+        self._staging = {}
+
 
 _SEAMLESS = 0x884F  # GL_TEXTURE_CUBE_MAP_SEAMLESS, core since OpenGL 3.2
 

@@ -18,8 +18,15 @@ from brdf_suite.realtime.camera import CameraMatrices
 from brdf_suite.realtime.environment.textures import RAMP_UNIT
 from brdf_suite.realtime.factors.textures import FactorTextures
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.programs import BALL, BALL_UNIT, MATERIAL_BINDING, Features, assign
-from brdf_suite.realtime.gl.view_uniforms import columns, surface_features
+from brdf_suite.realtime.gl.programs import (
+    BALL,
+    BALL_UNIT,
+    MATERIAL_BINDING,
+    Features,
+    assign,
+    columns,
+    surface_features,
+)
 from brdf_suite.realtime.material.material_set import Modes
 from brdf_suite.realtime.pictures.captured import DrawContext
 
@@ -69,15 +76,11 @@ class ReflectanceBalls:
         key = (*made_of, camera.view_to_world.tobytes(), middle.tobytes())
         if self._drawn.get(name) == key:
             return
-        context = drawing.objects.context
         words = words | {BALL, "LAMPS", "DARK"} | (surface_features(view) & {"FRESNEL_RAISED"})
-        with graphics_errors(context, f"drawing a ball of {name}"):
+        with graphics_errors(drawing.objects.context, f"drawing a ball of {name}"):
             texture, framebuffer = self._picture(name)
-            framebuffer.use()
-            context.viewport = (0, 0, BALL_EDGE, BALL_EDGE)
-            context.scissor = None
-            context.enable_only(moderngl.NOTHING)
-            program, screen = drawing.programs.ball(material.look_ups, words)
+            drawing.objects.bind(framebuffer, (BALL_EDGE, BALL_EDGE))
+            program, screen = drawing.programs.without_mesh(material.look_ups, words)
             drawing.single_lights.bind(view)
             assign(program, drawing.single_lights.uniforms(name, view, has_uv=False))
             assign(program, self._factors.use(name))

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.geometry.parabolic import parabolic_place
 
 
@@ -91,7 +92,7 @@ def cube_faces(values: NDArray[Any]) -> Floats:
     it. A face of n texels is twice as fine as the map in its middle.
     """
     size = len(values)
-    directions = face_directions(size)
+    directions = texel_directions(size)
     directions[..., 2] = np.maximum(directions[..., 2], 0.0)
     level = np.linalg.norm(directions, axis=-1, keepdims=True)
     s, t = parabolic_place(directions / np.where(level > 0.0, level, 1.0))
@@ -102,13 +103,3 @@ def cube_faces(values: NDArray[Any]) -> Floats:
     low = values[j, i] * (1.0 - u) + values[j, right] * u
     high = values[above, i] * (1.0 - u) + values[above, right] * u
     return np.asarray(low * (1.0 - v) + high * v, np.float64)
-
-
-def face_directions(size: int) -> Floats:
-    """Return the unit directions (6, n, n, 3) of the texels of a cube map (OpenGL 3.3, table 3.10)."""
-    along = (2.0 * np.arange(size) + 1.0) / size - 1.0
-    s, t = np.meshgrid(along, along)
-    one = np.ones_like(s)
-    major = [(one, -t, -s), (-one, -t, s), (s, one, t), (s, -one, -t), (s, -t, one), (-s, -t, -one)]
-    directions = np.stack([np.stack(face, axis=-1) for face in major])
-    return np.asarray(directions / np.linalg.norm(directions, axis=-1, keepdims=True))

@@ -73,18 +73,12 @@ class MeshBuffers:
 
     def release(self) -> None:
         """Give buffers and vertex arrays back."""
-        for arrays in self._arrays.values():
-            for array in arrays:
-                self._objects.release(array)
-        self._arrays = {}
-        for buffers in self._buffers:
-            for buffer in buffers:
-                self._objects.release(buffer)
-        self._buffers = []
-        self.names = ()
-        self.materials = ()
-        self.has_uv = ()
-        self.closed = ()
+        for kept in (*self._arrays.values(), *self._buffers):
+            for made in kept:
+                self._objects.release(made)
+        self._arrays, self._buffers = {}, []
+        self.names = self.materials = ()
+        self.has_uv = self.closed = ()
 
 
 def _described(

@@ -5,15 +5,18 @@ The counts are the proof that a path makes none: an edit of a paint must write a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import moderngl
 
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.shader_source import ShaderSource, compile_program
+from brdf_suite.realtime.gl.shader_source import ShaderSource, compile_program, compose
 
+ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
+"""A program that draws without a mesh, and the vertex array to draw it with."""
+Size = tuple[int, int]
 _Object = TypeVar("_Object")
 
 
@@ -44,6 +47,23 @@ class GpuObjects:
         self.context = context
         self.counters = Counters()
         self._live: dict[int, Any] = {}
+        self._screens: dict[tuple[str, str, frozenset[tuple[str, str]]], ScreenProgram] = {}
+
+    def bind(
+        self,
+        framebuffer: moderngl.Framebuffer,
+        size: Size,
+        region: tuple[int, int, int, int] | None = None,
+        *,
+        depth: bool = False,
+    ) -> None:
+        """Draw into a framebuffer of ``size`` from now on, or only into a region: left, lower edge, width, height."""
+        framebuffer.use()
+        self.context.viewport = (0, 0, *size)
+        self.context.scissor = region
+        self.context.enable_only(moderngl.DEPTH_TEST if depth else moderngl.NOTHING)
+        if depth:
+            self.context.depth_func = "<="
 
     def buffer(
         self, data: bytes | None = None, *, reserve: int = 0, dynamic: bool = False
@@ -52,15 +72,10 @@ class GpuObjects:
         with graphics_errors(self.context, f"reserving {reserve or len(data or b'')} bytes"):
             return self._keep("buffer", self.context.buffer(data, reserve=reserve, dynamic=dynamic))
 
-    def cube(self, size: int) -> moderngl.TextureCube:
-        """Make an empty cube map of half floats, RGB, ``size`` texels along an edge."""
+    def cube(self, size: int, channels: int = 3, dtype: str = "f2") -> moderngl.TextureCube:
+        """Make an empty cube map (``f1``, ``f2`` or ``f4``), ``size`` texels along an edge."""
         with graphics_errors(self.context, f"making a cube map of {size} texels"):
-            return self._keep("texture", self.context.texture_cube((size, size), 3, dtype="f2"))
-
-    def cube_of(self, size: int, dtype: str) -> moderngl.TextureCube:
-        """Make an empty RGBA cube map (``f1``, ``f2`` or ``f4``)."""
-        with graphics_errors(self.context, f"making a cube map of {size} texels"):
-            return self._keep("texture", self.context.texture_cube((size, size), 4, dtype=dtype))
+            return self._keep("texture", self.context.texture_cube((size, size), channels, dtype=dtype))
 
     def texture_3d(self, size: tuple[int, int, int]) -> moderngl.Texture3D:
         """Make an empty 3-D texture of half floats, RGBA, filtered linearly and held at its edges."""
@@ -89,17 +104,10 @@ class GpuObjects:
             return self._keep("renderbuffer", self.context.depth_renderbuffer(size, samples=samples))
 
     def framebuffer(
-        self, colour: moderngl.Texture, depth: moderngl.Renderbuffer | None = None
+        self, *colours: moderngl.Texture, depth: moderngl.Renderbuffer | None = None
     ) -> moderngl.Framebuffer:
-        """Make a framebuffer of one colour texture."""
+        """Make a framebuffer of one or more colour textures."""
         with graphics_errors(self.context, "making a framebuffer"):
-            return self._keep("framebuffer", self.context.framebuffer([colour], depth))
-
-    def framebuffer_of(
-        self, colours: Sequence[moderngl.Texture], depth: moderngl.Renderbuffer
-    ) -> moderngl.Framebuffer:
-        """Make a framebuffer of several colour textures."""
-        with graphics_errors(self.context, "making a framebuffer of several images"):
             return self._keep("framebuffer", self.context.framebuffer(list(colours), depth))
 
     def query(self) -> Any:
@@ -111,15 +119,20 @@ class GpuObjects:
         """Compile and link a program."""
         return self._keep("program", compile_program(self.context, vertex, fragment))
 
+    def screen(
+        self, fragment: str, words: Mapping[str, str] | None = None, vertex: str = "screen.vert.glsl"
+    ) -> ScreenProgram:
+        """Return the program of these shader files, ``words`` defined in the fragment's; made at the first call."""
+        key = (vertex, fragment, frozenset((words or {}).items()))
+        if key not in self._screens:
+            program = self.program(compose(vertex), compose(fragment, dict(words or {})))
+            self._screens[key] = (program, self.vertex_array(program))
+        return self._screens[key]
+
     def vertex_array(self, program: moderngl.Program, *content: Any) -> moderngl.VertexArray:
         """Make a vertex array; ``content`` as moderngl wants it: (list of buffers, index buffer)."""
         with graphics_errors(self.context, "making a vertex array"):
-            made = (
-                self.context.vertex_array(program, *content)
-                if content
-                else self.context.vertex_array(program, [])
-            )
-            return self._keep("vertex array", made)
+            return self._keep("vertex array", self.context.vertex_array(program, *(content or ([],))))
 
     @property
     def live(self) -> list[Any]:
@@ -144,3 +157,31 @@ class GpuObjects:
         self._live[id(made)] = made
         self.counters.created[kind] = self.counters.created.get(kind, 0) + 1
         return made
+
+
+class Target:
+    """A texture to draw into, with depth or without; made again when its size, numbers or sample count change."""
+
+    def __init__(self, objects: GpuObjects, *, has_depth: bool = False) -> None:
+        self._objects, self._has_depth = objects, has_depth
+        self._key: tuple[Size, str, int] | None = None
+        self._made: list[Any] = []
+
+    def prepare(
+        self, size: Size, dtype: str = "f1", samples: int = 0
+    ) -> tuple[moderngl.Framebuffer, moderngl.Texture]:
+        """Return a framebuffer of exactly this size and its colour texture, as :meth:`GpuObjects.texture` makes it."""
+        if self._key != (size, dtype, samples):
+            self.release()
+            self._made.append(self._objects.texture(size, dtype, samples))
+            self._made.append(self._objects.depth(size, samples) if self._has_depth else None)
+            self._made.append(self._objects.framebuffer(self._made[0], depth=self._made[1]))
+            self._key = (size, dtype, samples)
+        texture, _, framebuffer = self._made
+        return framebuffer, texture
+
+    def release(self) -> None:
+        """Give everything back."""
+        for made in reversed(self._made):
+            self._objects.release(made)
+        self._made, self._key = [], None

@@ -7,11 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import moderngl
+import numpy as np
+from numpy.typing import NDArray
 
+from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.documents.view import View
 from brdf_suite.realtime.environment.look_up_table import RAMP_NODES
-from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.shader_source import SHADERS, ShaderSource, compose, look_up_defines
-from brdf_suite.realtime.lights.lobes import COLUMNS
+from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
+from brdf_suite.realtime.gl.shader_source import SHADERS, compose, look_up_defines
+from brdf_suite.realtime.lights.block import COLUMNS
 from brdf_suite.realtime.material.ramp import MAX_BROAD, MAX_ROWS, MAX_SHARP
 
 MATERIAL_BINDING = 0
@@ -29,8 +33,6 @@ _FACTOR_UNITS: dict[str, object] = {
     "factor_maps": tuple(range(FIRST_FACTOR_UNIT, FIRST_CUBE_FACTOR_UNIT)),
     "factor_cubes": tuple(range(FIRST_CUBE_FACTOR_UNIT, FIRST_CUBE_FACTOR_UNIT + 6)),
 }
-
-ScreenProgram = tuple[moderngl.Program, moderngl.VertexArray]
 
 
 def assign(program: moderngl.Program, values: Mapping[str, object]) -> None:
@@ -102,20 +104,18 @@ class Programs:
         self._objects = objects
         self._surface_shader = surface_shader or SHADERS / "mesh.frag.glsl"
         self._surfaces: dict[tuple[LookUps, Features], moderngl.Program] = {}
-        self._captured: dict[tuple[LookUps, Features], ScreenProgram] = {}
-        self._screen: dict[tuple[str, int, bool], ScreenProgram] = {}
+        self._without_mesh: dict[tuple[LookUps, Features], ScreenProgram] = {}
 
     def surface(self, look_ups: LookUps, features: Features = frozenset()) -> moderngl.Program:
         """Return the program that shades surfaces with so many look-ups and these features."""
         key = (look_ups, features)
         if key not in self._surfaces:
-            words = _defines(features)
-            flat = features & {CAPTURED, BALL}
-            vertex = compose("screen.vert.glsl" if flat else "mesh.vert.glsl", words)
-            self._surfaces[key] = self._shading(vertex, look_ups, words)
+            self._surfaces[key] = self._shading(look_ups, features)
         return self._surfaces[key]
 
-    def _shading(self, vertex: ShaderSource, look_ups: LookUps, words: Mapping[str, str]) -> moderngl.Program:
+    def _shading(self, look_ups: LookUps, features: Features) -> moderngl.Program:
+        words = _defines(features)
+        vertex = compose("screen.vert.glsl" if features & {CAPTURED, BALL} else "mesh.vert.glsl", words)
         limits = {
             "MAX_BROAD": str(MAX_BROAD),
             "MAX_SHARP": str(MAX_SHARP),
@@ -126,7 +126,7 @@ class Programs:
         }
         fragment = compose(
             self._surface_shader.name,
-            look_up_defines(look_ups.broad, look_ups.sharp) | limits | dict(words),
+            look_up_defines(look_ups.broad, look_ups.sharp) | limits | words,
             (self._surface_shader.parent, SHADERS),
         )
         program = self._objects.program(vertex, fragment)
@@ -154,50 +154,50 @@ class Programs:
             )
         return self._surfaces[key]
 
-    def captured(self, look_ups: LookUps, features: Features) -> ScreenProgram:
-        """Return the program that shades a list of captured places, and its vertex array."""
+    def without_mesh(self, look_ups: LookUps, features: Features) -> ScreenProgram:
+        """Return the program that shades a list of places or a ball: its features hold ``CAPTURED`` or ``BALL``."""
         key = (look_ups, features)
-        if key not in self._captured:
-            program = self.surface(look_ups, features | {CAPTURED})
-            self._captured[key] = (program, self._objects.vertex_array(program))
-        return self._captured[key]
-
-    def ball(self, look_ups: LookUps, features: Features) -> ScreenProgram:
-        """Return the program that draws a ball with :data:`BALL` among its features, and its vertex array."""
-        key = (look_ups, features)
-        if key not in self._captured:
+        if key not in self._without_mesh:
             program = self.surface(look_ups, features)
-            self._captured[key] = (program, self._objects.vertex_array(program))
-        return self._captured[key]
-
-    def unpack(self, samples: int) -> ScreenProgram:
-        """Return the program that lays the ``samples`` of each pixel side by side, and its vertex array."""
-        return self._full_screen("unpack.frag.glsl", samples)
-
-    def background(self) -> ScreenProgram:
-        """Return the program of the background and the vertex array to draw it with."""
-        return self._full_screen("background.frag.glsl", 0)
-
-    def finish(self, samples: int, *, captured: bool = False) -> ScreenProgram:
-        """Return the program that takes ``samples`` to the screen, and its vertex array.
-
-        ``captured``: the samples are those of a list that was shaded apart (samples.glsl).
-        """
-        return self._full_screen("finish.frag.glsl", samples, captured)
-
-    def count(self, samples: int) -> ScreenProgram:
-        """Return the program whose fragments are counted, and its vertex array."""
-        return self._full_screen("count.frag.glsl", samples)
-
-    def _full_screen(self, fragment: str, samples: int, captured: bool = False) -> ScreenProgram:
-        key = (fragment, samples, captured)
-        if key not in self._screen:
-            words = {"SAMPLES": str(samples)} | ({CAPTURED: "1"} if captured else {})
-            program = self._objects.program(compose("screen.vert.glsl"), compose(fragment, words))
-            self._screen[key] = (program, self._objects.vertex_array(program))
-        return self._screen[key]
+            self._without_mesh[key] = (program, self._objects.vertex_array(program))
+        return self._without_mesh[key]
 
 
 def _defines(features: Features) -> dict[str, str]:
     parted = (word.partition("=") for word in sorted(features))
     return {name: text or "1" for name, _, text in parted}
+
+
+def view_uniforms(view: View) -> dict[str, object]:
+    """Return turn and colour of the light, and the exposure as a factor."""
+    turn = np.radians(view.rotation_deg)
+    return {
+        "light_turn": (float(np.cos(turn)), float(np.sin(turn))),
+        "light_colour": columns(environment_matrix(view.light_colour)),
+        "exposure": 2.0**view.exposure_ev,
+    }
+
+
+def surface_features(view: View, *, knows_light: bool = False, smooth: bool = False) -> Features:
+    """Return the words that the shader files test with ``#ifdef``, for one frame.
+
+    ``knows_light`` says whether the mesh holds the light that arrives at it, ``smooth`` whether edges are to be.
+
+    A word costs a program of its own, compiled at its first frame, so each represents what a user switches on
+    or off, never for a number that is dragged.
+
+    >>> sorted(surface_features(View(fresnel="off")))
+    []
+    """
+    asked = {
+        "SMOOTH_REFLECTIONS": smooth,
+        "LOOK_UP_PAPER": view.look_up == "paper",
+        "FRESNEL_RAISED": view.fresnel != "off",
+        "OCCLUSION": knows_light and view.surface_look.occlusion,
+    }
+    return frozenset(word for word, wanted in asked.items() if wanted)
+
+
+def columns(matrix: NDArray[np.float64]) -> tuple[float, ...]:
+    """Return a matrix column by column, as OpenGL wants it."""
+    return tuple(matrix.T.ravel().tolist())

@@ -1,4 +1,4 @@
-"""Uniform block of single lights for lights.glsl: the environment's brightest, then the lamps."""
+"""Shader inputs for single lights: their block (the environment's brightest, the lamps) and materials' lobe tables."""
 
 from __future__ import annotations
 
@@ -7,14 +7,19 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.errors import ValueRangeError
+from brdf_suite.geometry.directions import about_y, from_horizon
+from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.realtime.values import MaterialWeights
 
 MOST_LIGHTS = 24
 """Sixteen of the environment and eight lamps."""
@@ -63,11 +68,8 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
     """Return the block, :data:`BLOCK_SIZE` bytes: the environment's lights, turned with it, and the view's lamps."""
     block = np.zeros((1 + 2 * MOST_LIGHTS, 4), np.float32)
     count = 0 if view.sparkle.mode == "off" else min(view.sparkle.light_count, len(environment.spreads))
-    turn = math.radians(view.rotation_deg)
-    cosine, sine = math.cos(turn), math.sin(turn)
-    about_y = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
     rows = block[1:].reshape(MOST_LIGHTS, 2, 4)
-    rows[:count, 0, :3] = environment.directions[:count] @ about_y.T
+    rows[:count, 0, :3] = environment.directions[:count] @ about_y(math.radians(view.rotation_deg)).T
     rows[:count, 0, 3] = _OF_ENVIRONMENT
     rows[:count, 1, :3] = environment.strengths[:count] @ environment_matrix(view.light_colour).T
     rows[:count, 1, 3] = environment.spreads[:count]
@@ -81,12 +83,87 @@ def light_block(view: View, environment: DistantLights = NO_LIGHTS) -> bytes:
 def _place(lamp: Lamp) -> tuple[Floats, float]:
     if lamp.kind == "point":
         return np.asarray(lamp.position), _POINT
-    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
-    level = math.cos(elevation)
-    towards = np.array([level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth)])
-    return towards, _DIRECTIONAL
+    return from_horizon(lamp.azimuth_deg, lamp.elevation_deg), _DIRECTIONAL
 
 
 @lru_cache(maxsize=64)
 def _colour(kelvin: float) -> tuple[float, ...]:
     return tuple(lamp_colour(kelvin).tolist())
+
+
+def visible_flake_lobe(
+    flakes: Flakes, gamma: Floats, base: Floats, theta: float, ior: float, strength: float = 1.0
+) -> Floats:
+    """Return the part (n, 3) of a base's lobes ``base`` (n, 3), 1/sr, at γ (n,) radians that visible flakes reflect.
+
+    A paint's flakes lie in many layers; what sparkles are those that can be seen one by one: so many to the square
+    millimetre, so large. They cover the share c = 1 - exp(-density·π/4·size²) of the surface, and as mirrors they
+    reflect R of the light on them, in and out through the coat. With the density of tilts p = bell / (2π m²) per solid
+    angle, and the solid angle of a mirrored direction outside a coat of index n being 4 n² cos²θ'/cosθ times that of
+    the tilt at the mirror direction (θ' below the coat),
+
+        f(γ) = c R T² bell(δ(γ)) / (8π m² n² cos²θ')
+
+    is their mean reflectance at the light's polar angle θ, in 1/sr: δ(γ) the tilt that an aspecular angle sees. Their
+    colour is the base's there, with R in its largest channel (they are seen through the same pigment), and they never
+    send more than most of it.
+
+
+    ``theta`` is the light's polar angle that the lobes hold for, radians, ``ior`` the coat's index; ``strength`` is a
+    factor on the flakes' light, 1 being what the module derives.
+    """
+    n2 = ior * ior
+    cos2_below = 1.0 - math.sin(theta) ** 2 / n2
+    through = (1.0 - float(fresnel_dielectric(math.cos(theta), ior))) ** 2
+    m2 = flakes.roughness**2
+    peak = flake_coverage(flakes) * FLAKE_REFLECTANCE * through / (8.0 * math.pi * m2 * n2 * cos2_below)
+    wanted = strength * peak * seen_tilts(gamma, theta, ior, flakes.roughness)
+    share = np.minimum(wanted / np.maximum(base.max(axis=-1), 1e-12), LARGEST_SHARE)
+    return np.asarray(base * share[:, None])
+
+
+def seen_tilts(gamma: Floats, theta: float, ior: float, roughness: float) -> Floats:
+    """Return how many flakes are tilted as γ (n,) radians sees, over how many lie flat: the bell of flake_tilt.glsl.
+
+    In the plane of incidence, with the light at ``theta``: δ = (asin(sin θ / n) - asin(sin(θ - γ) / n)) / 2.
+    """
+    tilt = 0.5 * (math.asin(math.sin(theta) / ior) - np.arcsin(np.sin(theta - gamma) / ior))
+    squared = np.tan(tilt) ** 2
+    return np.asarray(((1.0 + squared / roughness**2) / (1.0 + squared)) ** -1.5)
+
+
+COLUMNS = 160
+"""A lobe of exponent 50,000 is then right to 0.5 % of its peak between columns."""
+ROWS = 3
+
+
+def column_angles() -> Floats:
+    """Return γ (:data:`COLUMNS`,) of the columns, radians, 0 to π/2."""
+    along = np.linspace(0.0, 1.0, COLUMNS)
+    return np.asarray(2.0 * np.arcsin(math.sqrt(0.5) * along**2))
+
+
+def light_lobes(
+    weights: MaterialWeights, flakes: Flakes | None = None, strength: float = 1.0
+) -> NDArray[np.float32]:
+    """Return a table for light_lobes.glsl, (3, :data:`COLUMNS`, 4): base, gloss, visible flakes; KD in the alphas.
+
+    A light from one direction needs Σ KDD_i cos^E_i γ and Σ KG_i cos^E_i γ, γ from the mirror direction. Both are
+    tabulated over sqrt(sin γ/2), which gives the narrow lobes most of the columns, up to 90°, where every lobe ends; so
+    a light costs one look-up however many lobes there are.
+    """
+    gamma = column_angles()
+    # 1 - cos γ = 2 sin²(γ/2) keeps its digits for narrow lobes; at 90° every lobe is 0.
+    logarithm = np.log1p(-2.0 * np.sin(0.5 * gamma[:-1]) ** 2)
+    powers = np.zeros((COLUMNS, len(weights.exponents)))
+    powers[:-1] = np.exp(logarithm[:, None] * np.asarray(weights.exponents)[None, :])
+    table = np.zeros((ROWS, COLUMNS, 4), np.float32)
+    base = powers @ weights.kdd
+    table[0, :, :3] = base
+    table[1, :, :3] = powers @ weights.kg
+    if flakes is not None and flakes.density_per_mm2 > 0.0:
+        table[2, :, :3] = visible_flake_lobe(
+            flakes, gamma, base, weights.theta_fit_rad, weights.ior, strength
+        )
+    table[:, :, 3] = weights.kd[:, None]
+    return table

@@ -16,8 +16,15 @@ from brdf_suite.documents.view import View
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
 from brdf_suite.realtime.gl.programs import LIGHT_LOBES_UNIT, LIGHTS_BINDING, Features
-from brdf_suite.realtime.lights.block import BLOCK_SIZE, NO_LIGHTS, DistantLights, light_block
-from brdf_suite.realtime.lights.lobes import COLUMNS, ROWS, light_lobes
+from brdf_suite.realtime.lights.block import (
+    BLOCK_SIZE,
+    COLUMNS,
+    NO_LIGHTS,
+    ROWS,
+    DistantLights,
+    light_block,
+    light_lobes,
+)
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.values import MaterialWeights
 

@@ -7,7 +7,7 @@ samples of a pixel share once. A paint then shades the list, a plain rectangle w
 (``mesh.frag.glsl`` with CAPTURED: the same look-ups, gains and flakes), and the finishing pass gathers each pixel's
 samples from it. What is not the paint's (other parts, ground, background) is kept as it was drawn. Many paints go into
 one image and are read back at once. A picture is the one that
-:meth:`~brdf_suite.realtime.pictures.offscreen.OffscreenPictures.render_image` gives, code for code, but for what a
+:meth:`~brdf_suite.realtime.pictures.renderer.Renderer.render_image` gives, code for code, but for what a
 driver computes otherwise in
 another shader.
 
@@ -32,26 +32,25 @@ from brdf_suite.realtime.camera import matrices
 from brdf_suite.realtime.environment.textures import RAMP_UNIT, EnvironmentTextures
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
-from brdf_suite.realtime.gl.objects import GpuObjects
+from brdf_suite.realtime.gl.objects import GpuObjects, Size, Target
 from brdf_suite.realtime.gl.programs import (
+    CAPTURED,
     KEPT_LIGHT,
     MATERIAL_BINDING,
     PLACES_UNIT,
     Features,
     LookUps,
     Programs,
-    ScreenProgram,
     assign,
+    columns,
+    view_uniforms,
 )
-from brdf_suite.realtime.gl.view_uniforms import columns, view_uniforms
 from brdf_suite.realtime.lights.single_lights import SingleLights
 from brdf_suite.realtime.material.material_set import MaterialSet, Modes
 from brdf_suite.realtime.pictures.display import SRGB, Display
 from brdf_suite.realtime.pictures.finish import FinishPass
 from brdf_suite.realtime.pictures.kept_light import KeptLight
 from brdf_suite.realtime.values import MaterialWeights
-
-Size = tuple[int, int]
 
 LIST_WIDTH = 256
 LARGEST_EDGE = 512
@@ -87,7 +86,7 @@ class DrawContext:
 class CapturedForm:
     """The G-buffer of one view of the renderer's mesh, with the paints for shading it.
 
-    Made by :meth:`~brdf_suite.realtime.pictures.offscreen.OffscreenPictures.capture`; sound until the renderer's
+    Made by :meth:`~brdf_suite.realtime.pictures.renderer.Renderer.capture`; sound until the renderer's
     mesh, light or relief changes.
     """
 
@@ -123,8 +122,7 @@ class CapturedForm:
             self._kept = KeptLight(
                 objects, drawing.programs, drawing.environment, features, common, (LIST_WIDTH, self._rows)
             )
-        self._shaded: tuple[moderngl.Texture, moderngl.Framebuffer] | None = None
-        self._pictures: tuple[moderngl.Texture, moderngl.Framebuffer] | None = None
+        self._shaded, self._pictures = Target(objects), Target(objects)
 
     @property
     def most(self) -> int:
@@ -155,19 +153,19 @@ class CapturedForm:
         objects = self._drawing.objects
         if self._kept is not None:
             self._kept.release()
-        for pair in (self._shaded, self._pictures):
-            for made in reversed(pair or ()):
-                objects.release(made)
+        self._shaded.release()
+        self._pictures.release()
         for texture in (self._list, self._index, self._other):
             objects.release(texture)
-        self._shaded = self._pictures = None
 
     def _batch(self, swatches: Iterable[CapturedPaint], display: Display) -> NDArray[np.uint8]:
         width, height = self.size
         count = 0
         context = self._drawing.objects.context
         with graphics_errors(context, "drawing pictures of paints"):
-            light, target = self._target_of_list()
+            # Half floats, as a frame's own target has them.
+            target, light = self._shaded.prepare((LIST_WIDTH, self._rows * self.most), "f2")
+            light.filter = (moderngl.NEAREST, moderngl.NEAREST)
             context.scissor = None
             context.enable_only(moderngl.NOTHING)
             self._drawing.environment.bind()
@@ -178,9 +176,9 @@ class CapturedForm:
                 count += 1
             if count == 0:
                 return np.empty((0, height, width, 3), np.uint8)
-            _, framebuffer = self._target_of_pictures()
+            framebuffer, _ = self._pictures.prepare((width, height * self.most))
             framebuffer.use()
-            program, screen = self._drawing.finish.captured(self._view, display, self._samples)
+            program, screen = self._drawing.finish.program(self._view, display, self._samples, captured=True)
             light.use(_LIGHT_UNIT)
             self._index.use(_SAMPLE_UNIT)
             self._other.use(_OTHER_UNIT)
@@ -224,7 +222,7 @@ class CapturedForm:
             words |= {KEPT_LIGHT}
         target.use()
         drawing.objects.context.viewport = (0, number * self._rows, LIST_WIDTH, self._rows)
-        program, screen = drawing.programs.captured(material.look_ups, words)
+        program, screen = drawing.programs.without_mesh(material.look_ups, words | {CAPTURED})
         if (material.look_ups, words) not in ready:
             assign(program, self._common | {"place_rows": self._rows})
             ready.add((material.look_ups, words))
@@ -236,23 +234,6 @@ class CapturedForm:
         material.ramp.use(RAMP_UNIT)
         material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
         screen.render(moderngl.TRIANGLES, vertices=3)
-
-    def _target_of_list(self) -> tuple[moderngl.Texture, moderngl.Framebuffer]:
-        if self._shaded is None:
-            # Half floats, as a frame's own target has them.
-            self._shaded = self._target((LIST_WIDTH, self._rows * self.most), "f2")
-        return self._shaded
-
-    def _target_of_pictures(self) -> tuple[moderngl.Texture, moderngl.Framebuffer]:
-        if self._pictures is None:
-            self._pictures = self._target((self.size[0], self.size[1] * self.most), "f1")
-        return self._pictures
-
-    def _target(self, size: Size, dtype: str) -> tuple[moderngl.Texture, moderngl.Framebuffer]:
-        objects = self._drawing.objects
-        texture = objects.texture(size, dtype)
-        texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
-        return texture, objects.framebuffer(texture)
 
 
 def capture(
@@ -277,28 +258,22 @@ def capture(
             "grounded": view.surface_look.ground,
         }
     )
-    _, flat = read_samples(objects, drawing.programs.unpack(other.samples), other, "f2")
+    _, flat = read_samples(objects, other, "f2")
     several = other.samples if samples > 1 else 0
     colours = [objects.texture(size, "f4", several) for _ in range(_PLACE_TARGETS)]
     depth = objects.depth(size, several)
-    context = objects.context
-    with graphics_errors(context, "capturing a form"):
-        framebuffer = objects.framebuffer_of(colours, depth)
-        framebuffer.use()
-        context.viewport = (0, 0, width, height)
-        context.scissor = None
-        context.enable_only(moderngl.DEPTH_TEST)
-        context.depth_func = "<="
+    with graphics_errors(objects.context, "capturing a form"):
+        framebuffer = objects.framebuffer(*colours, depth=depth)
+        objects.bind(framebuffer, size, depth=True)
         framebuffer.clear(depth=1.0)
         program = drawing.programs.capture(features)
         assign(program, common)
         for part, painted in parts:
             assign(program, {"kept": 1.0 if painted else 2.0, "has_uv": drawing.mesh.has_uv[part]})
             drawing.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
-        unpacker = drawing.programs.unpack(several)
         places = np.empty((_PLACE_TARGETS, height, width, samples, 4), np.float32)
         for target, colour in enumerate(colours):
-            places[target], kept = read_samples(objects, unpacker, colour)
+            places[target], kept = read_samples(objects, colour)
             objects.release(kept)
     for made in (framebuffer, depth, *colours):
         objects.release(made)
@@ -329,19 +304,16 @@ def unique_places(places: NDArray[np.float32]) -> tuple[NDArray[np.float32], NDA
 
 
 def read_samples(
-    objects: GpuObjects, unpacker: ScreenProgram, source: moderngl.Texture, dtype: str = "f4"
+    objects: GpuObjects, source: moderngl.Texture, dtype: str = "f4"
 ) -> tuple[NDArray[np.float32], moderngl.Texture]:
     """Return all samples (h, w, s, 4) of an image, lowest row first, and them side by side as a texture."""
-    program, screen = unpacker
+    program, screen = objects.screen("unpack.frag.glsl", {"SAMPLES": str(source.samples)})
     samples = max(1, source.samples)
     width, height = source.size
     flat = objects.texture((width * samples, height), dtype)
     flat.filter = (moderngl.NEAREST, moderngl.NEAREST)
     framebuffer = objects.framebuffer(flat)
-    framebuffer.use()
-    objects.context.viewport = (0, 0, width * samples, height)
-    objects.context.scissor = None
-    objects.context.enable_only(moderngl.NOTHING)
+    objects.bind(framebuffer, (width * samples, height))
     source.use(0)
     program["packed_samples"] = 0
     screen.render(moderngl.TRIANGLES, vertices=3)

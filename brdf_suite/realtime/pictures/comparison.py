@@ -21,15 +21,14 @@ from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError
 from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.objects import ScreenProgram, Size, Target
 from brdf_suite.realtime.gl.programs import assign
-from brdf_suite.realtime.gl.shader_source import compose
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display
-from brdf_suite.realtime.pictures.offscreen import DEFAULT_SAMPLES, Region, Size, check_size
+from brdf_suite.realtime.pictures.light_pass import DEFAULT_SAMPLES, Region, check_size
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.realtime.pictures.traced_light import TracedLight
 
 _WORKING_TO_RELATIVE = np.asarray(np.linalg.inv(RELATIVE_TO_WORKING.T), np.float64)
-_FIRST, _SECOND = "first", "second"
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +57,8 @@ class ComparisonRenderer:
         self._context = renderer.context
         self._objects = renderer.objects
         self._materials = dict(materials)
-        self._targets: dict[str, tuple[tuple[Size, str], moderngl.Texture, moderngl.Framebuffer]] = {}
-        self._programs: dict[str, tuple[moderngl.Program, moderngl.VertexArray]] = {}
+        self._first, self._second = Target(self._objects), Target(self._objects)
+        self._light, self._side, self._numbers = (Target(self._objects) for _ in range(3))
         self._picture: ComparedPicture | None = None
         self._picture_texture: moderngl.Texture | None = None
         self.traced: TracedLight | None = None
@@ -69,8 +68,7 @@ class ComparisonRenderer:
         """Set a picture for the comparison instead of a second paint; None restores the paint."""
         if picture is self._picture:
             return
-        if self._picture_texture is not None:
-            self._objects.release(self._picture_texture)
+        self._objects.release(self._picture_texture)
         self._picture, self._picture_texture = picture, None
         if picture is None:
             return
@@ -114,13 +112,14 @@ class ComparisonRenderer:
         elif mode == "side":
             self._draw_side_by_side(view, target, size, samples)
         else:
-            self._draw_difference(view, target, size, samples)
+            self._bring_both(view, size, samples)
+            self._compare(view, target, size, numbers=False)
 
     def differences(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[np.float32]:
         """Return ΔE00 (h, w) of each pixel, top row first: the numbers behind the picture of differences."""
         size = check_size(size)
         self._bring_both(view, size, samples)
-        target = self._target("numbers", size, "f4")
+        target, _ = self._numbers.prepare(size, "f4")
         self._compare(view, target, size, numbers=True)
         values = np.frombuffer(target.read(components=1, dtype="f4"), np.float32)
         return values.reshape(size[1], size[0])[::-1].copy()
@@ -154,39 +153,34 @@ class ComparisonRenderer:
                 view, target, size, samples, materials=self._materials, region=region, display=display
             )
         elif self._picture.is_light:
-            light = self._target("light", size, "f2")
-            self._draw_picture(light, size, 2.0**view.exposure_ev, (0, 0, *size))
-            self._renderer.finish(view, self._texture("light"), target, size, region=region, display=display)
+            framebuffer, light = self._light.prepare(size, "f2")
+            self._draw_picture(framebuffer, size, 2.0**view.exposure_ev, (0, 0, *size))
+            self._renderer.finish(view, light, target, size, region=region, display=display)
         elif (display or self._renderer.screen).space is SRGB_SPACE:
             self._draw_picture(target, size, 1.0, region)
         else:
             # Its colours, and not its codes, are what another screen is to show: through no curve, without marks.
-            light = self._target("light", size, "f2")
-            self._draw_picture(light, size, 1.0, (0, 0, *size), decoded=True)
+            framebuffer, light = self._light.prepare(size, "f2")
+            self._draw_picture(framebuffer, size, 1.0, (0, 0, *size), decoded=True)
             plain = replace(
                 view, exposure_ev=0.0, tone_curve="linear", clipping_marks=False, gamut_marks=False
             )
-            self._renderer.finish(plain, self._texture("light"), target, size, region=region, display=display)
+            self._renderer.finish(plain, light, target, size, region=region, display=display)
 
     def _draw_side_by_side(self, view: View, target: moderngl.Framebuffer, size: Size, samples: int) -> None:
         left, right = sides(size)
         self._draw_first(view, target, (left[2], left[3]), samples)
         half = (right[2], right[3])
-        made = self._target("side", half, "f1")
+        made, texture = self._side.prepare(half)
         self._draw_second(view, made, half, samples, (0, 0, *half))
         program, screen = self._program("picture.frag.glsl")
         target.use()
         self._context.viewport = right
         self._context.enable_only(moderngl.NOTHING)
         assign(program, _placed(half, (right[0], right[1]), 1.0))
-        texture = self._texture("side")
         texture.filter = (moderngl.NEAREST, moderngl.NEAREST)
         texture.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
-
-    def _draw_difference(self, view: View, target: moderngl.Framebuffer, size: Size, samples: int) -> None:
-        self._bring_both(view, size, samples)
-        self._compare(view, target, size, numbers=False)
 
     def compares_light(self, view: View) -> bool:
         """Whether the difference is of light; a picture that has a tone curve of its own can be compared only so."""
@@ -196,7 +190,7 @@ class ComparisonRenderer:
         """Draw both pictures to textures, without a scale: as light, or as shown."""
         light = self.compares_light(view)
         kind = "f2" if light else "f1"
-        first, second = self._target(_FIRST, size, kind), self._target(_SECOND, size, kind)
+        first, second = self._first.prepare(size, kind)[0], self._second.prepare(size, kind)[0]
         if not light:
             # In sRGB, which the difference decodes, whatever the monitor is; marks are no part of the colours.
             view = replace(view, clipping_marks=False, gamut_marks=False)
@@ -213,10 +207,7 @@ class ComparisonRenderer:
         light = self.compares_light(view)
         to_relative = _WORKING_TO_RELATIVE if light else _WORKING_TO_RELATIVE @ REC709_TO_WORKING
         program, screen = self._program("difference.frag.glsl", numbers=numbers)
-        target.use()
-        self._context.viewport = (0, 0, *size)
-        self._context.scissor = None
-        self._context.enable_only(moderngl.NOTHING)
+        self._objects.bind(target, size)
         assign(
             program,
             {
@@ -229,8 +220,9 @@ class ComparisonRenderer:
                 "scale_colours": [tuple(colour) for colour in scale_table().tolist()],
             },
         )
-        self._texture(_FIRST).use(0)
-        self._texture(_SECOND).use(1)
+        kind = "f2" if light else "f1"
+        for unit, compared in enumerate((self._first, self._second)):
+            compared.prepare(size, kind)[1].use(unit)
         screen.render(moderngl.TRIANGLES, vertices=3)
 
     def _draw_picture(
@@ -250,41 +242,17 @@ class ComparisonRenderer:
         texture.filter = (filtering, filtering)
         texture.repeat_x = texture.repeat_y = False
         program, screen = self._program("picture.frag.glsl", decoded=decoded)
-        target.use()
-        self._context.viewport = (0, 0, *size)
-        self._context.scissor = region
-        self._context.enable_only(moderngl.NOTHING)
+        self._objects.bind(target, size, region)
         to_working = {"to_working": tuple(REC709_TO_WORKING.T.ravel().tolist())}
         assign(program, _placed(size, (0, 0), gain) | to_working)
         texture.use(0)
         screen.render(moderngl.TRIANGLES, vertices=3)
         self._context.scissor = None
 
-    def _target(self, name: str, size: Size, dtype: str) -> moderngl.Framebuffer:
-        known = self._targets.get(name)
-        if known is not None and known[0] == (size, dtype):
-            return known[2]
-        if known is not None:
-            self._objects.release(known[2])
-            self._objects.release(known[1])
-        texture = self._objects.texture(size, dtype)
-        framebuffer = self._objects.framebuffer(texture)
-        self._targets[name] = ((size, dtype), texture, framebuffer)
-        return framebuffer
-
-    def _texture(self, name: str) -> moderngl.Texture:
-        return self._targets[name][1]
-
-    def _program(
-        self, fragment: str, *, numbers: bool = False, decoded: bool = False
-    ) -> tuple[moderngl.Program, moderngl.VertexArray]:
-        key = f"{fragment} {numbers} {decoded}"
-        if key not in self._programs:
-            asked = {"AS_NUMBERS": numbers, "AS_LIGHT": decoded}
-            words = {"SCALE_STEPS": str(STEPS)} | {word: "1" for word, wanted in asked.items() if wanted}
-            program = self._objects.program(compose("screen.vert.glsl"), compose(fragment, words))
-            self._programs[key] = (program, self._objects.vertex_array(program))
-        return self._programs[key]
+    def _program(self, fragment: str, *, numbers: bool = False, decoded: bool = False) -> ScreenProgram:
+        asked = {"AS_NUMBERS": numbers, "AS_LIGHT": decoded}
+        words = {"SCALE_STEPS": str(STEPS)} | {word: "1" for word, wanted in asked.items() if wanted}
+        return self._objects.screen(fragment, words)
 
 
 def divider_px(share: float, width: int) -> int:

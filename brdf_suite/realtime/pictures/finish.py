@@ -8,8 +8,8 @@ import moderngl
 import numpy as np
 
 from brdf_suite.documents.view import View
-from brdf_suite.realtime.gl.objects import GpuObjects
-from brdf_suite.realtime.gl.programs import Programs, ScreenProgram, assign
+from brdf_suite.realtime.gl.objects import GpuObjects, ScreenProgram
+from brdf_suite.realtime.gl.programs import CAPTURED, assign
 from brdf_suite.realtime.pictures.display import Display, Unshowable
 from brdf_suite.realtime.pictures.tone_curves import TONE_CURVE_NUMBERS
 
@@ -20,9 +20,8 @@ _COUNTED = ("pixels", "too_bright", "too_colourful")
 class FinishPass:
     """Pass of finish.frag.glsl; keeps the screen's code table while the screen stays the same."""
 
-    def __init__(self, objects: GpuObjects, programs: Programs) -> None:
+    def __init__(self, objects: GpuObjects) -> None:
         self._objects = objects
-        self._programs = programs
         self._codes: moderngl.Texture | None = None
         self._codes_of: object = None
         self._query: Any = None
@@ -37,34 +36,32 @@ class FinishPass:
         transparent: bool = False,
     ) -> None:
         """Finish into the bound framebuffer; ``corner`` is its lower left pixel in the whole picture."""
-        program, screen = self._programs.finish(light.samples)
+        program, screen = self.program(view, display, light.samples, transparent=transparent)
+        assign(program, {"frame": (*corner, 0.0, 0.0)})
+        light.use(_LIGHT_UNIT)
+        screen.render(moderngl.TRIANGLES, vertices=3)
+
+    def program(
+        self, view: View, display: Display, samples: int, *, captured: bool = False, transparent: bool = False
+    ) -> ScreenProgram:
+        """Return the program that takes ``samples`` to the screen, ready but for the light and the frame's corner.
+
+        ``captured``: the samples are those of a list that was shaded apart (samples.glsl).
+        """
+        words = {"SAMPLES": str(samples)} | ({CAPTURED: "1"} if captured else {})
+        program, screen = self._objects.screen("finish.frag.glsl", words)
         values = {
-            "frame": (*corner, 0.0, 0.0),
             "exposure": 2.0**view.exposure_ev,
             "as_radiance": display.linear,
             "dithered": display.dithered,
             "transparent": transparent,
         }
         assign(program, values | self._display_uniforms(view, display))
-        light.use(_LIGHT_UNIT)
-        screen.render(moderngl.TRIANGLES, vertices=3)
-
-    def captured(self, view: View, display: Display, samples: int) -> ScreenProgram:
-        """Return the program that finishes pictures out of a shaded list
-        (:mod:`brdf_suite.realtime.pictures.captured`), ready but for the list."""
-        program, screen = self._programs.finish(samples, captured=True)
-        values = {
-            "exposure": 2.0**view.exposure_ev,
-            "as_radiance": display.linear,
-            "dithered": display.dithered,
-            "transparent": False,
-        }
-        assign(program, values | self._display_uniforms(view, display))
         return program, screen
 
     def count(self, light: moderngl.Texture, view: View, display: Display) -> Unshowable:
         """Count the object's pixels that ``display`` cannot show, by occlusion queries into the bound framebuffer."""
-        program, screen = self._programs.count(light.samples)
+        program, screen = self._objects.screen("count.frag.glsl", {"SAMPLES": str(light.samples)})
         assign(program, self._display_uniforms(view, display))
         light.use(_LIGHT_UNIT)
         if self._query is None:
@@ -94,8 +91,7 @@ class FinishPass:
         if table is None:
             return 0
         if self._codes_of is not display.space or self._codes is None:
-            if self._codes is not None:
-                self._objects.release(self._codes)
+            self._objects.release(self._codes)
             self._codes = self._objects.texture((len(table), 1), "f4")
             self._codes.write(np.concatenate([table, np.ones((len(table), 1), np.float32)], axis=1).tobytes())
             self._objects.counters.texture_uploads += 1

@@ -18,6 +18,7 @@ from brdf_suite.realtime.environment.textures import RAMP_UNIT, EnvironmentTextu
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import GpuObjects
 from brdf_suite.realtime.gl.programs import (
+    CAPTURED,
     KEEPING,
     KEPT_UNIT,
     MATERIAL_BINDING,
@@ -52,7 +53,7 @@ class KeptLight:
         size: tuple[int, int],
     ) -> None:
         self._objects, self._programs, self._environment = objects, programs, environment
-        self._features = features | {KEEPING}
+        self._features = features | {KEEPING, CAPTURED}
         self._width, self._rows = size
         # The light's colour and the exposure are the paint's to take: once, and of the sum.
         self._common = {
@@ -129,7 +130,7 @@ class KeptLight:
             buffer.write(block.tobytes())
             framebuffer.use()
             self._objects.context.viewport = (0, layer * self._rows, self._width, self._rows)
-            program, screen = self._programs.captured(LookUps(1, 1), self._features)
+            program, screen = self._programs.without_mesh(LookUps(1, 1), self._features)
             assign(program, self._common | {"first_row": layer * self._rows})
             assign(program, self._environment.use_sharp(sharp))
             ramp.use(RAMP_UNIT)

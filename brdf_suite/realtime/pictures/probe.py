@@ -1,4 +1,4 @@
-"""Probe of one pixel of the picture: its radiance, and the surface point in it.
+"""Geometry of a picture, and the probe of one pixel: its radiance, and the surface point in it.
 
 A tile of two by two pixels is drawn again, with the samples and derivatives of the whole picture, so that no frame
 has to be kept, nor read, as a whole.
@@ -8,22 +8,80 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.camera import crop
 from brdf_suite.realtime.gl.context import graphics_errors
-from brdf_suite.realtime.gl.programs import assign
+from brdf_suite.realtime.gl.objects import Size, Target
+from brdf_suite.realtime.gl.programs import assign, columns
 from brdf_suite.realtime.gl.shader_source import compose
-from brdf_suite.realtime.pictures.offscreen import Size, check_size
+from brdf_suite.realtime.pictures.light_pass import AS_THEY_ARE, check_size
 from brdf_suite.realtime.pictures.renderer import Renderer
 
+
+@dataclass(frozen=True, eq=False)
+class GeometryPicture:
+    """Surface positions and normals at pixel centres, top row first.
+
+    ``positions`` and ``normals`` (h, w, 3): world metres, and unit vectors on the side that is seen, as the shaders
+    have them; ``parts`` (h, w): number of the mesh's part, -1 past the surface. ``eye`` (3,): the camera.
+    """
+
+    positions: Singles
+    normals: Singles
+    parts: NDArray[np.int64]
+    eye: NDArray[np.float64]
+
+
+def geometry_picture(renderer: Renderer, view: View, size: Size) -> GeometryPicture:
+    """Draw the renderer's mesh as ``view`` sees it and return its geometry; errors as of the renderer."""
+    width, height = check_size(size)
+    objects, mesh = renderer.objects, renderer.mesh
+    camera = renderer.camera_matrices(view, (width, height))
+    with graphics_errors(renderer.context, "reading the geometry of a picture"):
+        program = objects.program(compose("mesh.vert.glsl"), compose("probe.frag.glsl"))
+        target = Target(objects, has_depth=True)
+        framebuffer, _ = target.prepare((width, height), "f4")
+        places, normals = _draw_geometry(renderer, program, framebuffer, camera.world_to_clip, camera.eye)
+        target.release()
+        mesh.forget(program)
+        objects.release(program)
+    return GeometryPicture(
+        places[..., :3].copy(),
+        normals[..., :3].copy(),
+        np.rint(places[..., 3]).astype(np.int64) - 1,
+        camera.eye,
+    )
+
+
+def _draw_geometry(
+    renderer: Renderer,
+    program: moderngl.Program,
+    framebuffer: moderngl.Framebuffer,
+    world_to_clip: Floats,
+    eye: Floats,
+) -> tuple[Singles, Singles]:
+    """Return (h, w, 4) each, top row first: position and part from 1, normal; 0 past the surface."""
+    width, height = framebuffer.size
+    assign(program, {"world_to_clip": columns(world_to_clip), "eye": tuple(eye.tolist())})
+    renderer.objects.bind(framebuffer, (width, height), depth=True)
+    found = []
+    for as_normal in (False, True):
+        framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
+        for part, array in enumerate(renderer.mesh.arrays(program)):
+            assign(program, {"part": part, "as_normal": as_normal})
+            array.render(moderngl.TRIANGLES)
+        read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
+        found.append(read.reshape(height, width, 4)[::-1])
+    return found[0], found[1]
+
+
 _TILE = (2, 2)
-_AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
 Vector = tuple[float, float, float]
 
 
@@ -74,7 +132,7 @@ class PixelProbe:
         self._renderer = renderer
         self._objects = renderer.objects
         self._program: moderngl.Program | None = None
-        self._made: tuple[moderngl.Framebuffer, ...] = ()
+        self._target = Target(self._objects, has_depth=True)
 
     def at(
         self,
@@ -82,7 +140,7 @@ class PixelProbe:
         size: Size,
         pixel: tuple[int, int],
         *,
-        materials: Mapping[str, str] = _AS_THEY_ARE,
+        materials: Mapping[str, str] = AS_THEY_ARE,
     ) -> RadianceProbe:
         """Return what the pixel (column, row from the top) of a picture of ``size`` shows."""
         width, height = check_size(size)
@@ -119,34 +177,13 @@ class PixelProbe:
         self, view: View, size: Size, corner: tuple[int, int]
     ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Return two tiles (2, 2, 4), top row first: position and part from 1, normal; 0 past the surface."""
-        context, mesh = self._renderer.context, self._renderer.mesh
         if self._program is None:
             self._program = self._objects.program(compose("mesh.vert.glsl"), compose("probe.frag.glsl"))
-            depth = self._objects.depth(_TILE, 0)
-            texture = self._objects.texture(_TILE, "f4")
-            self._made = (self._objects.framebuffer(texture, depth),)
-        (framebuffer,) = self._made
         camera = self._renderer.camera_matrices(view, size)
         cropped = crop(size, corner, _TILE) @ camera.world_to_clip
-        assign(
-            self._program,
-            {"world_to_clip": tuple(cropped.T.ravel().tolist()), "eye": tuple(camera.eye.tolist())},
-        )
-        found = []
-        with graphics_errors(context, "looking for the surface under the cursor"):
-            framebuffer.use()
-            context.viewport = (0, 0, *_TILE)
-            context.scissor = None
-            context.enable_only(moderngl.DEPTH_TEST)
-            context.depth_func = "<="
-            for as_normal in (False, True):
-                framebuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
-                for part, array in enumerate(mesh.arrays(self._program)):
-                    assign(self._program, {"part": part, "as_normal": as_normal})
-                    array.render(moderngl.TRIANGLES)
-                read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
-                found.append(read.reshape(2, 2, 4)[::-1])
-        return found[0], found[1]
+        with graphics_errors(self._renderer.context, "looking for the surface under the cursor"):
+            framebuffer, _ = self._target.prepare(_TILE, "f4")
+            return _draw_geometry(self._renderer, self._program, framebuffer, cropped, camera.eye)
 
 
 def angle_deg(first: Vector | NDArray[np.float64], second: Vector | NDArray[np.float64]) -> float:

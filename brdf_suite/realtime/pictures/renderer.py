@@ -14,7 +14,7 @@ framebuffer, a widget's or its own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,44 +22,38 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
-from brdf_suite.errors import GraphicsError
-from brdf_suite.realtime.camera import Bounds, CameraMatrices, crop, matrices
-from brdf_suite.realtime.environment.backdrop import backdrop
-from brdf_suite.realtime.environment.ground import GroundShadow
-from brdf_suite.realtime.environment.textures import RAMP_UNIT, EnvironmentTextures
-from brdf_suite.realtime.factors.ball import ReflectanceBalls
-from brdf_suite.realtime.factors.textures import FactorTextures
+from brdf_suite.errors import ValueRangeError
+from brdf_suite.realtime.camera import Bounds, CameraMatrices, matrices
+from brdf_suite.realtime.environment.textures import EnvironmentTextures
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.mesh_buffers import MeshBuffers
-from brdf_suite.realtime.gl.objects import Counters, GpuObjects
-from brdf_suite.realtime.gl.programs import MATERIAL_BINDING, PAINTS, Features, LookUps, Programs, assign
-from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
-from brdf_suite.realtime.gl.view_uniforms import columns, surface_features, view_uniforms
+from brdf_suite.realtime.gl.objects import Counters, GpuObjects, Size, Target
+from brdf_suite.realtime.gl.programs import (
+    Programs,
+    surface_features,
+)
 from brdf_suite.realtime.lights.single_lights import FindLights, SingleLights, no_lights
-from brdf_suite.realtime.material.material_set import MaterialSet, Modes
-from brdf_suite.realtime.pictures.captured import DrawContext
-from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
+from brdf_suite.realtime.material.material_set import MaterialSet
+from brdf_suite.realtime.pictures.captured import LARGEST_EDGE, CapturedForm, DrawContext, capture
+from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
 from brdf_suite.realtime.pictures.finish import FinishPass
-from brdf_suite.realtime.pictures.offscreen import (
+from brdf_suite.realtime.pictures.light_pass import (
     AS_THEY_ARE,
     DEFAULT_SAMPLES,
     PAINT,
-    SECOND_PAINT,
     Corner,
-    OffscreenPictures,
+    LightPass,
     Region,
-    Size,
     check_size,
 )
-from brdf_suite.realtime.relief.textures import ReliefTextures
+from brdf_suite.realtime.pictures.strips import LARGEST_TILE, draw_strips, tile_limit
 from brdf_suite.realtime.relief.values import PeelTile
 from brdf_suite.realtime.values import EnvironmentMaps, GroundField, MaterialWeights, MeshPart
 
 
-class Renderer(OffscreenPictures):
+class Renderer:
     """All state of one OpenGL context; every call must come with that context current, from one thread.
 
     ``surface_shader`` is a fragment shader file to draw surfaces with instead of ours: for measurements. ``screen`` is
@@ -79,31 +73,26 @@ class Renderer(OffscreenPictures):
         make_peel: Callable[[], PeelTile] | None = None,
     ) -> None:
         self.context = context
-        self.objects = GpuObjects(context)
-        self._programs = Programs(self.objects, surface_shader)
-        self._environment = EnvironmentTextures(self.objects)
-        self.mesh = MeshBuffers(self.objects)
-        self._materials = MaterialSet(self.objects)
-        self._single_lights = SingleLights(self.objects)
-        self._light = LightTarget(self.objects)
-        self._tile = LightTarget(self.objects)
-        self._picture = PictureTarget(self.objects)
-        self._finish = FinishPass(self.objects, self._programs)
-        self.screen: Display = SRGB
-        self._ground = GroundShadow(self.objects)
-        self.relief = ReliefTextures(self.objects, make_peel)
-        self.factors = FactorTextures(self.objects)
+        self.objects = objects = GpuObjects(context)
+        self.mesh = MeshBuffers(objects)
+        self._environment, self._materials = EnvironmentTextures(objects), MaterialSet(objects)
+        self._single_lights, self._finish = SingleLights(objects), FinishPass(objects)
         self._drawing = DrawContext(
-            self.objects,
-            self._programs,
+            objects,
+            Programs(objects, surface_shader),
             self._environment,
             self.mesh,
             self._materials,
             self._single_lights,
             self._finish,
         )
-        self.balls = ReflectanceBalls(self._drawing, self.factors)
-        self._warm: tuple[int, int, Features] | None = None
+        self._first_pass = LightPass(self._drawing, make_peel)
+        self.relief, self.factors = self._first_pass.relief, self._first_pass.factors
+        self.balls = self._first_pass.balls
+        self.draw_backdrop = self._first_pass.draw_backdrop
+        self._light, self._tile = Target(objects, has_depth=True), Target(objects, has_depth=True)
+        self._picture = Target(objects)
+        self.screen: Display = SRGB
 
     @property
     def counters(self) -> Counters:
@@ -132,14 +121,14 @@ class Renderer(OffscreenPictures):
 
     def set_ground(self, field: GroundField | None) -> None:
         """Replace the ground that a view may ask for; None: there is none."""
-        self._ground.set_field(field)
+        self._first_pass.ground.set_field(field)
 
     def set_environment(self, maps: EnvironmentMaps, find_lights: FindLights = no_lights) -> None:
         """Replace the light. Materials must then have the same exponents; stock ones follow by themselves.
 
         ``find_lights`` returns those of its lights in which single flakes glint.
         """
-        self._ground.set_environment(maps.background)
+        self._first_pass.ground.set_environment(maps.background)
         self._environment.load(maps)
         self._materials.set_exponents(maps.exponents)
         self._single_lights.set_environment(find_lights, maps.exponents)
@@ -192,10 +181,10 @@ class Renderer(OffscreenPictures):
         with graphics_errors(self.context, "drawing a frame"):
             if isinstance(framebuffer, int):
                 framebuffer = self.context.detect_framebuffer(framebuffer)
-            light = self._draw_light(
+            light = self._first_pass.draw(
                 view, self._light, size, samples, size, materials=materials, region=region
             )
-            self._bind(framebuffer, size, region)
+            self.objects.bind(framebuffer, size, region)
             self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
@@ -211,200 +200,132 @@ class Renderer(OffscreenPictures):
     ) -> None:
         """Finish ``light``, exposed radiance of any number of samples, as :meth:`render` finishes its own."""
         with graphics_errors(self.context, "finishing a picture"):
-            self._bind(framebuffer, check_size(size), region)
+            self.objects.bind(framebuffer, check_size(size), region)
             self._finish.draw(light, view, display or self.screen)
             self.context.scissor = None
 
-    def draw_backdrop(
+    def count_unshowable(self, view: View, size: Size, display: Display = SRGB) -> Unshowable:
+        """Count the object's pixels that a screen cannot show, in a picture of ``size``, one sample a pixel.
+
+        A size beyond the GPU's limits is counted in a picture that is as much smaller.
+        """
+        width, height = check_size(size)
+        scale = min(1.0, tile_limit(self.context, LARGEST_TILE) / max(width, height))
+        size = (max(1, int(width * scale)), max(1, int(height * scale)))
+        with graphics_errors(self.context, "counting pixels"):
+            light = self._first_pass.draw(view, self._tile, size, 1, size)
+            self.objects.bind(self._picture.prepare(size)[0], size)
+            return self._finish.count(light, view, display)
+
+    def render_image(
         self,
         view: View,
-        target: LightTarget,
         size: Size,
-        region: Region | None = None,
+        samples: int = DEFAULT_SAMPLES,
         *,
-        grounded: bool = True,
-    ) -> moderngl.Texture:
-        """Draw what is seen past the surface, ``grounded`` with the shadow there, and leave ``target`` bound.
+        display: Display = SRGB,
+        transparent: bool = False,
+        largest_tile: int = LARGEST_TILE,
+    ) -> NDArray[Any]:
+        """Return a picture of any size, top row first, as :meth:`strips` gives it: (h, w, 3) uint8 sRGB by default."""
+        strips = self.strips(
+            view, size, samples, display=display, transparent=transparent, largest_tile=largest_tile
+        )
+        return np.concatenate(list(strips))
 
-        Return its exposed light, one sample a pixel and without any object, for another's light to be laid over.
+    def linear_image(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> NDArray[Any]:
+        """Return radiance of the working space and the object's share of each pixel, (h, w, 4) float32."""
+        return self.render_image(view, size, samples, display=LINEAR)
+
+    def capture(self, view: View, size: Size, samples: int = DEFAULT_SAMPLES) -> CapturedForm:
+        """Return the mesh as this view shows it, to be shaded with many paints at little cost each.
+
+        Its pictures are those of :meth:`render_image` at the same size. It is sound until mesh or light change, and
+        the caller releases it.
+
+        Raises
+        ------
+        ValueRangeError
+            The picture is larger than 512 pixels, or the view has what belongs to one paint's picture: lamps, a
+            normal map, orange peel, a second paint.
         """
-        if not self._environment.exponents:
-            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
-        camera = matrices(view.camera, self.bounds, size)
-        framebuffer, light = target.prepare(size, 0)
-        framebuffer.use()
-        self.context.viewport = (0, 0, *size)
-        self.context.scissor = region
-        self.context.enable_only(moderngl.DEPTH_TEST)
-        self.context.depth_func = "<="
-        self._environment.bind()
-        framebuffer.clear(depth=1.0)
-        self._draw_background(view, camera, size, (0, 0))
-        if grounded:
-            self._draw_ground(view, camera, crop(size, (0, 0), size))
-        return light
+        size = check_size(size)
+        if max(size) > LARGEST_EDGE:
+            raise ValueRangeError("size", f"at most {LARGEST_EDGE} pixels along an edge are captured")
+        if view.lamps or view.relief.normal_map is not None or view.relief.orange_peel > 0.0:
+            raise ValueRangeError(
+                "view", "lamps and relief are not captured; draw such a view paint by paint"
+            )
+        if view.two_tone.mask is not None and view.two_tone.paint is not None:
+            raise ValueRangeError("view", "two paints on one form are not captured")
+        with graphics_errors(self.context, "capturing a form"):
+            light = self._first_pass.draw(view, self._tile, size, min(samples, 4), size)
+            features = surface_features(
+                view, knows_light=self._drawing.mesh.knows_light, smooth=light.samples > 1
+            )
+            drawn = self._first_pass.drawn_parts(view, features)
+            parts = [(part, name == PAINT) for part, name, _ in drawn]
+            return capture(self._drawing, view, size, features, parts, light)
+
+    def linear_tile(
+        self,
+        view: View,
+        size: Size,
+        corner: Corner,
+        tile: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        materials: Mapping[str, str] = AS_THEY_ARE,
+    ) -> NDArray[np.float32]:
+        """Return a small part of :meth:`linear_image`, with the very samples that :meth:`render` takes there.
+
+        ``corner`` is the part's lower left pixel, counted from the lower left, even for equal derivatives.
+        """
+        with graphics_errors(self.context, "reading a pixel"):
+            light = self._first_pass.draw(view, self._tile, tile, samples, size, corner, materials=materials)
+            framebuffer, _ = self._picture.prepare(tile, "f4")
+            self.objects.bind(framebuffer, tile)
+            self._finish.draw(light, view, LINEAR, corner)
+            read = np.frombuffer(framebuffer.read(components=4, dtype="f4"), np.float32)
+        return read.reshape(tile[1], tile[0], 4)[::-1].copy()
+
+    def strips(
+        self,
+        view: View,
+        size: Size,
+        samples: int = DEFAULT_SAMPLES,
+        *,
+        display: Display = SRGB,
+        transparent: bool = False,
+        largest_tile: int = LARGEST_TILE,
+    ) -> Iterator[NDArray[Any]]:
+        """Draw a picture of any size in tiles and yield it in strips, from the top: memory is that of one strip.
+
+        The scene must not change in between. A strip is (rows, w, channels): uint8 where ``display`` is dithered,
+        otherwise uint16; three channels, or four with ``transparent``, which leaves the background out and gives
+        the object's share of the pixel as alpha, not multiplied in. ``LINEAR`` gives float32 and always four: with
+        ``transparent`` the radiance of the object alone, multiplied by its share.
+        """
+        size = check_size(size)
+        dtype = "f4" if display.linear else "f2"
+
+        def draw(framebuffer: moderngl.Framebuffer, tile: Size, corner: Corner) -> None:
+            with graphics_errors(self.context, "drawing a picture"):
+                light = self._first_pass.draw(
+                    view, self._tile, tile, samples, size, corner, dtype=dtype, transparent=transparent
+                )
+                self.objects.bind(framebuffer, tile)
+                self._finish.draw(light, view, display, corner, transparent=transparent)
+
+        channels = 4 if transparent or display.linear else 3
+        limit = tile_limit(self.context, largest_tile)
+        return draw_strips(draw, self._picture, size, limit, display, channels)
 
     def count_in(self, light: moderngl.Texture, view: View, size: Size, display: Display) -> Unshowable:
         """Count the pixels of ``light``, exposed radiance of a picture of ``size``, that a screen cannot show."""
-        self._bind(self._picture.prepare(size), size)
+        self.objects.bind(self._picture.prepare(size)[0], size)
         return self._finish.count(light, view, display)
 
     def release(self) -> None:
         """Give every OpenGL object back; the renderer cannot be used after."""
         self.objects.release_all()
-
-    def _draw_light(
-        self,
-        view: View,
-        target: LightTarget,
-        tile: Size,
-        samples: int,
-        size: Size,
-        corner: Corner = (0, 0),
-        *,
-        materials: Mapping[str, str] = AS_THEY_ARE,
-        region: Region | None = None,
-        dtype: str = "f2",
-        transparent: bool = False,
-    ) -> moderngl.Texture:
-        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
-        if not self._environment.exponents:
-            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
-        samples = min(samples, self.context.max_samples)
-        # Graphics cards have powers of two of them.
-        samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
-        camera = matrices(view.camera, self.bounds, size)
-        self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
-        framebuffer, light = target.prepare(tile, samples, dtype)
-        framebuffer.use()
-        self.context.viewport = (0, 0, *tile)
-        self.context.scissor = region
-        self.context.enable_only(moderngl.DEPTH_TEST)
-        self.context.depth_func = "<="
-        self._environment.bind()
-        features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
-        features |= self._single_lights.features(view)
-        if self._environment.is_dark or view.light_colour.brightness == 0.0:
-            features |= {"DARK"}
-        self._warm_up(samples, features)
-        framebuffer.clear(depth=1.0)
-        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
-        if not transparent:
-            self._draw_background(view, camera, size, corner)
-            self._draw_ground(view, camera, crop(size, corner, tile))
-        return light
-
-    def _draw_mesh(
-        self,
-        view: View,
-        features: Features,
-        camera: CameraMatrices,
-        cropping: NDArray[np.float64],
-        materials: Mapping[str, str],
-    ) -> None:
-        common = (
-            self._environment.uniforms()
-            | view_uniforms(view)
-            | {
-                "world_to_clip": columns(cropping @ camera.world_to_clip),
-                "eye": tuple(camera.eye),
-                "grounded": view.surface_look.ground,
-            }
-        )
-        ready: set[tuple[LookUps, Features]] = set()
-        lit = bool(self._single_lights.features(view))
-        if lit:
-            self._single_lights.bind(view)
-        modes = Modes(view.fresnel, view.look_up)
-        drawn = self._drawn_parts(view, features)
-        self.context.front_face, self.context.cull_face = "ccw", "back"
-        common |= self.relief.bind(view, self.bounds)
-        for part, name, words in drawn:
-            name = materials.get(name, name)
-            if view.lamps:
-                words |= self.balls.words(view, name) or self.factors.features(
-                    name, has_uv=self.mesh.has_uv[part]
-                )
-            material = self._materials.find(name, modes, self._environment.ladder)
-            program = self._programs.surface(material.look_ups, words)
-            if (material.look_ups, words) not in ready:
-                assign(program, common)
-                ready.add((material.look_ups, words))
-            assign(program, self._environment.use_sharp(material.sharp))
-            if "COAT_RELIEF" in words:
-                assign(program, self.relief.peel_uniforms(view, name))
-            assign(program, self.balls.uniforms(name, words, camera))
-            if lit:
-                assign(program, self._single_lights.uniforms(name, view, has_uv=self.mesh.has_uv[part]))
-            material.ramp.use(RAMP_UNIT)
-            material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
-            # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
-            solid = camera.outside and self.mesh.closed[part]
-            self.context.enable_only(
-                moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
-            )
-            _blend_over(self.context, "SECOND_PAINT" in words)
-            self.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
-        self.context.enable_only(moderngl.DEPTH_TEST)
-        _blend_over(self.context, False)
-
-    def _drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
-        """Return what is drawn in order: a part's number, its material, and the features of its program.
-
-        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
-        """
-        chosen = {item.part: item.material for item in view.surface_look.materials}
-        owned = zip(self.mesh.names, self.mesh.materials, strict=True)
-        names = [chosen.get(part, own) for part, own in owned]
-        painted = features | self.relief.features(view)
-        drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
-        if self.relief.has_second_paint(view):
-            over = painted | {"SECOND_PAINT"}
-            drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
-        return drawn
-
-    def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
-        """Darken the background by the shadow on the ground, which is visible from above only."""
-        height = self._ground.height
-        if view.surface_look.ground and height is not None and camera.eye[1] > height:
-            self._ground.draw(
-                columns(cropping @ camera.world_to_clip),
-                float(np.radians(view.rotation_deg)),
-                environment_matrix(view.light_colour),
-            )
-
-    def _warm_up(self, samples: int, features: Features) -> None:
-        """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
-        key = (samples, self.mesh.generation, features)
-        if self._warm == key or self.only_needed or not self.mesh.materials:
-            return
-        material = self._materials.find("neutral", Modes(), self._environment.ladder)
-        material.ramp.use(RAMP_UNIT)
-        material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
-        for look_ups in PAINTS:
-            program = self._programs.surface(look_ups, features)
-            assign(program, self._environment.uniforms() | self._environment.use_sharp(()))
-            self.mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
-        self._warm = key
-
-    def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
-        program, screen = self._programs.background()
-        own = {
-            "view_to_world": columns(camera.view_to_world),
-            "half_tangents": camera.half_tangents,
-            "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
-            **backdrop(view, self._environment.ladder),
-        }
-        assign(program, self._environment.uniforms() | view_uniforms(view) | own)
-        screen.render(moderngl.TRIANGLES, vertices=3)
-
-
-def _blend_over(context: moderngl.Context, on: bool) -> None:
-    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
-    if not on:
-        context.disable(moderngl.BLEND)
-        return
-    context.enable(moderngl.BLEND)
-    # moderngl's types know two factors; four set those of alpha apart.
-    factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
-    context.blend_func = factors

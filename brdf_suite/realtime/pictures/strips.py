@@ -9,10 +9,9 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.realtime.gl.target import PictureTarget
+from brdf_suite.realtime.gl.objects import Size, Target
 from brdf_suite.realtime.pictures.display import Display
 
-Size = tuple[int, int]
 DrawTile = Callable[[moderngl.Framebuffer, Size, Size], None]
 """Draws a tile: into which framebuffer, of which size, its lower left pixel in the whole picture."""
 
@@ -32,7 +31,7 @@ def tile_limit(context: moderngl.Context, wanted: int) -> int:
 
 
 def draw_strips(
-    draw: DrawTile, target: PictureTarget, size: Size, limit: int, display: Display, channels: int
+    draw: DrawTile, target: Target, size: Size, limit: int, display: Display, channels: int
 ) -> Iterator[NDArray[Any]]:
     """Yield the strips (rows, w, channels) of a picture from the top, in the type that ``display`` asks for.
 
@@ -50,7 +49,7 @@ def draw_strips(
         strip = np.empty((height, size[0], channels), stored)
         for left in range(0, size[0], limit):
             width = min(limit, size[0] - left)
-            framebuffer = target.prepare(tile, dtype)
+            framebuffer, _ = target.prepare(tile, dtype)
             draw(framebuffer, tile, (left, bottom))
             read = framebuffer.read((0, 0, width, height), channels, dtype=dtype, alignment=1)
             pixels = np.frombuffer(read, stored).reshape(height, width, channels)

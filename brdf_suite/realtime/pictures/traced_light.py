@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError, ValueRangeError
 from brdf_suite.realtime.gl.context import graphics_errors
+from brdf_suite.realtime.gl.objects import Size, Target
 from brdf_suite.realtime.gl.programs import assign
-from brdf_suite.realtime.gl.shader_source import compose
-from brdf_suite.realtime.gl.target import LightTarget, PictureTarget
 from brdf_suite.realtime.pictures.display import LINEAR, SRGB, Display, Unshowable
-from brdf_suite.realtime.pictures.offscreen import Region, Size
+from brdf_suite.realtime.pictures.light_pass import Region
 from brdf_suite.realtime.pictures.renderer import Renderer
 
 _TRACED_UNIT = 0
@@ -34,11 +33,9 @@ class TracedLight:
         self._renderer = renderer
         self._context = renderer.context
         self._objects = renderer.objects
-        self._light = LightTarget(self._objects)
-        self._read = PictureTarget(self._objects)
+        self._light, self._read = Target(self._objects, has_depth=True), Target(self._objects)
         self._texture: moderngl.Texture | None = None
         self._left: moderngl.Texture | None = None
-        self._program: tuple[moderngl.Program, moderngl.VertexArray] | None = None
 
     @property
     def size(self) -> Size | None:
@@ -83,9 +80,8 @@ class TracedLight:
     def _set_left(self, pixels: NDArray[np.float32]) -> None:
         """Upload the transmitted fraction of the background light, where the picture has it per channel."""
         if pixels.shape[2] == 4:
-            if self._left is not None:
-                self._objects.release(self._left)
-                self._left = None
+            self._objects.release(self._left)
+            self._left = None
             return
         if self._left is None:
             self._left = self._objects.texture((pixels.shape[1], pixels.shape[0]), "f2")
@@ -114,7 +110,7 @@ class TracedLight:
         column = min(max(pixel[0], 0), size[0] - 1)
         row = size[1] - 1 - min(max(pixel[1], 0), size[1] - 1)
         region = (column, row, 1, 1)
-        framebuffer = self._read.prepare(size, "f4")
+        framebuffer, _ = self._read.prepare(size, "f4")
         self.render(view, framebuffer, size, region=region, display=LINEAR)
         found: Any = framebuffer.read(viewport=region, components=4, dtype="f4")
         return np.frombuffer(found, np.float32).copy()
@@ -130,7 +126,7 @@ class TracedLight:
             raise AssertionError("a traced picture is drawn in its own size")
         with graphics_errors(self._context, "drawing the traced picture"):
             light = self._renderer.draw_backdrop(view, self._light, size, region, grounded=self._left is None)
-            program, screen = self._screen()
+            program, screen = self._objects.screen("traced.frag.glsl")
             self._context.enable_only(moderngl.BLEND)
             if self._left is None:
                 # The colours are weighted already; coverage adds up as the colours do.
@@ -149,14 +145,7 @@ class TracedLight:
             self._context.scissor = None
         return light
 
-    def _screen(self) -> tuple[moderngl.Program, moderngl.VertexArray]:
-        if self._program is None:
-            program = self._objects.program(compose("screen.vert.glsl"), compose("traced.frag.glsl"))
-            self._program = (program, self._objects.vertex_array(program))
-        return self._program
-
     def _drop(self) -> None:
-        for texture in (self._texture, self._left):
-            if texture is not None:
-                self._objects.release(texture)
+        self._objects.release(self._texture)
+        self._objects.release(self._left)
         self._texture = self._left = None

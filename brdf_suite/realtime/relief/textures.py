@@ -57,7 +57,7 @@ class ReliefTextures:
     def set_peel(self, tile: PeelTile) -> None:
         """Take the tile that every orange peel is drawn with."""
         self._give_back(self._peel)
-        self._peel = None
+        self._peel = None  # also where the graphics card refuses the new one
         self._peel = (self._slopes(tile.slopes), tile.waves)
 
     def set_own_peel(self, material: str, peel: OrangePeel | None) -> None:

@@ -1,7 +1,7 @@
 // Provides: vec3 factored_radiance(SurfacePoint p): what the lamps make a factored material reflect
 // Needs:    surface_point.glsl, lights.glsl, material.glsl, tangent_frame.glsl; FACTORS_COATED below a clearcoat;
 // FACTOR_TERMS, FACTOR_FLAT, FACTOR_CUBES (numbers),           FACTORS_OF_VIEW, FACTORS_OF_LIGHT (written by
-// factors/source.py), FACTOR_FRAME where maps are over directions
+// factors/textures.py), FACTOR_FRAME where maps are over directions
 //
 // McCool, Ang and Ahmad 2001, equation 20, for all lamps in one pass:
 //     Lo = sum over lamps  E N.L f(wo, wi),      f = sum over terms  alpha prod of maps

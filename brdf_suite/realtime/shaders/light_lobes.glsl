@@ -1,5 +1,5 @@
 // Provides: vec4 light_lobe(float part, float chord), vec3 flake_lobe(float chord), LOBE_BASE, LOBE_GLOSS, LOBE_FLAKES
-// Needs:    LIGHT_LOBE_COLUMNS. Written by lights/lobes.py
+// Needs:    LIGHT_LOBE_COLUMNS. Written by lights/block.py
 //
 // A material's lobes as functions of the angle between the mirror direction of a light and the eye, tabulated, so that
 // a light costs one look-up for all of them:

@@ -2,7 +2,7 @@
 //           float widened(float level, float exponent, float spread)
 // Needs:    nothing
 //
-// All broad lobe maps in one texture: octahedral squares, one above the other by rising exponent (lobe_stack.py).
+// All broad lobe maps in one texture: octahedral squares, one above the other by rising exponent (textures.py).
 // level is the third coordinate; between two slices the hardware mixes linearly, so that exponents are continuous.
 // direction: of the environment's own axes (to_environment), of any length.
 #include "octahedral.glsl"

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -17,9 +17,9 @@ from brdf_suite.reference.bsdfs.directions import Colour, Vector, number
 from brdf_suite.reference.bsdfs.terms import Sampler, SumTerm
 from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene.place import Place
-from brdf_suite.reference.scene.relief import (
+from brdf_suite.reference.scene.place import (
     OrangePeelSlopes,
+    Place,
     Slopes,
     TiltedFrame,
     TiltedSampler,
@@ -36,14 +36,6 @@ class LocalBsdf:
 
     samplers: Sequence[Sampler]
     reflected: Callable[[Vector, Vector], Colour]
-
-
-class SpatiallyVaryingBsdf(Protocol):
-    """A spatially varying BSDF."""
-
-    def at(self, place: Place, view: Vector) -> LocalBsdf:
-        """Return the local BSDF at a place that is seen from ``view`` (local, above the horizon)."""
-        ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +89,14 @@ class LayeredPaintBsdf:
             if self.coat is None:
                 below = above
         tilted = self.shape is not None or self.peel is not None
-        flaked = self._flaked(place, below)
+        layer = self.flakes
+        to_flakes = None if layer is None else _frame_of_flakes(place, below)
+
+        def flaked(base: Colour, light: Vector, view: Vector) -> Colour:
+            if layer is None:
+                return base
+            part = layer.visible_part(base, light, view)
+            return base + part * (layer.ratio(place, light, view, to_flakes) - 1.0)
 
         def reflected(light: Vector, view: Vector) -> Colour:
             total = mi.Color3f(0.0)
@@ -114,18 +113,6 @@ class LayeredPaintBsdf:
         if self.coat is not None:
             samplers += [TiltedSampler(sampler, above) for sampler in self.coat.samplers]
         return LocalBsdf(samplers, reflected)
-
-    def _flaked(self, place: Place, below: TiltedFrame) -> Callable[[Colour, Vector, Vector], Colour] | None:
-        layer = self.flakes
-        if layer is None:
-            return None
-        to_flakes = _frame_of_flakes(place, below)
-
-        def flaked(base: Colour, light: Vector, view: Vector) -> Colour:
-            part = layer.visible_part(base, light, view)
-            return base + part * (layer.ratio(place, light, view, to_flakes) - 1.0)
-
-        return flaked
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,13 +9,17 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.reference.bsdfs.aspecular import AspecularBaseTerm, SeveralLightsTerm
-from brdf_suite.reference.bsdfs.coated import SeenThroughTerm, UnderCoat
 from brdf_suite.reference.bsdfs.factored import FactoredTerm
-from brdf_suite.reference.bsdfs.fitted_samplers import fitted_samplers
 from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
-from brdf_suite.reference.bsdfs.measured import MeasuredTerm
-from brdf_suite.reference.bsdfs.table import HalfAngleTable
-from brdf_suite.reference.bsdfs.terms import CoatLobeTerm, FacetLobe, LambertianTerm, SumTerm
+from brdf_suite.reference.bsdfs.table import HalfAngleTable, MeasuredTerm, fitted_samplers
+from brdf_suite.reference.bsdfs.terms import (
+    CoatLobeTerm,
+    FacetLobe,
+    LambertianTerm,
+    SeenThroughTerm,
+    SumTerm,
+    UnderCoat,
+)
 from brdf_suite.reflectance.designed import coat_lobe
 from brdf_suite.reflectance.designed.aspecular_base import AspecularBase, SeveralLights
 from brdf_suite.reflectance.designed.layers import divide_lobes

@@ -23,7 +23,7 @@ from brdf_suite.documents.paint import Flakes
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import GOLDEN, Spot, cell_key, halves, scramble, spot, tint
-from brdf_suite.reference.flakes.texture import texture_ratio
+from brdf_suite.reference.flakes.texture import flakes_seen, seen_ratio
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.place import Place, footprint_of_sample
 from brdf_suite.reflectance.flakes.footprint import FOOTPRINT_END, PIXEL_REACH
@@ -65,7 +65,8 @@ class FlakeLayer:
         slope = slope_between(to_flakes(light), to_flakes(view), self.ior)
         if self.as_texture:
             reach = footprint_of_sample(PIXEL_REACH)
-            found = texture_ratio(place, slope, self.waviness, self.flakes, reach)
+            seen = flakes_seen(self.flakes, place.uv, place.across, place.down, reach)
+            found = seen_ratio(self.flakes, seen, slope, d.number(self.waviness**2))
         else:
             found = FlakeField.of(place, self).ratio(slope)
         return dr.select(place.seen, found, mi.Color3f(1.0))
@@ -151,15 +152,12 @@ class FlakeField:
         total = mi.Color3f(0.0)
         for right, above in product((0.0, 1.0), repeat=2):
             s, t = s0 + right, t0 + above
-            mixed = mi.UInt32(mi.Int32(s)) * mi.UInt32(_ALONG_S) + mi.UInt32(mi.Int32(t)) * mi.UInt32(
-                _ALONG_T
-            )
-            word = scramble(key + mixed)
+            along_s = mi.UInt32(mi.Int32(s)) * mi.UInt32(_ALONG_S)
+            word = scramble(key + along_s + mi.UInt32(mi.Int32(t)) * mi.UInt32(_ALONG_T))
             jitter_s, jitter_t = halves(word)
             beside_s, beside_t = place.x - (s + jitter_s) / per_square, place.y - (t + jitter_t) / per_square
-            bell = dr.square(
-                dr.maximum(1.0 - (beside_s * beside_s + beside_t * beside_t) * level.narrow, 0.0)
-            )
+            apart = beside_s * beside_s + beside_t * beside_t
+            bell = dr.square(dr.maximum(1.0 - apart * level.narrow, 0.0))
             other = scramble(word + mi.UInt32(GOLDEN))
             order = (mi.Float(other & 0xFF) + 0.5) * (1.0 / 256.0)
             area = FLAKE_AREA * dr.square((mi.Float((other >> 8) & 0xFF) + 0.5) * (1.0 / 256.0))

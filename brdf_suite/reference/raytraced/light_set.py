@@ -20,6 +20,7 @@ from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.geometry.directions import about_y, from_horizon
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import direction
 from brdf_suite.lighting.lights.cells import Cells, sum_cells
@@ -52,12 +53,8 @@ class LightSet:
 
     def turned(self, degrees: float) -> LightSet:
         """Return the set with the environment's lights turned about y, counter-clockwise seen from above."""
-        turn = math.radians(degrees)
-        cosine, sine = math.cos(turn), math.sin(turn)
-        matrix = np.array([[cosine, 0.0, sine], [0.0, 1.0, 0.0], [-sine, 0.0, cosine]])
-        of_environment = (self.kinds <= SUN)[:, None]
-        places = np.where(of_environment, self.places @ matrix.T, self.places)
-        return LightSet(places, self.strengths, self.spreads, self.kinds)
+        turned = self.places @ about_y(math.radians(degrees)).T
+        return replace(self, places=np.where((self.kinds <= SUN)[:, None], turned, self.places))
 
     def with_lamps(self, lamps: Sequence[Lamp]) -> LightSet:
         """Return the set with the lamps of a view."""
@@ -89,17 +86,16 @@ class LightSet:
         turns = np.argsort(np.argsort((np.arange(hands) * _GOLDEN) % 1.0))
         place = np.arange(len(each))
         place = turns[place % hands] + hands * (place // hands)
-        found = LightSet(
-            np.tile([0.0, 1.0, 0.0], (rows * hands, 1)),
-            np.zeros((rows * hands, 3)),
-            np.zeros(rows * hands),
-            np.zeros(rows * hands, np.uint32),
+        # The rest of the last row is black.
+        source = np.full(rows * hands, -1)
+        source[place] = each
+        lit = source >= 0
+        return LightSet(
+            np.where(lit[:, None], self.places[source], [0.0, 1.0, 0.0]),
+            np.where(lit[:, None], (self.strengths / cuts[:, None])[source], 0.0),
+            np.where(lit, self.spreads[source], 0.0),
+            np.where(lit, self.kinds[source], 0).astype(np.uint32),
         )
-        found.places[place] = self.places[each]
-        found.strengths[place] = (self.strengths / cuts[:, None])[each]
-        found.spreads[place] = self.spreads[each]
-        found.kinds[place] = self.kinds[each]
-        return found
 
     def draws(self) -> tuple[npt.NDArray[np.uint32], Floats]:
         """Return which lights to draw, (2, K), as often as they have light, and the factors on their strengths, (2, n).
@@ -108,15 +104,18 @@ class LightSet:
         drawn from a row evenly gives the light of all on the average.
         """
         luminous = self.strengths @ LUMINANCE
-        up = np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
+        up = self._height()
         size = 1 << max(10, math.ceil(math.log2(8 * max(len(self), 1))))
         entries, factors = zip(*(_entries(light, size) for light in (luminous, luminous * up)), strict=True)
         return np.stack(entries), np.stack(factors)
 
     def ground_irradiance(self) -> Floats:
         """Return the irradiance (3,) of an open level ground by the environment's lights."""
-        up = np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
-        return np.asarray(up @ self.strengths)
+        return np.asarray(self._height() @ self.strengths)
+
+    def _height(self) -> Floats:
+        """The cosine (n,) of the environment's lights to a level ground, 0 for lamps."""
+        return np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +134,7 @@ class Strata:
 
     def tinted(self, tint: Floats) -> Strata:
         """Return the same strata in another light colour."""
-        return Strata(self.cells, self.labels, tint)
+        return replace(self, tint=tint)
 
     @cached_property
     def _order(self) -> tuple[npt.NDArray[np.intp], Floats, Floats]:
@@ -181,13 +180,9 @@ class Strata:
         towards = direction(np.arccos(np.clip(cosine, -1.0, 1.0)), phi)
         factor = np.divide(luminous, light[found], out=np.zeros(len(found)), where=light[found] > 0.0)
         strengths = self.cells.energy.reshape(-1, 3)[found] * factor[:, None]
-        turn = self.cells.turn
-        cos, sin = math.cos(turn), math.sin(turn)
-        matrix = np.array([[cos, 0.0, sin], [0.0, 1.0, 0.0], [-sin, 0.0, cos]])
+        places = (towards @ about_y(self.cells.turn).T)[order]
         # Each is one direction of its stratum, and together they are as wide as it.
-        return replace(
-            self._set((towards @ matrix.T)[order], strengths[order], order), spreads=np.zeros(len(order))
-        )
+        return replace(self._set(places, strengths[order], order), spreads=np.zeros(len(order)))
 
     @cached_property
     def _suns(self) -> npt.NDArray[np.bool_]:
@@ -236,7 +231,4 @@ def _lamp(lamp: Lamp) -> tuple[Floats, Floats]:
     power = math.pi * lamp.strength * lamp_colour(lamp.temperature_k)
     if lamp.kind == "point":
         return np.array(lamp.position, float), np.asarray(power)
-    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
-    level = math.cos(elevation)
-    towards = np.array([level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth)])
-    return towards, np.asarray(power)
+    return from_horizon(lamp.azimuth_deg, lamp.elevation_deg), np.asarray(power)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from brdf_suite.reference.flakes.cells import scramble
 from brdf_suite.reference.mitsuba_modules import dr, mi
 
 Words = Any  # mi.UInt32
@@ -20,13 +21,6 @@ _ALPHA_2 = (0xC13FA9A9, 0x91E10DA5)
 """1/g and 1/g² of g³ = g + 1, times 2³²."""
 _ALPHA_3 = (0xD1B54A32, 0xABC98388, 0x8CB92BA7)
 """1/g, 1/g², 1/g³ of g⁴ = g + 1, times 2³²."""
-
-
-def scramble(x: Words) -> Words:
-    """Return words of 32 bits, each bit of which hangs on each of ``x``; as ``reflectance.flakes.hashing``."""
-    x = (x ^ (x >> 16)) * mi.UInt32(0x21F0AAAD)
-    x = (x ^ (x >> 15)) * mi.UInt32(0xD35A2D97)
-    return x ^ (x >> 15)
 
 
 def fraction(word: Words) -> Any:

@@ -12,12 +12,10 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.reference.bsdfs import directions as d
-from brdf_suite.reference.bsdfs.coated import UnderCoat
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Square, Vector
 from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
-from brdf_suite.reference.bsdfs.measured import MeasuredTerm
-from brdf_suite.reference.bsdfs.table import HalfAngleTable
-from brdf_suite.reference.bsdfs.terms import CoatLobeTerm, FacetLobe, SumTerm
+from brdf_suite.reference.bsdfs.table import HalfAngleTable, MeasuredTerm
+from brdf_suite.reference.bsdfs.terms import CoatLobeTerm, FacetLobe, SumTerm, UnderCoat, luminance
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.lobes import (
     LARGEST_MIRROR_SLOPE,
@@ -144,7 +142,7 @@ class BroadPart:
         """Return f_r for a light whose directions have ``spread``, radians along an axis."""
         total: Colour = mi.Color3f(0.0)
         for part in self.parts:
-            total += part.lit(light, view, spread) if hasattr(part, "lit") else part.eval(light, view)
+            total += _lit(part, light, view, spread)
         return total
 
 
@@ -161,10 +159,11 @@ class ThroughCoat:
 
     def lit(self, light: Vector, view: Vector, spread: Real) -> Colour:
         """Return f_r for a light whose directions have ``spread``, radians along an axis."""
-        part = (
-            self.part.lit(light, view, spread) if hasattr(self.part, "lit") else self.part.eval(light, view)
-        )
-        return part * self.coated.factor(light, view)
+        return _lit(self.part, light, view, spread) * self.coated.factor(light, view)
+
+
+def _lit(part: Any, light: Vector, view: Vector, spread: Real) -> Colour:
+    return part.lit(light, view, spread) if hasattr(part, "lit") else part.eval(light, view)
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,12 +202,12 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
     if isinstance(term, FacetLobe):
         if term.slope > largest:
             return [WideFacets(term)], []
-        share = 4.0 * term.scale * _luminance(term.ks)
+        share = 4.0 * term.scale * luminance(term.ks)
         return [], [FacetGlint(term, term.slope, share, term.ior)]
     if isinstance(term, UnderCoat):
         broad, narrow = _parts(term.base, largest, tables, mirror)
         seen = [ThroughCoat(term, part) for part in broad]
-        lobes = [_with_term(lobe, ThroughCoat(term, lobe.term)) for lobe in narrow]
+        lobes = [replace(lobe, term=ThroughCoat(term, lobe.term)) for lobe in narrow]
         coat_broad, coat_narrow = _parts(term.coat, largest, tables, mirror)
         return [*seen, *coat_broad], [*lobes, *coat_narrow]
     if isinstance(term, LobeWeightsTerm):
@@ -216,10 +215,6 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
     if isinstance(term, (HalfAngleTable, MeasuredTerm)):
         return split_by_values(term, tables, mirror=mirror)
     return [term], []
-
-
-def _with_term(lobe: Any, term: Any) -> Any:
-    return replace(lobe, term=term)
 
 
 def _of_lobe_weights(term: LobeWeightsTerm, largest: float) -> tuple[list[Any], list[Any]]:
@@ -235,11 +230,6 @@ def _of_lobe_weights(term: LobeWeightsTerm, largest: float) -> tuple[list[Any], 
     for k in used.tolist():
         only = (np.arange(len(term.exponents)) == k)[:, None]
         lobe = PartOfWeights.of(term, 0.0 * term.kd, only)
-        share = _luminance((term.kdd + term.kg)[k]) * 2.0 * math.pi / (float(term.exponents[k]) + 1.0)
+        share = luminance((term.kdd + term.kg)[k]) * 2.0 * math.pi / (float(term.exponents[k]) + 1.0)
         lobes.append(MirrorLobe(lobe, float(term.exponents[k]), share))
     return [broad], lobes
-
-
-def _luminance(colour: Any) -> float:
-    r, g, b = (float(c) for c in colour)
-    return 0.2627 * r + 0.678 * g + 0.0593 * b

@@ -25,11 +25,13 @@ import numpy as np
 
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
+from brdf_suite.reference.flakes.cells import scramble
+from brdf_suite.reference.flakes.texture import FlakesSeen, flakes_seen
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced import flakes as fl
 from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.raytraced.flakes import SparkleField, sparkling
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
-from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel, scramble
+from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import TracedSky
 from brdf_suite.reference.raytraced.surface import Surface, SurfaceHit
@@ -104,7 +106,7 @@ class TracerScene:
     sky: TracedSky
     lights: LightArrays
     height: Real | None
-    sparkle: fl.SparkleField | None
+    sparkle: SparkleField | None
     paint: int
     depth: int = DEFAULT_DEPTH
 
@@ -131,8 +133,12 @@ def trace(
         origin, direction = camera.ray(column, row, in_pixel(k))
         met, on_ground, hit = _meeting(stage, origin, direction, mi.Bool(True), coherent=True)
         seen = _flakes(stage, camera, direction, hit, met)
-        pick = _dealt(deal, k % deal.hands)
-        light, shade = _lit(stage, hit, met, on_ground, pick, deal.lights, seen)
+        hand = k % deal.hands
+
+        def dealt(i: Any, _on_ground: Any) -> tuple[Any, Real]:
+            return hand + i * deal.hands, mi.Float(deal.hands)
+
+        light, shade = _lit(stage, hit, met, on_ground, dealt, deal.lights, seen)
         light = light + _reflected(stage, deal, hit, met, k, turn)
         radiance = radiance + dr.select(met, light, 0.0)
         coverage = coverage + dr.select(met, 1.0, 0.0)
@@ -169,23 +175,18 @@ def _meeting(
 
 def _flakes(
     stage: TracerScene, camera: Pinhole, direction: Vector, hit: SurfaceHit, met: Any
-) -> fl.FlakesSeen | None:
+) -> FlakesSeen | None:
     if stage.sparkle is None:
         return None
     far = dr.norm(hit.place - camera.place)
     across, down = camera.footprint(direction, far, hit.normal)
     painted = met & (stage.surface.material(hit, met) == stage.paint)
     at, per_column, per_row = stage.surface.texture_place(hit, across, down, painted)
-    return fl.flakes_seen(stage.sparkle, at, per_column, per_row)
+    return flakes_seen(stage.sparkle.flakes, at, per_column, per_row)
 
 
 Pick = Callable[[Any, Any], tuple[Any, Real]]
 """From a count to the number of a light, and the factor on its strength; whether for the ground."""
-
-
-def _dealt(deal: SampleBudget, hand: Any) -> Pick:
-    """Return the lights of one of p samples, with p times their strength."""
-    return lambda i, _on_ground: (hand + i * deal.hands, mi.Float(deal.hands))
 
 
 def _drawn_lights(lights: LightArrays, deal: SampleBudget, word: Any) -> Pick:
@@ -213,7 +214,7 @@ def _lit(
     on_ground: Any,
     pick: Pick,
     number: Any,
-    seen: fl.FlakesSeen | None = None,
+    seen: FlakesSeen | None = None,
 ) -> tuple[Colour, Colour]:
     """Return the reflected light of ``number`` lights, and the fraction of an open ground's light that arrives."""
     lights = stage.lights
@@ -261,7 +262,7 @@ def _value(
     light: Vector,
     view: Vector,
     kind: Any,
-    seen: fl.FlakesSeen | None,
+    seen: FlakesSeen | None,
     spread: Real,
     active: Any,
 ) -> Colour:
@@ -289,7 +290,7 @@ def _value(
         value = dr.switch(material, values, light, view, kind, spread, active)
     if seen is None or stage.sparkle is None:
         return value
-    bright = fl.sparkling(stage.sparkle, seen, light, view, spread, value)
+    bright = sparkling(stage.sparkle, seen, light, view, spread, value)
     return dr.select(material == stage.paint, bright, value)
 
 
@@ -329,42 +330,20 @@ def _reflected(
             arriving = dr.select(gone, dr.select(on_ground, sky * shade, sky), arriving)
             light = light + dr.select(going, weight * arriving, 0.0)
             going &= met
-            return (
-                bounce + 1,
-                going,
-                weight,
-                light,
-                hit.off,
-                hit.normal,
-                hit.view,
-                stage.surface.material(hit, going),
-            )
+            material = stage.surface.material(hit, going)
+            return bounce + 1, going, weight, light, hit.off, hit.normal, hit.view, material
 
         # Copies: a loop leaves its results in the very variables that it was given.
-        state = (
-            mi.UInt32(0),
-            mi.Bool(met),
-            mi.Color3f(1.0),
-            mi.Color3f(0.0),
-            mi.Vector3f(hit.off),
-            mi.Vector3f(hit.normal),
-            mi.Vector3f(hit.view),
-            mi.UInt32(material),
-        )
+        places = (mi.Vector3f(vector) for vector in (hit.off, hit.normal, hit.view))
+        colours = mi.Color3f(1.0), mi.Color3f(0.0)
+        state: tuple[Any, ...] = (mi.UInt32(0), mi.Bool(met), *colours, *places, mi.UInt32(material))
         found = dr.while_loop(
-            state,
-            lambda bounce, going, *_: going & (bounce < stage.depth),
-            one_bounce,
-            label="reflections",
+            state, lambda bounce, going, *_: going & (bounce < stage.depth), one_bounce, label="reflections"
         )
         return j + 1, light + found[3]
 
-    _, total = dr.while_loop(
-        (mi.UInt32(0), mi.Color3f(0.0)),
-        lambda j, *_: met & (j < deal.rays),
-        one_ray,
-        label="reflected rays",
-    )
+    start = mi.UInt32(0), mi.Color3f(0.0)
+    _, total = dr.while_loop(start, lambda j, *_: met & (j < deal.rays), one_ray, label="reflected rays")
     light: Colour = total
     return light / mi.Float(deal.rays)
 

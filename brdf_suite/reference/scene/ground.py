@@ -19,7 +19,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene.relief import texture
+from brdf_suite.reference.scene.place import texture
 
 LONG_SIDE = 256
 """Places along the longer edge of the grid."""

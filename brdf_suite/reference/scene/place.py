@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.reference.bsdfs.directions import TINY, Real, Vector, number
+from brdf_suite.reference.bsdfs.directions import TINY, Real, Square, Vector, number
+from brdf_suite.reference.bsdfs.terms import Sampler
 from brdf_suite.reference.mitsuba_modules import dr, mi
 
 _SAME_DIRECTION = 1e-9
@@ -135,3 +136,158 @@ def footprint_of_sample(pixel: float) -> float:
     0.408
     """
     return math.sqrt(pixel * pixel - 1.0 / 12.0)
+
+
+_LOWEST = 1e-3
+"""The least cosine of the view to a tilted normal, as in the real-time picture."""
+_TURN = (0.8090169943749475, 0.5877852522924731)
+_STRETCH = 1.0352762
+_BESIDE = (0.37, 0.61)
+
+
+@dataclass(frozen=True, eq=False)
+class Slopes:
+    """A tiled relief: slopes ``image`` (h, w, 2) dh/du and dh/dv, its first row at v = 0; ``tiles`` per millimetre."""
+
+    texture: Any
+    tiles: tuple[float, float]
+    strength: float
+
+    @classmethod
+    def of(cls, image: npt.NDArray[Any], tiles: tuple[float, float], strength: float) -> Slopes:
+        """Return the relief; ``strength`` is a factor on the slopes."""
+        return cls(texture(image), tiles, strength)
+
+    def at(self, uv: Any) -> Any:
+        """Return the slopes at a place, millimetres."""
+        where = mi.Point2f(uv.x * number(self.tiles[0]), uv.y * number(self.tiles[1]))
+        return look_up(self.texture, where) * number(self.strength)
+
+
+@dataclass(frozen=True, eq=False)
+class OrangePeelSlopes:
+    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition."""
+
+    texture: Any
+    tiles: float
+    slope: float
+
+    @classmethod
+    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeelSlopes:
+        """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
+        return cls(texture(image), tiles, slope)
+
+    def at(self, uv: Any) -> Any:
+        """Return the slopes at a place, millimetres."""
+        cos, sin = _TURN
+        x, y = uv.x * number(self.tiles), uv.y * number(self.tiles)
+        one = look_up(self.texture, mi.Point2f(x, y))
+        turned = mi.Point2f(cos * x - sin * y, sin * x + cos * y)
+        other = look_up(
+            self.texture, mi.Point2f(turned.x * _STRETCH + _BESIDE[0], turned.y * _STRETCH + _BESIDE[1])
+        )
+        # Slopes along the turned axes, back to u and v.
+        back = mi.Vector2f(cos * other.x + sin * other.y, cos * other.y - sin * other.x)
+        return (one + back) * number(0.5**0.5 * self.slope)
+
+
+def texture(image: npt.NDArray[Any], *, repeat: bool = True) -> Any:
+    """Return an image (h, w, c) for :func:`look_up`, which is bilinear; its first row is at v = 0."""
+    wrap = dr.WrapMode.Repeat if repeat else dr.WrapMode.Clamp
+    tensor = mi.TensorXf(np.ascontiguousarray(image, np.float32))
+    kind: Any = mi.Texture2f
+    return kind(tensor, use_accel=False, filter_mode=dr.FilterMode.Linear, wrap_mode=wrap)
+
+
+def look_up(image: Any, at: Any) -> Any:
+    """Return the first two channels of an image at coordinates of 1 per tile."""
+    found = image.eval(at)
+    return mi.Vector2f(found[0], found[1]) if len(found) > 1 else found[0]
+
+
+@dataclass(frozen=True, eq=False)
+class TiltedFrame:
+    """A shading frame about a normal tilted from z, in the coordinates of the surface."""
+
+    frame: Any
+
+    @classmethod
+    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> TiltedFrame:
+        """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
+        m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
+        cosine = dr.dot(m, view)
+        bent = dr.normalize(m + (_LOWEST - cosine) * view)
+        n = dr.select(cosine >= _LOWEST, m, bent)
+        # The axes stay those of the surface, but for the lean: flakes keep their tilts.
+        s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
+        return cls(mi.Frame3f(s, dr.cross(n, s), n))
+
+    @property
+    def normal(self) -> Vector:
+        """The tilted normal."""
+        return self.frame.n
+
+    def to_local(self, direction: Vector) -> Vector:
+        """Return a direction of the surface in this frame."""
+        return self.frame.to_local(direction)
+
+    def to_surface(self, direction: Vector) -> Vector:
+        """Return a direction of this frame as the surface has it."""
+        return self.frame.to_world(direction)
+
+
+@dataclass(frozen=True, eq=False)
+class TiltedSampler:
+    """A sampler evaluated in a tilted shading frame.
+
+    Light from below the surface's own horizon, which a tilted facet would mirror, arrives by way of the neighbouring
+    surface, modelled as a level mirror (after Schüssler et al. 2017): from the other side of the horizon.
+    """
+
+    sampler: Sampler
+    frame: TiltedFrame
+
+    def share(self, view: Vector) -> Real:
+        """Return the share of a mixture."""
+        return self.sampler.share(self.frame.to_local(view))
+
+    def sample(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light; those below the tilted horizon are lost."""
+        light = self.sampler.sample(self.frame.to_local(view), u)
+        found = self.frame.to_surface(light)
+        folded = mi.Vector3f(found.x, found.y, abs(found.z))
+        return dr.select(light.z > 0.0, folded, mi.Vector3f(0.0))
+
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density per solid angle."""
+        local_view = self.frame.to_local(view)
+        total = mi.Float(0.0)
+        for direction in folds(light):
+            local = self.frame.to_local(direction)
+            total += dr.select(local.z > 0.0, self.sampler.pdf(local, local_view), 0.0)
+        return total
+
+
+def folds(light: Vector) -> tuple[Vector, Vector]:
+    """Return the two directions from which a tilted surface receives light of direction ``light``."""
+    return light, mi.Vector3f(light.x, light.y, -light.z)
+
+
+@dataclass(frozen=True, eq=False)
+class WeightedSampler:
+    """A sampler whose share of the mixture is scaled by a weight at each place."""
+
+    sampler: Sampler
+    weight: Real
+
+    def share(self, view: Vector) -> Real:
+        """Return the share of a mixture."""
+        return self.weight * self.sampler.share(view)
+
+    def sample(self, view: Vector, u: Square) -> Vector:
+        """Return directions to the light."""
+        return self.sampler.sample(view, u)
+
+    def pdf(self, light: Vector, view: Vector) -> Real:
+        """Return the density per solid angle."""
+        return self.sampler.pdf(light, view)

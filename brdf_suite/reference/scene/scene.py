@@ -19,12 +19,12 @@ import numpy.typing as npt
 from brdf_suite.appearance.light.colour_temperature import lamp_colour
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
+from brdf_suite.geometry.directions import from_horizon
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdfs.plugin import make_bsdf
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
-from brdf_suite.reference.scene.place import Viewpoint
-from brdf_suite.reference.scene.relief import texture
+from brdf_suite.reference.scene.place import Viewpoint, texture
 
 DEFAULT_DEPTH = 8
 """Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
@@ -78,7 +78,7 @@ class TracedScene:
         """Move the camera, and change the size of the picture."""
         values = mi.traverse(self.scene)
         values["sensor.to_world"] = mi.Transform4f(_to_world(eye).matrix)
-        values["sensor.x_fov"] = _field_of_view(eye)
+        values["sensor.x_fov"] = math.degrees(2.0 * math.atan(eye.half_width_tangent))
         for name in ("size", "crop_size"):
             values[f"sensor.film.{name}"] = mi.ScalarVector2u(*size)
         values.update()
@@ -170,15 +170,11 @@ def _to_world(eye: PinholeCamera) -> Any:
     )
 
 
-def _field_of_view(eye: PinholeCamera) -> float:
-    return math.degrees(2.0 * math.atan(eye.half_width_tangent))
-
-
 def _sensor(eye: PinholeCamera, size: tuple[int, int]) -> dict[str, Any]:
     return {
         "type": "perspective",
         "fov_axis": "x",
-        "fov": _field_of_view(eye),
+        "fov": math.degrees(2.0 * math.atan(eye.half_width_tangent)),
         "near_clip": 1e-4,
         "far_clip": 1e7,
         "to_world": _to_world(eye),
@@ -198,19 +194,10 @@ def _lamp(lamp: Lamp) -> dict[str, Any]:
     """A light of no size; ``strength`` is its illuminance over π, of a point lamp that at 1 m."""
     power = mi.ScalarColor3f((math.pi * lamp.strength * lamp_colour(lamp.temperature_k)).tolist())
     if lamp.kind == "point":
-        return {
-            "type": "point",
-            "position": list(lamp.position),
-            "intensity": {"type": "rgb", "value": power},
-        }
-    azimuth, elevation = math.radians(lamp.azimuth_deg), math.radians(lamp.elevation_deg)
-    level = math.cos(elevation)
-    towards = (level * math.sin(azimuth), math.sin(elevation), level * math.cos(azimuth))
-    return {
-        "type": "directional",
-        "direction": [-t for t in towards],
-        "irradiance": {"type": "rgb", "value": power},
-    }
+        light = {"type": "point", "position": list(lamp.position)}
+        return light | {"intensity": {"type": "rgb", "value": power}}
+    direction = (-from_horizon(lamp.azimuth_deg, lamp.elevation_deg)).tolist()
+    return {"type": "directional", "direction": direction, "irradiance": {"type": "rgb", "value": power}}
 
 
 def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
@@ -225,10 +212,10 @@ def _mesh(name: str, part: SurfacePart, bsdf: Any) -> Any:
         props=properties,
     )
     values = mi.traverse(mesh)
-    values["vertex_positions"] = np.ascontiguousarray(part.positions, np.float32).ravel()
-    values["vertex_normals"] = np.ascontiguousarray(part.normals, np.float32).ravel()
-    if part.uvs is not None:
-        values["vertex_texcoords"] = np.ascontiguousarray(part.uvs, np.float32).ravel()
+    arrays = {"positions": part.positions, "normals": part.normals, "texcoords": part.uvs}
+    for what, array in arrays.items():
+        if array is not None:
+            values[f"vertex_{what}"] = np.ascontiguousarray(array, np.float32).ravel()
     values["faces"] = np.ascontiguousarray(part.triangles, np.uint32).ravel()
     values.update()
     return mesh

@@ -20,10 +20,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colour.colorimetry import srgb_encode
+from brdf_suite.appearance.colour.colorimetry import display_to_lab, srgb_encode
+from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
+from brdf_suite.extras import import_extra
 from brdf_suite.pipeline.exposure import ev_of
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.material import Material
@@ -35,9 +37,48 @@ from brdf_suite.realtime.pictures.tone_curves import display_light
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
 from brdf_suite.reference.passes import Estimate, trace
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.agreement.errors import PictureErrors, delta_e_of, errors_of, flip_of
 from brdf_suite.tracing.agreement.forms import DEFAULT_FORM, FORMS, basis_of, coarser, fit_for
 from brdf_suite.tracing.reference.scene import ReferenceScene, build_reference
+
+PIXELS_PER_DEGREE = 67.0
+
+
+@dataclass(frozen=True)
+class PictureErrors:
+    """ΔE00 over the object's pixels: mean and 99th percentile; and the mean FLIP of them."""
+
+    mean: float
+    p99: float
+    flip: float
+
+
+def errors_of(test: Floats, reference: Floats, inside: NDArray[np.bool_]) -> PictureErrors:
+    """Return the errors of a picture against another, both encoded sRGB (h, w, 3), where ``inside`` (h, w)."""
+    away = delta_e_of(test, reference)[inside]
+    if not len(away):
+        return PictureErrors(0.0, 0.0, 0.0)
+    flip = flip_of(reference, test)[inside]
+    return PictureErrors(float(away.mean()), float(np.quantile(away, 0.99)), float(flip.mean()))
+
+
+def flip_of(reference: Floats, test: Floats) -> Floats:
+    """Return the FLIP error (h, w), 0 to 1, of encoded sRGB pictures (h, w, 3) seen at 67 pixels per degree.
+
+    Andersson et al., "FLIP: A Difference Evaluator for Alternating Images", 2020, by its authors' own program.
+    Raise :class:`ExtraError` where that is missing or cannot be loaded.
+    """
+    evaluate = import_extra("flip_evaluator", purpose="the comparison of pictures").evaluate
+    planes = [np.ascontiguousarray(np.clip(image, 0.0, 1.0), np.float32) for image in (reference, test)]
+    found, _, _ = evaluate(
+        *planes, "LDR", applyMagma=False, computeMeanError=False, parameters={"ppd": PIXELS_PER_DEGREE}
+    )
+    return np.asarray(found, np.float64).reshape(reference.shape[:2])
+
+
+def delta_e_of(first: Floats, second: Floats) -> Floats:
+    """Return ΔE00 (h, w) between pictures (h, w, 3), encoded sRGB."""
+    return delta_e_2000(display_to_lab(first), display_to_lab(second))
+
 
 __all__ = [
     "DEFAULT_FORM",
@@ -291,7 +332,8 @@ def _plain(order: Order) -> View:
 
 def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress | None) -> Estimate:
     kept = None
-    path = None if order.keep is None else order.keep / f"{_file_name(name)}.exr"
+    stem = "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
+    path = None if order.keep is None else order.keep / f"{stem}.exr"
     if path is not None and path.exists():
         kept = read_estimate(path, scene.key)
     if kept is not None and kept.samples >= order.samples:
@@ -304,10 +346,6 @@ def _traced(order: Order, scene: ReferenceScene, name: str, progress: Progress |
     if path is not None:
         write_estimate(path, found, scene.whole(found), scene.key)
     return found
-
-
-def _file_name(name: str) -> str:
-    return "".join(c if c.isalnum() or c in "-_" else "_" for c in name)[:160]
 
 
 def _shown(radiance: Floats, view: View) -> Floats:

@@ -14,12 +14,11 @@ from brdf_suite.files.images.environments import write_png
 from brdf_suite.output.picture_file import check_target
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.reference.raytraced.picture import read_sums, write_sums
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, Quality, find_quality
-from brdf_suite.reference.raytraced.sums_file import read_sums, write_sums
 from brdf_suite.reference.raytraced.table_split import TableSplit
-from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession, too_large
-from brdf_suite.tracing.raytraced.scene_parts import Size
-from brdf_suite.tracing.traced_picture import TracedFile, scene_facts
+from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
+from brdf_suite.tracing.traced_picture import Size, TracedFile, too_large
 
 KEEP_EVERY_S = 20.0
 
@@ -98,7 +97,7 @@ def render_raytraced(
     kept.unlink(missing_ok=True)
     report(progress, 1.0, "written")
     return RaytracedPicture(
-        **scene_facts(scene, path),
+        **scene.file_facts(path),
         lights=chosen.lights,
         reflections=chosen.reflections,
         samples=newest.samples,

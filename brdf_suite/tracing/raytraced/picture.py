@@ -12,9 +12,11 @@ a session begins.
 
 from __future__ import annotations
 
+import hashlib
+import json
 import os
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from time import perf_counter
 
@@ -22,16 +24,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
+from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
-from brdf_suite.errors import ReferenceUnavailableError, SuiteError
-from brdf_suite.files.bounded_reading import file_stamp
+from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.pipeline.environments import read_environment
-from brdf_suite.pipeline.exposure import ev_of, exposed
 from brdf_suite.pipeline.material import Material
-from brdf_suite.pipeline.scene import find_environment
-from brdf_suite.pipeline.surface import load_shaped
-from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.bsdfs import directions as d
@@ -44,16 +42,38 @@ from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene
 from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.optics import load_lit
-from brdf_suite.tracing.raytraced.key import scene_key
 from brdf_suite.tracing.raytraced.scene_parts import (
     Parts,
     PictureInputs,
-    Size,
     materials_of,
     placed,
     sparkle_of,
 )
+from brdf_suite.tracing.traced_picture import (
+    SceneFacts,
+    Size,
+    digest_mesh,
+    digest_reflectance,
+    load_inputs,
+    too_large,
+)
+
+_LIT_BY = ("camera", "rotation_deg", "fresnel", "light_colour", "lamps", "sparkle", "surface_look")
+_VERSION = 1
+
+
+def scene_key(inputs: PictureInputs, mesh: Mesh) -> str:
+    """Return a word that is the same for the same light, whatever its exposure, tone curve or backdrop."""
+    document = view_to_json(inputs.view)
+    shown = {name: document[name] for name in _LIT_BY if name in document}
+    quality = {**asdict(inputs.quality), "tables": inputs.tables, "version": _VERSION}
+    digest = hashlib.sha256(json.dumps([shown, quality], sort_keys=True).encode())
+    paint = inputs.paint
+    digest.update(repr((paint.name, paint.flakes, inputs.size, inputs.environment.content_hash)).encode())
+    digest_reflectance(paint.reflectance, digest, 256)
+    digest_mesh(mesh, digest)
+    return digest.hexdigest()
+
 
 __all__ = ["DEFAULT_PRESET", "PRESETS", "Quality", "RaytracedImage", "RaytracedScene", "RaytracedSession"]
 
@@ -61,19 +81,11 @@ PASS_SECONDS = 0.2
 """How long a pass takes, about: a picture is shown as often, and given up as soon."""
 
 
-@dataclass(frozen=True, eq=False)
-class RaytracedScene:
-    """A scene to be ray-traced: ``view`` has its camera placed; sums of scenes with one ``key`` may be added."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RaytracedScene(SceneFacts):
+    """A scene to be ray-traced."""
 
-    name: str
-    environment: str
-    surface: str
-    renderer: str
-    notices: tuple[str, ...]
-    view: View
-    size: Size
     quality: Quality
-    key: str
     camera: Pinhole
     sky: TracedSky
 
@@ -104,11 +116,6 @@ class RaytracedImage:
         return self.scene.quality.samples
 
     @property
-    def is_whole(self) -> bool:
-        """Whether these are all that the quality asks for, or more."""
-        return self.samples >= self.of
-
-    @property
     def seconds(self) -> float:
         """How long it took to trace them."""
         return self.sums.seconds
@@ -121,11 +128,7 @@ class RaytracedImage:
     @cached_property
     def exposed_view(self) -> View:
         """The view with its exposure measured where it is automatic."""
-        view = self.scene.view
-        if view.exposure_mode == "locked":
-            return view
-        seen = np.concatenate((self.sums.radiance, self.coverage[..., None]), axis=-1)
-        return exposed(view, ev_of(seen))
+        return self.scene.measure_exposure(self.sums.radiance, self.coverage)
 
     def whole(self) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
@@ -199,30 +202,27 @@ class RaytracedSession:
         ValueRangeError
             There is no such quality.
         """
-        inputs = self._load(paint, view, size, find_quality(quality), tables, environment, mesh, progress)
+        chosen = find_quality(quality)
+        loaded = load_inputs(self._parts, paint, view, environment, mesh, progress)
+        inputs = PictureInputs(*loaded, view, size, chosen, tables)
         report(progress, 0.9, "building the scene")
         shaped, bounds = self._parts.mesh(inputs)
         inputs = replace(inputs, view=placed(view, bounds, size))
         _, paint_notices = self._parts.splits(inputs, shaped)
         self._wanted = inputs
+        of_files = *inputs.environment.notes, *shaped.notes
         self._scene = RaytracedScene(
-            inputs.paint.name,
-            inputs.environment.name,
-            shaped.name,
-            self._renderer,
-            (
-                *inputs.paint.notices,
-                *paint_notices,
-                *inputs.environment.notes,
-                *shaped.notes,
-                *left_out(inputs),
-            ),
-            inputs.view,
-            size,
-            inputs.quality,
-            scene_key(inputs, shaped),
-            self._parts.camera(inputs.view, bounds, size),
-            self._parts.backdrop(inputs),
+            name=inputs.paint.name,
+            environment=inputs.environment.name,
+            surface=shaped.name,
+            renderer=self._renderer,
+            notices=(*inputs.paint.notices, *paint_notices, *of_files, *left_out(inputs)),
+            view=inputs.view,
+            size=size,
+            key=scene_key(inputs, shaped),
+            quality=inputs.quality,
+            camera=self._parts.camera(inputs.view, bounds, size),
+            sky=self._parts.backdrop(inputs),
         )
         report(progress, 1.0, "ready")
         return self._scene
@@ -305,45 +305,6 @@ class RaytracedSession:
             sparkle_of(inputs.paint, inputs.view) if "paint" in names else None,
             names.index("paint") if "paint" in names else 0,
         )
-
-    def _load(
-        self,
-        paint: str | os.PathLike[str] | Material,
-        view: View,
-        size: Size,
-        quality: Quality,
-        tables: TableSplit,
-        environment: Environment | None,
-        mesh: Mesh | None,
-        progress: Progress | None,
-    ) -> PictureInputs:
-        keep = self._parts.keep
-        asked = paint if isinstance(paint, Material) else os.fspath(paint)
-        illuminant = view.light_colour.illuminant
-        report(progress, 0.0, "reading the paint")
-        material = keep("paint", (asked, file_stamp(asked), illuminant), lambda: load_lit(asked, view))
-        light = (view.environment, file_stamp(view.environment), view.environment_layout)
-        environment = environment or keep(
-            "environment",
-            light,
-            lambda: read_environment(
-                find_environment(view.environment)[1], view.environment_layout, subrange(progress, 0.2, 0.6)
-            ),
-        )
-        look = replace(view.surface_look, materials=(), occlusion=True, ground=False)
-        mesh = mesh or keep(
-            "loaded",
-            (view.surface, file_stamp(view.surface), look),
-            lambda: load_shaped(view.surface, view.surface_look, subrange(progress, 0.6, 0.9)),
-        )
-        return PictureInputs(material, environment, mesh, view, size, quality, tables)
-
-
-def too_large(size: Size) -> ReferenceUnavailableError:
-    """Return the error of a picture that memory does not hold."""
-    return ReferenceUnavailableError(
-        f"There is not enough memory to trace {size[0]} × {size[1]} pixels; make the picture smaller."
-    )
 
 
 def rays_a_sample(quality: Quality) -> float:

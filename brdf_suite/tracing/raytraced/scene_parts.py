@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,12 +34,10 @@ from brdf_suite.reference.scene.backdrop import blur_map
 from brdf_suite.reference.scene.scene import PinholeCamera
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import lobe_term
+from brdf_suite.tracing.traced_picture import PAINT, Kept, Size, choose_materials
 
-Size = tuple[int, int]
-PAINT = "paint"
 _BLURRED_ROWS = 96
 _TOO_MUCH = "times the light that falls on it"
-_T = TypeVar("_T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,30 +53,17 @@ class PictureInputs:
     tables: TableSplit
 
 
-class Parts:
+class Parts(Kept):
     """Makes the parts of a picture; what was made for the same is given again."""
-
-    def __init__(self) -> None:
-        self._kept: dict[str, tuple[object, Any]] = {}
-
-    def keep(self, what: str, made_of: object, make: Callable[[], _T]) -> _T:
-        """Return what was made last where it is made of the same."""
-        if what not in self._kept or self._kept[what][0] != made_of:
-            self._kept.pop(what, None)  # before the new one is made: two large ones may not fit
-            self._kept[what] = (made_of, make())
-        found: _T = self._kept[what][1]
-        return found
 
     def mesh(self, inputs: PictureInputs) -> tuple[Mesh, Bounds]:
         """Return the mesh with the materials that the view gives its parts, and its bounds."""
-        chosen = {item.part: item.material for item in inputs.view.surface_look.materials}
 
         def make() -> tuple[Mesh, Bounds]:
-            parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in inputs.mesh.parts)
-            mesh = replace(inputs.mesh, parts=parts)
+            mesh = choose_materials(inputs.mesh, inputs.view)
             return mesh, Bounds.of(p.positions for p in mesh.parts)
 
-        return self.keep("mesh", (Same(inputs.mesh), tuple(chosen.items())), make)
+        return self.keep("mesh", (Same(inputs.mesh), inputs.view.surface_look.materials), make)
 
     def surface(self, mesh: Mesh) -> Any:
         """Return the mesh in the ray tracer."""

@@ -10,7 +10,6 @@ import json
 import os
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +18,12 @@ from brdf_suite.appearance.light.matrix import environment_matrix
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
+from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting.lobes.basis import default_basis
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.geometry.directions import illumination, spherical
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.environments import read_environment
-from brdf_suite.pipeline.exposure import ev_of, exposed
 from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.scene import find_environment
 from brdf_suite.pipeline.surface import load_shaped
@@ -37,6 +37,8 @@ from brdf_suite.reference.scene.backdrop import backdrop, blur_map, compose_pict
 from brdf_suite.reference.scene.ground import GroundGrid
 from brdf_suite.reference.scene.scene import PinholeCamera, SurfacePart, TracedScene, build_scene
 from brdf_suite.reference.variant import Variant, start
+from brdf_suite.reflectance.albedo import directional_albedo
+from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import (
     Dress,
@@ -47,11 +49,52 @@ from brdf_suite.tracing.optics import (
     scalar_lobes,
     scalar_optics,
 )
-from brdf_suite.tracing.reference.energy import energy_notices
+from brdf_suite.tracing.traced_picture import (
+    PAINT,
+    SceneFacts,
+    Size,
+    choose_materials,
+    digest_mesh,
+    digest_reflectance,
+)
 
-Size = tuple[int, int]
+ANGLES_DEG = (0.0, 30.0, 60.0, 75.0)
+ALLOWED = 1.01
+"""Of the light that arrives; the quadrature is sure of half a per cent."""
+_AZIMUTHS = 16
+_LOOKS = 256
 
-_PAINT = "paint"
+
+def energy_notices(reflectance: Reflectance, name: str) -> tuple[str, ...]:
+    """Return a sentence where a paint sends back more light than it gets; some milliseconds.
+
+    Raises
+    ------
+    UnreachableError
+        It gives numbers that are negative or not finite, in which no path can be traced.
+    """
+    rng = np.random.default_rng(3)
+    wi, wo = (spherical(np.arccos(rng.random(_LOOKS)), rng.uniform(0.0, 6.28, _LOOKS)) for _ in "io")
+    values = reflectance.eval(wi, wo)
+    if not np.isfinite(values).all() or (values < 0.0).any():
+        raise UnreachableError(
+            f"{name} reflects amounts that are negative or not finite, so no light can be traced in it; "
+            "brdf-suite check says where."
+        )
+    albedo = directional_albedo(reflectance, illumination(np.array(ANGLES_DEG)), _AZIMUTHS)
+    row, channel = np.unravel_index(int(np.argmax(albedo)), albedo.shape)
+    largest = float(albedo[row, channel])
+    if not np.isfinite(largest):
+        raise UnreachableError(f"{name} reflects an endless amount of light at {ANGLES_DEG[row]:g}°.")
+    if largest <= ALLOWED:
+        return ()
+    return (
+        f"{name} sends back {100.0 * largest:.0f} % of the {('red', 'green', 'blue')[channel]} light that arrives at "
+        f"{ANGLES_DEG[row]:g}°, more than there is. It is traced as it stands; where the surface sees itself, light "
+        "grows with each reflection.",
+    )
+
+
 GROUND_SAMPLES, GROUND_PASS = 256, 32
 """Directions at each place of the ground, for its shadow behind the object."""
 _LIT_BY = (
@@ -67,22 +110,11 @@ _LIT_BY = (
 """What of a view the traced light depends on, beside environment and surface."""
 
 
-@dataclass(frozen=True, eq=False)
-class ReferenceScene:
-    """A scene ready to be traced. ``view`` has its camera placed.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ReferenceScene(SceneFacts):
+    """A scene ready to be traced."""
 
-    ``key`` identifies the scene: estimates of one key may be put together.
-    """
-
-    name: str
     traced: TracedScene
-    view: View
-    size: Size
-    key: str
-    environment: str
-    surface: str
-    renderer: str
-    notices: tuple[str, ...]
     eye: PinholeCamera
     light: NDArray[np.float32]
     ground: GroundGrid | None = None
@@ -110,27 +142,20 @@ class ReferenceScene:
 
     def whole(self, estimate: Estimate) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
-        return compose_picture(
-            estimate.radiance, estimate.coverage, self.behind / self._backdrop_exposure(estimate)
-        )
+        behind = self.behind
+        if self.view.background in ("grey", "colour"):
+            # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
+            behind = behind / 2.0 ** self.exposed_view(estimate).exposure_ev
+        return compose_picture(estimate.radiance, estimate.coverage, behind)
 
     def exposed_view(self, estimate: Estimate) -> View:
         """Return the view with its exposure measured where it is automatic."""
-        if self.view.exposure_mode == "locked":
-            return self.view
-        seen = np.concatenate((estimate.radiance, estimate.coverage[..., None]), axis=-1)
-        return exposed(self.view, ev_of(seen))
+        return self.measure_exposure(estimate.radiance, estimate.coverage)
 
     def codes(self, estimate: Estimate) -> NDArray[np.uint8]:
         """Return the picture (h, w, 3) uint8 sRGB as the real-time renderer would show this light."""
         view = self.exposed_view(estimate)
         return np.asarray(to_display(self.whole(estimate), view.exposure_ev, view.tone_curve), np.uint8)
-
-    def _backdrop_exposure(self, estimate: Estimate) -> float:
-        # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
-        if self.view.background in ("grey", "colour"):
-            return float(2.0 ** self.exposed_view(estimate).exposure_ev)
-        return 1.0
 
 
 def prepare_reference(
@@ -186,14 +211,17 @@ def build_reference(
     view = replace(view, camera=compose(view.camera, bounds, size))
     camera = matrices(view.camera, bounds, size)
     eye = PinholeCamera(camera.eye, camera.view_to_world, camera.half_tangents[0])
-    mesh = _with_chosen_materials(mesh, view)
+    mesh = choose_materials(mesh, view)
     dress = load_dress(view) if dress is None else dress
     energy = _energy(material, dress)
     if variant.is_scalar:
         optics = scalar_optics(material, dress, view, variant.instead)
     else:
         optics = optics_of(material, dress, view, bounds)
-    terms = {**_stock_terms(mesh, view, variant), _PAINT: optics.term}
+    used = {p.material for p in mesh.parts}
+    make = scalar_lobes if variant.is_scalar else lobe_term
+    stock = stock_materials(default_basis().exponents).items()
+    terms = {**{name: make(weights, view) for name, weights in stock if name in used}, PAINT: optics.term}
     tint = environment_matrix(view.light_colour)
     radiance = np.maximum(environment.radiance @ tint.T.astype(np.float32), 0.0)
     ground = None
@@ -231,19 +259,6 @@ def build_reference(
     )
 
 
-def _with_chosen_materials(mesh: Mesh, view: View) -> Mesh:
-    chosen = {item.part: item.material for item in view.surface_look.materials}
-    parts = tuple(replace(p, material=chosen.get(p.name, p.material)) for p in mesh.parts)
-    return replace(mesh, parts=parts)
-
-
-def _stock_terms(mesh: Mesh, view: View, variant: Variant) -> dict[str, Any]:
-    stock = stock_materials(default_basis().exponents)
-    used = {p.material for p in mesh.parts}
-    make = scalar_lobes if variant.is_scalar else lobe_term
-    return {name: make(weights, view) for name, weights in stock.items() if name in used}
-
-
 def _energy(paint: Material, dress: Dress) -> tuple[str, ...]:
     """Sentences about paints that send back more light than they get; fitted weights are what they are."""
     notices: tuple[str, ...] = ()
@@ -276,30 +291,12 @@ def _key(paint: Material, dress: Dress, view: View, size: Size, environment: Env
     digest.update(repr((paint.name, size, environment.content_hash)).encode())
     for worn in (paint, dress.second):
         if worn is not None:
-            _digest_paint(worn, digest)
+            digest_reflectance(worn.reflectance, digest, 512)
+            if worn.flakes is not None or worn.orange_peel is not None:
+                digest.update(repr((worn.flakes, worn.orange_peel)).encode())
     if dress.normal_map is not None:
         digest.update(dress.normal_map.slopes.tobytes())
     if dress.mask is not None:
         digest.update(dress.mask.share.tobytes())
-    for p in mesh.parts:
-        if p.material != _PAINT:
-            digest.update(p.material.encode())
-        digest.update(p.positions.tobytes())
-        digest.update(p.triangles.tobytes())
+    digest_mesh(mesh, digest)
     return digest.hexdigest()
-
-
-def _digest_paint(paint: Material, digest: Any) -> None:
-    """Add the reflectance to a hash: values at some directions differ wherever two pictures could."""
-    reflectance = paint.reflectance
-    if isinstance(reflectance, LobeWeights):
-        for array in (reflectance.kd, reflectance.kdd, reflectance.kg):
-            digest.update(np.asarray(array).tobytes())
-    else:
-        rng = np.random.default_rng(1)
-        directions = rng.normal(size=(2, 512, 3))
-        directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
-        directions[..., 2] = np.abs(directions[..., 2])
-        digest.update(np.round(reflectance.eval(directions[0], directions[1]), 9).tobytes())
-    if paint.flakes is not None or paint.orange_peel is not None:
-        digest.update(repr((paint.flakes, paint.orange_peel)).encode())

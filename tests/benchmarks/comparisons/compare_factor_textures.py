@@ -24,7 +24,7 @@ from brdf_suite.fitting.homomorphic.samples import sample_reflectance
 from brdf_suite.pipeline.factored_maps import factored_maps
 from brdf_suite.realtime.gl.context import create_context
 from brdf_suite.realtime.pictures.display import LINEAR
-from brdf_suite.realtime.pictures.geometry import geometry_picture
+from brdf_suite.realtime.pictures.probe import geometry_picture
 from brdf_suite.realtime.pictures.renderer import Renderer
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.poulin_fournier import PoulinFournier

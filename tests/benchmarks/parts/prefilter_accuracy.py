@@ -11,12 +11,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from brdf_suite.lighting.cubemap import texel_directions
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.filter.face_array import FaceArray
+from brdf_suite.lighting.filter.harmonics import lobe_bandlimit
 from brdf_suite.lighting.filter.lobe_filter import LobeFilter
 from brdf_suite.lighting.filter.prefilter import face_size
 from brdf_suite.lighting.filter.texel_values import pack_lobe
-from brdf_suite.lighting.filter.zonal import lobe_bandlimit
 from brdf_suite.lighting.latlong import angles, column_angles, direction, fejer_weights, ring_angles
 
 ERROR_EXPONENTS = (5.0, 20.0, 80.0, 320.0, 1280.0, 5120.0)

@@ -14,7 +14,7 @@ from brdf_suite.documents.studio import Sky, load_light
 from brdf_suite.files.images.environments import read_environment_image, write_exr
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.procedural import BOOTH
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import EXAMPLE
 from brdf_suite.lighting.statistics import Histogram, environment_statistics
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.scene import find_environment

@@ -12,7 +12,7 @@ from brdf_suite.documents.view import ENVIRONMENT_LAYOUTS
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.layouts import LAYOUTS
 from brdf_suite.lighting.lights import directional_lights
-from brdf_suite.lighting.procedural.sunny import SUN
+from brdf_suite.lighting.procedural.daylight import SUN
 from brdf_suite.pipeline.environments import read_environment
 from brdf_suite.pipeline.scene import find_environment
 

@@ -15,7 +15,7 @@ from brdf_suite.geometry.factor_projections import PROJECTIONS
 from brdf_suite.pipeline.factored_maps import factored_maps, maps_of
 from brdf_suite.realtime.factors.values import FactoredMaps, FactorMap, FactorTerm, soft_clip
 from brdf_suite.realtime.pictures.display import LINEAR
-from brdf_suite.realtime.pictures.geometry import geometry_picture
+from brdf_suite.realtime.pictures.probe import geometry_picture
 from brdf_suite.realtime.relief.values import MaskImage, TangentMap
 from brdf_suite.realtime.values import MeshPart
 from brdf_suite.reflectance.factored.map import MapFactor

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.realtime.factors.levels import cube_faces, face_directions, levels, radial_levels
+from brdf_suite.geometry.cube_map import texel_directions
+from brdf_suite.realtime.factors.levels import cube_faces, levels, radial_levels
 
 
 def test_levels_halve_down_to_one_texel_and_keep_the_mean_of_light() -> None:
@@ -42,7 +43,7 @@ def test_a_cube_map_holds_the_map_in_every_direction_above() -> None:
     map_ = np.stack(np.broadcast_arrays(along[None], along[:, None], 1.0), axis=-1)
     faces = cube_faces(map_)
     assert faces.shape == (6, 32, 32, 3)
-    directions = face_directions(32)
+    directions = texel_directions(32)
     above = directions[..., 2] > 0.1
     place = directions[..., :2] / (1.0 + directions[..., 2:])
     inside = above & (np.abs(place).max(axis=-1) < 31 / 32)

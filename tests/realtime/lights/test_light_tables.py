@@ -10,9 +10,15 @@ from brdf_suite.appearance.visible_flakes import LARGEST_SHARE, flake_coverage
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp, LightColour, Sparkle
-from brdf_suite.realtime.lights.block import BLOCK_SIZE, DistantLights, light_block
-from brdf_suite.realtime.lights.lobes import column_angles, light_lobes
-from brdf_suite.realtime.material.flake_share import seen_tilts, visible_flake_lobe
+from brdf_suite.realtime.lights.block import (
+    BLOCK_SIZE,
+    DistantLights,
+    column_angles,
+    light_block,
+    light_lobes,
+    seen_tilts,
+    visible_flake_lobe,
+)
 from brdf_suite.reflectance.designed.rules import squared_tilt
 from brdf_suite.reflectance.flakes.tilt import tilt_bell
 

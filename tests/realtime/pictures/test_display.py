@@ -148,7 +148,7 @@ def test_odd_sizes_of_tiles_and_strips_cover_the_picture():
     class Target:
         def prepare(self, size, dtype):
             self.size = size
-            return self
+            return self, None
 
         def read(self, viewport, components, dtype, alignment):
             _, _, w, h = viewport

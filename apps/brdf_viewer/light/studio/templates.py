@@ -9,8 +9,7 @@ from types import MappingProxyType
 from brdf_qt.program.translation import mark
 
 from brdf_suite.documents.studio import Backdrop, LightDocument, Sky, Studio, StudioLamp
-from brdf_suite.lighting.procedural.booth import BOOTH
-from brdf_suite.lighting.procedural.example import EXAMPLE
+from brdf_suite.lighting.procedural.studio import BOOTH, EXAMPLE
 
 TEMPLATES: Mapping[str, tuple[str, LightDocument]] = MappingProxyType(
     {

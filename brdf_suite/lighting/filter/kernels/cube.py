@@ -1,4 +1,6 @@
-"""Compiled resampling from a fine grid on the sphere to cube map texels: the sums of
+"""Compiled loops over the texels of cube maps: from a fine grid on the sphere, from a map's pixels, to half floats.
+
+From the fine grid they are the sums of
 :mod:`brdf_suite.lighting.filter.ring_to_cube`.
 
 Imported by :mod:`brdf_suite.lighting.filter.kernels.compilation` alone. The grid has M rings at θ = (i+½)π/M and P
@@ -236,3 +238,155 @@ def polar_band(
                         lane = 8 * c + 2 * turn + side
                         faces[2, j, i, c] = above[lane]
                         faces[3, size - 1 - j, i, c] = below[lane]
+
+
+@compiled
+def pack_rows(
+    faces: Array, share: float, changes: Array, scale: float, first: int, end: int, halves: Array
+) -> None:
+    """Set rows ``first`` … ``end - 1`` of every face, first to last of 6·F rows counted through, as half floats.
+
+    The formulas of :mod:`brdf_suite.lighting.filter.texel_values` in one pass. The machine's own conversion is not
+    available on every processor; that by whole numbers gives the same bits.
+
+    Parameters
+    ----------
+    faces
+        (6, F, F, 3) float32.
+    share
+        How much of the second differences is taken off; 0 leaves the values as they are.
+    changes
+        (6, 4, F, 3) float32: taken off the columns 0 and F-1 and the rows 0 and F-1.
+    scale
+        What the values are divided by; negative ones become 0, and none may exceed 65,504 afterwards.
+    halves
+        (6, F, 3·F) uint16: the bits of the half floats.
+    """
+    size = faces.shape[1]
+    count = 3 * size
+    row = np.empty(count, dtype=np.float32)
+    raised = np.empty(count, dtype=np.float32)
+    bits = row.view(np.uint32)
+    small = raised.view(np.uint32)
+    inverse = np.float32(1.0 / scale)
+    part = np.float32(share)
+    zero = np.float32(0.0)
+    half = np.float32(0.5)
+    for index in range(first, end):
+        face, j = index // size, index % size
+        middle = min(max(j, 1), size - 2)  # at the rim the second difference is that of the next texel
+        here = faces[face, j].reshape(count)
+        above = faces[face, middle - 1].reshape(count)
+        centre = faces[face, middle].reshape(count)
+        below = faces[face, middle + 1].reshape(count)
+        if part > zero:
+            for k in range(count):
+                row[k] = here[k] - part * (above[k] - centre[k] - centre[k] + below[k])
+            for k in range(3, count - 3):
+                row[k] -= part * (here[k - 3] - here[k] - here[k] + here[k + 3])
+            for c in range(3):
+                row[c] -= part * (here[c] - here[3 + c] - here[3 + c] + here[6 + c])
+                k = count - 3 + c
+                row[k] -= part * (here[k] - here[k - 3] - here[k - 3] + here[k - 6])
+        else:
+            for k in range(count):
+                row[k] = here[k]
+        for c in range(3):
+            row[c] -= changes[face, 0, j, c]
+            row[count - 3 + c] -= changes[face, 1, j, c]
+        if j == 0:
+            row -= changes[face, 2].reshape(count)
+        if j == size - 1:
+            row -= changes[face, 3].reshape(count)
+        for k in range(count):
+            row[k] = max(row[k] * inverse, zero)
+            raised[k] = row[k] + half  # in this sum the last bit is the last bit of a small half float
+        target = halves[face, j]
+        for k in range(count):
+            value = bits[k]
+            normal = (value + np.uint32(0xFFF) + ((value >> np.uint32(13)) & np.uint32(1))) >> np.uint32(13)
+            if value < np.uint32(0x38800000):  # below 2^-14
+                target[k] = small[k] - np.uint32(0x3F000000)
+            else:
+                target[k] = normal - np.uint32(0x1C000)
+
+
+@compiled
+def _look_up(pixels: Array, theta: float, phi: float, target: Array, at: int) -> None:
+    """Set target[at : at + 3] to the map (h, w, 3) at θ 0…π and φ (-2π…2π), over the seam and the poles."""
+    height, width = pixels.shape[0], pixels.shape[1]
+    row = theta * height / math.pi - 0.5
+    column = (phi + math.pi) * width / (2.0 * math.pi) - 0.5
+    above = math.floor(row)
+    left = math.floor(column)
+    down = np.float32(row - above)
+    right = np.float32(column - left)
+    row_0, row_1 = int(above), int(above) + 1
+    a = int(left)
+    if a < 0:
+        a += width
+    elif a >= width:
+        a -= width
+    b = a + 1 if a + 1 < width else 0
+    d, e = a, b
+    turn = width - width // 2  # beyond the pole lies the same ring, half a turn further
+    if row_0 < 0:
+        row_0 = 0
+        a, b = (a + turn) % width, (b + turn) % width
+    if row_1 > height - 1:
+        row_1 = height - 1
+        d, e = (d + turn) % width, (e + turn) % width
+    one = np.float32(1.0)
+    for c in range(3):
+        top = pixels[row_0, a, c] * (one - right) + pixels[row_0, b, c] * right
+        bottom = pixels[row_1, d, c] * (one - right) + pixels[row_1, e, c] * right
+        target[at + c] = top * (one - down) + bottom * down
+
+
+@compiled
+def resample_rows(pixels: Array, first: int, end: int, faces: Array) -> None:
+    """Fill rows ``first`` … ``end - 1`` ≤ F/2 of all faces (6, F, F, 3), and their mirror images from below.
+
+    By bilinear look-up in an environment's own pixels. The cube's symmetry saves nearly all of the arc tangents:
+    sixteen texels have their longitudes and latitudes in common, up to quarter turns and mirrors.
+
+    Both are float32, F is even; the same look-up as :func:`brdf_suite.lighting.latlong.sample`.
+    """
+    size = faces.shape[1]
+    half = size // 2
+    flat = faces.reshape(faces.size)  # to cut a texel out of the faces takes longer than to fill it
+    longitudes = np.empty(half)
+    latitudes = np.empty(half)
+    for j in range(first, end):
+        t = 1.0 - (2.0 * j + 1.0) / size
+        for i in range(half):
+            s = (2.0 * i + 1.0) / size
+            longitudes[i] = math.atan(s)
+            latitudes[i] = math.atan(t / math.sqrt(1.0 + s * s))
+        for turn in range(4):
+            upper = 3 * size * (size * _SIDES[turn] + j)
+            lower = 3 * size * (size * _SIDES[turn] + size - 1 - j)
+            centre = turn * 0.5 * math.pi
+            if turn > 1:
+                centre -= 2.0 * math.pi  # the map runs from φ = -π to π
+            for i in range(size):
+                inner = half - 1 - i if i < half else i - half
+                # φ = φ_f - atan(s): columns right of the middle lie at smaller φ.
+                phi = centre + (longitudes[inner] if i < half else -longitudes[inner])
+                _look_up(pixels, 0.5 * math.pi - latitudes[inner], phi, flat, upper + 3 * i)
+                _look_up(pixels, 0.5 * math.pi + latitudes[inner], phi, flat, lower + 3 * i)
+        for i in range(half):
+            s = (2.0 * i + 1.0) / size
+            longitudes[i] = math.atan(s / t)  # from the nearest of φ = 0 and 180°
+            latitudes[i] = math.atan(math.sqrt(s * s + t * t))  # from the pole
+        upper = 3 * size * (2 * size + j)
+        lower = 3 * size * (3 * size - 1 - j)
+        face = 3 * size * size
+        for i in range(size):
+            inner = half - 1 - i if i < half else i - half
+            turned = longitudes[inner] if i < half else -longitudes[inner]
+            # On +Y rows run from z = -1 (φ = 180°) to z = 1 (φ = 0); on -Y the other way.
+            _look_up(pixels, latitudes[inner], -math.pi - turned, flat, upper + 3 * i)
+            _look_up(pixels, latitudes[inner], turned, flat, lower + 3 * i)
+            _look_up(pixels, math.pi - latitudes[inner], turned, flat, face + upper + 3 * i)
+            _look_up(pixels, math.pi - latitudes[inner], -math.pi - turned, flat, face + lower + 3 * i)

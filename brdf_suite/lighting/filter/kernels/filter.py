@@ -8,26 +8,23 @@ Importing this module imports numba.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from itertools import pairwise
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.lighting.filter.face_array import FaceArray, choose_scale
-from brdf_suite.lighting.filter.harmonics import legendre_starts, worker_count
+from brdf_suite.lighting.filter.harmonics import legendre_starts, run_all, worker_count
 from brdf_suite.lighting.filter.kernels import cube as compiled_cube
 from brdf_suite.lighting.filter.kernels import legendre as compiled_legendre
-from brdf_suite.lighting.filter.kernels import pack as compiled_pack
-from brdf_suite.lighting.filter.kernels import resample as compiled_resample
 from brdf_suite.lighting.filter.kernels.cube import MARGIN
 from brdf_suite.lighting.filter.ring_to_cube import WIDTH, fast_even, kernel, kernel_transform, rings_for
 from brdf_suite.lighting.latlong import column_angles, ring_angles
-from brdf_suite.progress import Progress, report, subrange
+from brdf_suite.progress import Progress, subrange
 
 _RING_PAIRS = 128  # read at once: 50 MB with their spectrum where the map is 8,192 wide
 _BLOCK_RINGS = 192  # ring pairs at once in a synthesis: what stays in the nearest cache
@@ -36,8 +33,6 @@ _BAND = 24  # rings of the fine grid at once, and their mirror images: they stay
 _ROWS = 16  # of a face's upper half at once
 _PACKED_ROWS = 64
 _DEGREE = 12  # of the polynomials in place of the interpolating kernel: 1e-9
-
-_Item = TypeVar("_Item")
 
 
 def analyse(
@@ -77,9 +72,9 @@ def analyse(
                     spectrum, weight, cosines, columns, first_angle, starts, first, end, bandlimit, result
                 )
 
-            _all(pool, transform, range(6))
+            run_all(pool, transform, range(6))
             step = subrange(progress, begin / half, min(1.0, (begin + size) / half))
-            _all(pool, sum_up, range(0, bandlimit + 1, _ORDERS), step, "analysing the environment")
+            run_all(pool, sum_up, range(0, bandlimit + 1, _ORDERS), step, "analysing the environment")
     return result.view(np.complex128)
 
 
@@ -107,17 +102,17 @@ def resample_to_cube(pixels: Singles, size: int, room: Singles | None = None) ->
     readable.flags.writeable = False  # kernels are compiled for each kind of array: one will do
 
     def work(first: int) -> None:
-        compiled_resample.resample_rows(readable, first, min(first + _ROWS, size // 2), faces)
+        compiled_cube.resample_rows(readable, first, min(first + _ROWS, size // 2), faces)
 
     with ThreadPoolExecutor(worker_count()) as pool:
-        _all(pool, work, range(0, size // 2, _ROWS))
+        run_all(pool, work, range(0, size // 2, _ROWS))
     return faces
 
 
 def pack_faces(faces: Singles, bend_share: float, changes: Singles | None) -> FaceArray:
     """Return faces (6, F, F, 3) as half floats, less a share of their second differences and less ``changes``.
 
-    ``changes``: see :func:`brdf_suite.lighting.filter.cube_edges.edge_changes`.
+    ``changes``: see :func:`brdf_suite.lighting.filter.texel_values.edge_changes`.
     """
     size = faces.shape[1]
     halves = np.empty(faces.shape, dtype=np.float16)
@@ -128,11 +123,11 @@ def pack_faces(faces: Singles, bend_share: float, changes: Singles | None) -> Fa
         scale = choose_scale(max(pool.map(lambda face: float(face.max()), faces)))
 
         def work(first: int, less: Singles = changes) -> None:
-            compiled_pack.pack_rows(
+            compiled_cube.pack_rows(
                 faces, bend_share, less, scale, first, min(first + _PACKED_ROWS, 6 * size), bits
             )
 
-        _all(pool, work, range(0, 6 * size, _PACKED_ROWS))
+        run_all(pool, work, range(0, 6 * size, _PACKED_ROWS))
     return FaceArray(halves, scale)
 
 
@@ -190,7 +185,7 @@ def _fine_rings(
             result[:, :, first + odd : end : 2] = found.view(np.complex128)[..., 0]
         room.append(mine)
 
-    _all(pool, work, range(0, bandlimit + 1, _ORDERS), progress, "filtering")
+    run_all(pool, work, range(0, bandlimit + 1, _ORDERS), progress, "filtering")
     return result
 
 
@@ -236,7 +231,7 @@ def _faces(
             held = WIDTH - 1
             folded[:, :held] = folded[:, end - first : end - first + held]
 
-    _all(pool, fill, pairwise(sections.astype(int).tolist()), progress, "filling the cube")
+    run_all(pool, fill, pairwise(sections.astype(int).tolist()), progress, "filling the cube")
     return faces
 
 
@@ -253,22 +248,3 @@ def _polynomials() -> Floats:
         series = np.polynomial.chebyshev.chebfit(z, kernel(x - tap), _DEGREE)
         columns.append(np.polynomial.chebyshev.cheb2poly(series)[::-1])
     return np.ascontiguousarray(np.array(columns).T)
-
-
-def _all(
-    pool: ThreadPoolExecutor,
-    work: Callable[[_Item], None],
-    items: Iterable[_Item],
-    progress: Progress | None = None,
-    what: str = "",
-) -> None:
-    """Run ``work`` on every item in the pool; report and cancel between them."""
-    futures = [pool.submit(work, item) for item in items]
-    try:
-        for done, future in enumerate(futures):
-            future.result()
-            report(progress, (done + 1) / len(futures), what)
-    except BaseException:
-        for future in futures:
-            future.cancel()
-        raise

@@ -1,0 +1,247 @@
+"""First pass of a frame: surface, background and ground as exposed radiance of the working space."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any
+
+import moderngl
+import numpy as np
+from numpy.typing import NDArray
+
+from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.documents.view import View
+from brdf_suite.errors import GraphicsError, ValueRangeError
+from brdf_suite.realtime.camera import CameraMatrices, crop, matrices
+from brdf_suite.realtime.environment.backdrop import backdrop
+from brdf_suite.realtime.environment.ground import GroundShadow
+from brdf_suite.realtime.environment.textures import RAMP_UNIT
+from brdf_suite.realtime.factors.ball import ReflectanceBalls
+from brdf_suite.realtime.factors.textures import FactorTextures
+from brdf_suite.realtime.gl.objects import Size, Target
+from brdf_suite.realtime.gl.programs import (
+    MATERIAL_BINDING,
+    PAINTS,
+    Features,
+    LookUps,
+    assign,
+    columns,
+    surface_features,
+    view_uniforms,
+)
+from brdf_suite.realtime.material.material_set import Modes
+from brdf_suite.realtime.pictures.captured import DrawContext
+from brdf_suite.realtime.relief.textures import ReliefTextures
+from brdf_suite.realtime.relief.values import PeelTile
+
+DEFAULT_SAMPLES = 4
+PAINT, SECOND_PAINT = "paint", "paint_two"
+"""The material that relief and masks belong to, and the one that is blended over it."""
+Corner = tuple[int, int]
+Region = tuple[int, int, int, int]
+AS_THEY_ARE: Mapping[str, str] = MappingProxyType({})
+"""No part is drawn with another material."""
+
+
+class LightPass:
+    """The first pass over the renderer's mesh, with the ground, relief, factors and reflectance balls drawn in it."""
+
+    def __init__(self, drawing: DrawContext, make_peel: Callable[[], PeelTile] | None) -> None:
+        self._objects, self._programs, self._environment = (
+            drawing.objects,
+            drawing.programs,
+            drawing.environment,
+        )
+        self.mesh, self._materials = drawing.mesh, drawing.materials
+        self._single_lights = drawing.single_lights
+        self.ground = GroundShadow(drawing.objects)
+        self.relief = ReliefTextures(drawing.objects, make_peel)
+        self.factors = FactorTextures(drawing.objects)
+        self.balls = ReflectanceBalls(drawing, self.factors)
+        self._warm: tuple[int, int, Features] | None = None
+
+    def draw(
+        self,
+        view: View,
+        target: Target,
+        tile: Size,
+        samples: int,
+        size: Size,
+        corner: Corner = (0, 0),
+        *,
+        materials: Mapping[str, str] = AS_THEY_ARE,
+        region: Region | None = None,
+        dtype: str = "f2",
+        transparent: bool = False,
+    ) -> moderngl.Texture:
+        """Draw a tile of a picture of ``size`` into ``target`` and return its exposed radiance."""
+        if not self._environment.exponents:
+            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
+        samples = min(samples, self._objects.context.max_samples)
+        # Graphics cards have powers of two of them.
+        samples = 1 << (samples.bit_length() - 1) if samples > 1 else 0
+        camera = matrices(view.camera, self.mesh.bounds, size)
+        self.balls.draw(view, camera, (materials.get(n, n) for n in (PAINT, SECOND_PAINT)))
+        framebuffer, light = target.prepare(tile, dtype, samples)
+        self._objects.bind(framebuffer, tile, region, depth=True)
+        self._environment.bind()
+        features = surface_features(view, knows_light=self.mesh.knows_light, smooth=samples > 1)
+        features |= self._single_lights.features(view)
+        if self._environment.is_dark or view.light_colour.brightness == 0.0:
+            features |= {"DARK"}
+        self._warm_up(samples, features)
+        framebuffer.clear(depth=1.0)
+        self._draw_mesh(view, features, camera, crop(size, corner, tile), materials)
+        if not transparent:
+            self._draw_background(view, camera, size, corner)
+            self._draw_ground(view, camera, crop(size, corner, tile))
+        return light
+
+    def draw_backdrop(
+        self,
+        view: View,
+        target: Target,
+        size: Size,
+        region: Region | None = None,
+        *,
+        grounded: bool = True,
+    ) -> moderngl.Texture:
+        """Draw what is seen past the surface, ``grounded`` with the shadow there, and leave ``target`` bound.
+
+        Return its exposed light, one sample a pixel and without any object, for another's light to be laid over.
+        """
+        if not self._environment.exponents:
+            raise GraphicsError("No environment has been chosen yet; choose one before drawing.")
+        camera = matrices(view.camera, self.mesh.bounds, size)
+        framebuffer, light = target.prepare(size, "f2")
+        self._objects.bind(framebuffer, size, region, depth=True)
+        self._environment.bind()
+        framebuffer.clear(depth=1.0)
+        self._draw_background(view, camera, size, (0, 0))
+        if grounded:
+            self._draw_ground(view, camera, crop(size, (0, 0), size))
+        return light
+
+    def _draw_mesh(
+        self,
+        view: View,
+        features: Features,
+        camera: CameraMatrices,
+        cropping: NDArray[np.float64],
+        materials: Mapping[str, str],
+    ) -> None:
+        common = (
+            self._environment.uniforms()
+            | view_uniforms(view)
+            | {
+                "world_to_clip": columns(cropping @ camera.world_to_clip),
+                "eye": tuple(camera.eye),
+                "grounded": view.surface_look.ground,
+            }
+        )
+        ready: set[tuple[LookUps, Features]] = set()
+        lit = bool(self._single_lights.features(view))
+        if lit:
+            self._single_lights.bind(view)
+        modes = Modes(view.fresnel, view.look_up)
+        drawn = self.drawn_parts(view, features)
+        self._objects.context.front_face, self._objects.context.cull_face = "ccw", "back"
+        common |= self.relief.bind(view, self.mesh.bounds)
+        for part, name, words in drawn:
+            name = materials.get(name, name)
+            if view.lamps:
+                words |= self.balls.words(view, name) or self.factors.features(
+                    name, has_uv=self.mesh.has_uv[part]
+                )
+            material = self._materials.find(name, modes, self._environment.ladder)
+            program = self._programs.surface(material.look_ups, words)
+            if (material.look_ups, words) not in ready:
+                assign(program, common)
+                ready.add((material.look_ups, words))
+            assign(program, self._environment.use_sharp(material.sharp))
+            if "COAT_RELIEF" in words:
+                assign(program, self.relief.peel_uniforms(view, name))
+            assign(program, self.balls.uniforms(name, words, camera))
+            if lit:
+                assign(program, self._single_lights.uniforms(name, view, has_uv=self.mesh.has_uv[part]))
+            material.ramp.use(RAMP_UNIT)
+            material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+            # Multisampling software renderers shade what is hidden too: the backs of a solid are left out.
+            solid = camera.outside and self.mesh.closed[part]
+            self._objects.context.enable_only(
+                moderngl.DEPTH_TEST | (moderngl.CULL_FACE if solid else moderngl.NOTHING)
+            )
+            _blend_over(self._objects.context, "SECOND_PAINT" in words)
+            self.mesh.arrays(program)[part].render(moderngl.TRIANGLES)
+        self._objects.context.enable_only(moderngl.DEPTH_TEST)
+        _blend_over(self._objects.context, False)
+
+    def drawn_parts(self, view: View, features: Features) -> list[tuple[int, str, Features]]:
+        """Return what is drawn in order: a part's number, its material, and the features of its program.
+
+        Relief belongs to the paint. A second paint is drawn over the first, by its share at each place.
+        """
+        chosen = {item.part: item.material for item in view.surface_look.materials}
+        owned = zip(self.mesh.names, self.mesh.materials, strict=True)
+        names = [chosen.get(part, own) for part, own in owned]
+        painted = features | self.relief.features(view)
+        drawn = [(part, name, painted if name == PAINT else features) for part, name in enumerate(names)]
+        if self.relief.has_second_paint(view):
+            over = painted | {"SECOND_PAINT"}
+            drawn += [(part, SECOND_PAINT, over) for part, name in enumerate(names) if name == PAINT]
+        return drawn
+
+    def _draw_ground(self, view: View, camera: CameraMatrices, cropping: NDArray[np.float64]) -> None:
+        """Darken the background by the shadow on the ground, which is visible from above only."""
+        height = self.ground.height
+        if view.surface_look.ground and height is not None and camera.eye[1] > height:
+            self.ground.draw(
+                columns(cropping @ camera.world_to_clip),
+                float(np.radians(view.rotation_deg)),
+                environment_matrix(view.light_colour),
+            )
+
+    def _warm_up(self, samples: int, features: Features) -> None:
+        """Draw one triangle with each program: drivers finish compiling at the first draw, not in an edit."""
+        key = (samples, self.mesh.generation, features)
+        if self._warm == key or self._environment.on_demand or not self.mesh.materials:
+            return
+        material = self._materials.find("neutral", Modes(), self._environment.ladder)
+        material.ramp.use(RAMP_UNIT)
+        material.buffer.bind_to_uniform_block(MATERIAL_BINDING)
+        for look_ups in PAINTS:
+            program = self._programs.surface(look_ups, features)
+            assign(program, self._environment.uniforms() | self._environment.use_sharp(()))
+            self.mesh.arrays(program)[0].render(moderngl.TRIANGLES, vertices=3)
+        self._warm = key
+
+    def _draw_background(self, view: View, camera: CameraMatrices, size: Size, corner: Corner) -> None:
+        program, screen = self._objects.screen("background.frag.glsl")
+        own = {
+            "view_to_world": columns(camera.view_to_world),
+            "half_tangents": camera.half_tangents,
+            "frame": (*corner, 1.0 / size[0], 1.0 / size[1]),
+            **backdrop(view, self._environment.ladder),
+        }
+        assign(program, self._environment.uniforms() | view_uniforms(view) | own)
+        screen.render(moderngl.TRIANGLES, vertices=3)
+
+
+def _blend_over(context: moderngl.Context, on: bool) -> None:
+    """Enable or disable blending of the drawn paint by its alpha; the object's coverage stays unchanged."""
+    if not on:
+        context.disable(moderngl.BLEND)
+        return
+    context.enable(moderngl.BLEND)
+    # moderngl's types know two factors; four set those of alpha apart.
+    factors: Any = (moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ZERO, moderngl.ONE)
+    context.blend_func = factors
+
+
+def check_size(size: Size) -> Size:
+    """Return width and height as whole numbers of 1 to 65,536 pixels, or raise :class:`ValueRangeError`."""
+    width, height = (int(n) for n in size)
+    if not (1 <= width <= 65536 and 1 <= height <= 65536):
+        raise ValueRangeError("size", f"1 to 65,536 pixels along each edge are drawn, not {width}x{height}")
+    return width, height
