@@ -82,7 +82,7 @@ class LobeVisualizer(Program):
         self._asked = asked
         self._default = ""
         self._build_commands()
-        self.features += (self.sources, self.fits, self.legend, self.followed)
+        self.features += (self.sources, self.fits, self.legend.errors, self.followed)
         self.features += (part(self.session, self.window) for part in parts)
         self.numbers = Numbers(self.session, self.window, ask_path=ask_path)
         self.features += (self.numbers, self.link)

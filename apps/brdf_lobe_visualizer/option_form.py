@@ -1,4 +1,4 @@
-"""A form whose fields set options by name, and show them as they are."""
+"""Fields for options: a drop-down list with a default, and a form whose fields set options by name and show them."""
 
 from __future__ import annotations
 
@@ -7,12 +7,54 @@ from typing import Any
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
-from PySide6.QtCore import SignalInstance
-from PySide6.QtWidgets import QCheckBox
+from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QEvent, Qt, Signal, SignalInstance
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
-from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.options import Options, OptionState
 from brdf_lobe_visualizer.session import LobeSession
+
+_RESETS = (Qt.Key.Key_Backspace, Qt.Key.Key_Delete)
+
+
+class ChoiceField(QuietComboBox):
+    """Choices by key with titles (marked for translation); ``default`` is what Backspace or Delete goes back to.
+
+    ``chosen(key)`` is never emitted by :meth:`set_choice`.
+    """
+
+    chosen = Signal(object)
+
+    def __init__(self, titles: Mapping[Any, str], default: Any, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.default = default
+        for key, title in titles.items():
+            self.addItem(tr(title), key)
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(8)
+        self.activated.connect(lambda index: self.chosen.emit(self.itemData(index)))
+
+    @property
+    def choice(self) -> Any:
+        return self.currentData()
+
+    def set_choice(self, key: Any) -> None:
+        """Show a choice without a signal."""
+        self.setCurrentIndex(self.findData(key))
+
+    def reset(self) -> None:
+        """Go back to the default, as a choice of the user's."""
+        if self.choice != self.default:
+            self.set_choice(self.default)
+            self.chosen.emit(self.default)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress and event.key() in _RESETS:
+            self.reset()
+            return True
+        return super().event(event)
 
 
 class OptionForm(Form):

@@ -97,16 +97,6 @@ def _layout(
     high = (height - top - under - gap_y * (rows - 1)) / rows
     side = max(8.0, min(wide, high))
     # What is left over is shared by both sides.
-    spare_x = max(0.0, width - left - right - columns * side - GAP * (columns - 1))
-    spare_y = max(0.0, height - top - under - rows * side - gap_y * (rows - 1))
-    return Layout(
-        side,
-        left + 0.5 * spare_x,
-        top + 0.5 * spare_y,
-        turned,
-        below,
-        rows,
-        columns,
-        side + GAP,
-        side + gap_y,
-    )
+    left += 0.5 * max(0.0, columns * (wide - side))
+    top += 0.5 * max(0.0, rows * (high - side))
+    return Layout(side, left, top, turned, below, rows, columns, side + GAP, side + gap_y)

@@ -179,17 +179,11 @@ class ImageGrid(QWidget):
     def _draw_holes(self, painter: QPainter, picture: Picture, place: QRectF) -> None:
         if picture.holes is None or not picture.holes.any():
             return
-        brush, shape = hatching_brush(self.palette()), picture.holes.shape
+        brush, (rows, columns) = hatching_brush(self.palette()), picture.holes.shape
+        wide, high = place.width() / columns, place.height() / rows
         for row, first, last in _runs(picture.holes):
-            painter.fillRect(
-                QRectF(
-                    place.left() + place.width() * first / shape[1],
-                    place.top() + place.height() * row / shape[0],
-                    place.width() * (last - first) / shape[1],
-                    place.height() / shape[0],
-                ),
-                brush,
-            )
+            left, top = place.left() + first * wide, place.top() + row * high
+            painter.fillRect(QRectF(left, top, (last - first) * wide, high), brush)
 
     def _draw_cross(self, painter: QPainter, place: QRectF) -> None:
         if self._cross is None:

@@ -20,9 +20,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog
 
-from brdf_lobe_visualizer.cuts import half_angle_view, unrolled_view
 from brdf_lobe_visualizer.cuts.curves_plot import CurvesPlot
-from brdf_lobe_visualizer.cuts.half_angle_view import HalfAngleView
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Axes, Grid
 from brdf_lobe_visualizer.cuts.lines import SliceLines, csv_of
@@ -30,7 +28,15 @@ from brdf_lobe_visualizer.cuts.options import SliceState
 from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
 from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
 from brdf_lobe_visualizer.cuts.section import SlicesSection
-from brdf_lobe_visualizer.cuts.unrolled_view import UnrolledView
+from brdf_lobe_visualizer.cuts.slice_views import (
+    HalfAngleView,
+    UnrolledView,
+    half_angle_axes,
+    half_angle_pairs_of,
+    half_angle_places,
+    unrolled_pairs_of,
+    unrolled_places,
+)
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import SamplePoints, Srgb
 from brdf_lobe_visualizer.window import LobeWindow
@@ -201,16 +207,16 @@ class Slices(Feature, QObject):
         other = session.reference if shown == "difference" else None
         if key == UNROLLED:
             angles = options.incidences_deg
-            pairs = tuple(unrolled_view.pairs_of(angle, phi) for angle in angles)
+            pairs = tuple(unrolled_pairs_of(angle, phi) for angle in angles)
             columns, axes = tuple(f"{angle:g}°" for angle in angles), Axes()
         else:
-            pairs = (half_angle_view.pairs_of(options.phi_d_deg, phi, options.by_root),)
-            columns, axes = ("",), half_angle_view.axes_of(options.by_root)
+            pairs = (half_angle_pairs_of(options.phi_d_deg, phi, options.by_root),)
+            columns, axes = ("",), half_angle_axes(options.by_root)
 
         def places(samples: SamplePoints, column: int) -> Floats:
             if key == UNROLLED:
-                return unrolled_view.sample_places(options.incidences_deg, phi, samples, column)
-            return half_angle_view.sample_places(options.phi_d_deg, phi, options.by_root, samples)
+                return unrolled_places(options.incidences_deg, phi, samples, column)
+            return half_angle_places(options.phi_d_deg, phi, options.by_root, samples)
 
         return Request(
             title=subject.title,

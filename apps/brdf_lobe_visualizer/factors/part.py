@@ -14,9 +14,9 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
-from brdf_lobe_visualizer.choice_field import ChoiceField
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Grid, Picture, ScaleBar
+from brdf_lobe_visualizer.option_form import ChoiceField
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_lobe_visualizer.words import plain

@@ -28,6 +28,13 @@ from brdf_lobe_visualizer.subjects.subjects import Dash, Srgb
 
 TITLE, SOLO, REFERENCE, ERROR = range(4)
 _KEY = Qt.ItemDataRole.UserRole
+_FLAGS = (
+    Qt.ItemFlag.ItemIsEnabled
+    | Qt.ItemFlag.ItemIsSelectable
+    | Qt.ItemFlag.ItemIsUserCheckable
+    | Qt.ItemFlag.ItemIsEditable
+    | Qt.ItemFlag.ItemIsDragEnabled
+)
 
 
 @dataclass(frozen=True)
@@ -296,21 +303,12 @@ class Legend(QWidget):
 
 
 def _fill(item: QTreeWidgetItem, row: LegendRow, before: LegendRow | None, ratio: float) -> None:
-    flags = Qt.ItemFlag
-    item.setFlags(
-        flags.ItemIsEnabled
-        | flags.ItemIsSelectable
-        | flags.ItemIsUserCheckable
-        | flags.ItemIsEditable
-        | flags.ItemIsDragEnabled
-    )
-    states = {False: Qt.CheckState.Unchecked, True: Qt.CheckState.Checked}
+    item.setFlags(_FLAGS)
     item.setData(0, _KEY, row.key)
     item.setText(TITLE, row.title)
     item.setToolTip(TITLE, plain_tip(row.tip))
-    item.setCheckState(TITLE, states[row.shown])
-    item.setCheckState(SOLO, states[row.solo])
-    item.setCheckState(REFERENCE, states[row.reference])
+    for column, on in ((TITLE, row.shown), (SOLO, row.solo), (REFERENCE, row.reference)):
+        item.setCheckState(column, Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
     item.setText(ERROR, row.error)
     item.setTextAlignment(ERROR, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
     item.setData(TITLE, Qt.ItemDataRole.AccessibleTextRole, row.spoken)

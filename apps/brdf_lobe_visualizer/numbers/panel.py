@@ -179,12 +179,11 @@ AskPath = Callable[[Path], Path | None]
 
 
 class NumbersPanel(QWidget):
-    """The table with its choices. Signals: ``group_chosen(str)``, ``angles_chosen(str)``, ``copy_requested()``,
-    ``export_requested()``, ``seen(bool)``.
+    """The table with its choices. Signals: ``group_chosen(str)``, ``copy_requested()``, ``export_requested()``,
+    ``seen(bool)``.
     """
 
     group_chosen = Signal(str)
-    angles_chosen = Signal(str)
     copy_requested = Signal()
     export_requested = Signal()
     seen = Signal(bool)
@@ -202,7 +201,6 @@ class NumbersPanel(QWidget):
         )
         for key, title in _ANGLES.items():
             self.angles.addItem(tr(title), key)
-        self.angles.activated.connect(lambda place: self.angles_chosen.emit(self.angles.itemData(place)))
         for key, button in self.buttons.items():
             button.setAccessibleName(tr("Show {name}").format(name=button.text()))
             button.clicked.connect(lambda _=False, key=key: self.group_chosen.emit(key))
@@ -251,7 +249,8 @@ class Numbers(Feature, QObject):
         self.work.set_angles(angles if angles in _ANGLES else DEFAULT_SET)
         self.panel.show_choices(self._group, self.work.angles.name)
         self.panel.group_chosen.connect(self.choose_group)
-        self.panel.angles_chosen.connect(self.choose_angles)
+        angles_field = self.panel.angles
+        angles_field.activated.connect(lambda place: self.choose_angles(angles_field.itemData(place)))
         self.panel.copy_requested.connect(self.copy)
         self.panel.export_requested.connect(self.export)
         self.panel.seen.connect(lambda _seen: self._look())

@@ -29,22 +29,22 @@ _PAUSE_MS = 200
 
 @dataclass(frozen=True, eq=False)
 class _Inputs:
-    """What figures depend on, compared by identity where it is large."""
+    """What figures depend on, by the names of ``FiguresRequest``; compared by identity where it is large."""
 
     reflectance: Reflectance
-    weights: LobeWeights | None
+    fit: LobeWeights | None
     reference: Reflectance | None
     azimuth_deg: float
     isotropic: bool
-    angles: GeometrySet
+    geometry_set: GeometrySet
 
     def is_same(self, other: _Inputs | None) -> bool:
         return (
             other is not None
             and self.reflectance is other.reflectance
-            and self.weights is other.weights
+            and self.fit is other.fit
             and self.reference is other.reference
-            and (self.azimuth_deg, self.angles) == (other.azimuth_deg, other.angles)
+            and (self.azimuth_deg, self.geometry_set) == (other.azimuth_deg, other.geometry_set)
         )
 
 
@@ -133,14 +133,8 @@ class FiguresWork(QObject):
         weights = self._session.weights_of(subject)
         turned = not subject.isotropic or (other is not None and not other.isotropic)
         azimuth = self._session.incidence[1] if turned else 0.0
-        return _Inputs(
-            subject.reflectance,
-            weights,
-            None if other is None else other.reflectance,
-            azimuth,
-            subject.isotropic,
-            self.angles,
-        )
+        against = None if other is None else other.reflectance
+        return _Inputs(subject.reflectance, weights, against, azimuth, subject.isotropic, self.angles)
 
     def _submit(self, subject: PlottedMaterial, wanted: _Inputs) -> None:
         key, job = subject.key, f"figures {subject.key}"
@@ -170,12 +164,4 @@ def _figures(wanted: _Inputs, progress: Progress) -> ReflectanceFigures:
     # Deferred: what measures brings the fits of undivided data, and the panel is not there at a first start.
     from brdf_suite.inspection.figures.figures import FiguresRequest, reflectance_figures
 
-    request = FiguresRequest(
-        wanted.reflectance,
-        fit=wanted.weights,
-        reference=wanted.reference,
-        azimuth_deg=wanted.azimuth_deg,
-        isotropic=wanted.isotropic,
-        geometry_set=wanted.angles,
-    )
-    return reflectance_figures(request, progress)
+    return reflectance_figures(FiguresRequest(**vars(wanted)), progress)

@@ -90,11 +90,10 @@ class Fits(Feature, QObject):
             todo = tr("The reflectance is shown without a fit.")
             self._window.show_message(message_of(error, job, todo=todo))
 
-        self.tasks.submit(key, _fitted, subject.material, done, failed, moved)
+        def work(material: Material, progress: Progress) -> LobeFit:
+            return fit_material(material, progress=progress)
 
-
-def _fitted(material: Material, progress: Progress) -> LobeFit:
-    return fit_material(material, progress=progress)
+        self.tasks.submit(key, work, subject.material, done, failed, moved)
 
 
 KEY = "designer"
@@ -121,14 +120,11 @@ class FollowedPaint(Feature, QObject):
         self._exact.arrived.connect(self._show)
         self._exact.failed.connect(lambda fit, _error: self._show(fit))
         self._shown = False
-        self.action = window.add_command(
-            "reflectance",
+        name, tip = (
             mark("&Follow Designer"),
-            "Ctrl+D",
-            self._followed,
-            tip=mark("Show the paint being edited in Designer and follow every change"),
-            checked=True,
+            mark("Show the paint being edited in Designer and follow every change"),
         )
+        self.action = window.add_command("reflectance", name, "Ctrl+D", self._followed, tip=tip, checked=True)
         session.subjects_changed.connect(self._look)
 
     @property
@@ -157,7 +153,8 @@ class FollowedPaint(Feature, QObject):
             return
         if self._fitter is None:
             self._fitter = PaintFitter()
-        self._tasks.submit(KEY, _fit_paint, (self._fitter, paint), self._fresh, self._refused)
+        fitter = self._fitter
+        self._tasks.submit(KEY, lambda paint, _progress: fitter.fit(paint), paint, self._fresh, self._refused)
 
     def _fresh(self, fit: LobeFit) -> None:
         self._window.dismiss_message(_FOLLOW_MESSAGE)
@@ -174,21 +171,14 @@ class FollowedPaint(Feature, QObject):
         if not self.action.isChecked():
             return
         before = self._session.subject(KEY)
-        shown = PlottedMaterial(
-            KEY,
-            tr("Designer: {name}").format(name=fit.name),
-            replace(fit.material, origin=tr("Designer")),
-            fit=fit,
-            notes=fit.material.notices,
-        )
+        title = tr("Designer: {name}").format(name=fit.name)
+        material = replace(fit.material, origin=tr("Designer"))
+        shown = PlottedMaterial(KEY, title, material, fit=fit, notes=fit.material.notices)
+        colour, dash = self._sources.next_line() if before is None else (before.colour, before.dash)
+        self._fits.skip(KEY, shown.reflectance)
+        self._session.add(replace(shown, colour=colour, dash=dash))
         if before is None:
-            colour, dash = self._sources.next_line()
-            self._fits.skip(KEY, shown.reflectance)
-            self._session.add(replace(shown, colour=colour, dash=dash))
             self._session.set_front(KEY)
-        else:
-            self._fits.skip(KEY, shown.reflectance)
-            self._session.add(replace(shown, colour=before.colour, dash=before.dash))
         self._shown = True
         self.arrived.emit()
 
@@ -211,8 +201,3 @@ class FollowedPaint(Feature, QObject):
         if self._shown and not there:
             self.action.setChecked(False)
         self._shown = there
-
-
-def _fit_paint(wanted: tuple[PaintFitter, Paint], _progress: Progress) -> LobeFit:
-    fitter, paint = wanted
-    return fitter.fit(paint)

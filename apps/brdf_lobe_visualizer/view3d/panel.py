@@ -20,8 +20,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QStackedLayout, QWidget
 
 from brdf_lobe_visualizer.incidence.drag import IncidenceDrag
-from brdf_lobe_visualizer.incidence.section import IncidenceSection
-from brdf_lobe_visualizer.incidence.sweep import SweepControl
+from brdf_lobe_visualizer.incidence.section import IncidenceSection, SweepControl
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.parts_section import PartsSection
 from brdf_lobe_visualizer.view3d.camera import (

@@ -17,7 +17,7 @@ from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.subjects import Measured, PlottedMaterial, SamplePoints
+from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
 from brdf_lobe_visualizer.view3d.options import SpaceOptions
 from brdf_lobe_visualizer.view3d.scene import CUT, Points
 from brdf_suite.arrays import Floats, Singles
@@ -28,7 +28,6 @@ from brdf_suite.inspection.lobe_surface.grid import LobeGrid, lobe_grid
 from brdf_suite.inspection.lobe_surface.parts import FitLobe, FitOnGrid, LobeSource
 from brdf_suite.inspection.lobe_surface.surface import RadiusScale
 from brdf_suite.inspection.slices.values import Cosine, cosine_of
-from brdf_suite.reflectance.protocol import Reflectance
 
 SLOW_S = 0.025
 """Of the processor's time: what else the machine does, makes no reflectance slow."""
@@ -86,7 +85,12 @@ class SpaceValues:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
         grid = self.grid()
         kept = self.kept.get(subject.key)
-        if kept is None or not _same(kept.source, subject.reflectance, subject.measured):
+        source = kept.source if kept else None
+        if (
+            source is None
+            or source.reflectance is not subject.reflectance
+            or source.measured is not subject.measured
+        ):
             source = LobeSource(subject.reflectance, subject.measured)
             kept = self.kept[subject.key] = (
                 _Kept(source, seconds=kept.seconds, before=_stale(kept)) if kept else _Kept(source)
@@ -170,10 +174,6 @@ def with_cosine(found: Found, cosine: Cosine) -> Singles:
         return found.values * np.float32(found.grid.wi[2])
     factor = cosine_of(cosine, found.grid.wi, found.grid.directions).astype(np.float32)
     return np.asarray(found.values * factor[..., None])
-
-
-def _same(source: LobeSource, reflectance: Reflectance, measured: Measured | None) -> bool:
-    return source.reflectance is reflectance and source.measured is measured
 
 
 def sample_points(

@@ -284,13 +284,8 @@ class LobeView(SpaceView):
                 self.paint(region=(*corner, size.width(), size.height()), viewport=whole)
                 buffer.release()
                 drawn = buffer.toImage().convertToFormat(QImage.Format.Format_RGB32)
-                smooth = drawn.scaled(
-                    wide,
-                    high,
-                    Qt.AspectRatioMode.IgnoreAspectRatio,
-                    Qt.TransformationMode.SmoothTransformation,
-                )
-                painter.drawImage(left, top, smooth)
+                shape, mode = Qt.AspectRatioMode.IgnoreAspectRatio, Qt.TransformationMode.SmoothTransformation
+                painter.drawImage(left, top, drawn.scaled(wide, high, shape, mode))
 
     def write_picture(self, path: Path, width: int, height: int, about: str) -> None:
         """Write the scene as PNG or SVG, by the ending of ``path``; raises :class:`FileError`."""
