@@ -116,8 +116,8 @@ class PaletteSession(QObject):
             self._working(pane, True)
             self.library.tasks.submit(
                 task,
-                lambda request, progress: filter_and_sort(*request, progress),
-                (rows, state),
+                lambda _, progress: filter_and_sort(rows, state, progress),
+                None,
                 partial(self._take, pane),
                 partial(self._fail, pane),
             )
