@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.reference.estimate_file import reading_state, write_state
+from brdf_suite.reference.state_file import reading_state, write_state
 
 
 @dataclass(frozen=True, eq=False)
