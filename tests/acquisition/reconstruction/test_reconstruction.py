@@ -58,7 +58,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Photographs of a simulated rig: nine positions, eight exposures, noise, and an unknown response curve."""
     folder = tmp_path_factory.mktemp("rig") / "titan"
     settings = SimulatorSettings(
-        size=(176, 176),
+        size=(144, 144),
         positions=POSITIONS,
         exposures=8,
         longest_s=0.032,
@@ -324,8 +324,8 @@ def test_nothing_readable_is_reported_with_its_reason(own: Path, tmp_path: Path)
 
 def test_a_mask_takes_readings_away(own: Path, whole: tuple[Acquired, Path]) -> None:
     road = Acquisition.open(own, OPTIONS)
-    used = np.ones((176, 176), np.bool_)
-    used[:, :80] = False
+    used = np.ones((144, 144), np.bool_)
+    used[:, :65] = False
     road.take_calibration(whole[0].calibration)
     road.options = replace(road.options, mask=used, positions=(4,))
     masked = reconstruct(road)
@@ -365,7 +365,7 @@ def test_steps_out_of_order_say_which_comes_first(folder: Path) -> None:
 def test_a_matt_sphere_stands_as_stated() -> None:
     matt = CookTorrance(CookTorrancePaint("chalk", (0.5, 0.5, 0.5)))
     settings = SimulatorSettings(
-        size=(176, 176),
+        size=(144, 144),
         positions=6,
         exposures=4,
         longest_s=0.002,

@@ -119,9 +119,8 @@ def test_killed_and_started_again_it_gives_what_it_would_have_given(
     assert kept(killed) == 1
     assert not (killed / "basis.json").exists()
 
-    process = start(killed, few_paints, "--json")
-    out, err = process.communicate()
-    assert process.returncode == 0, err
+    status, out, err = run(killed, "--json")
+    assert status == 0, err
     answer = json.loads(out)
     assert answer == json.loads((killed / "basis.json").read_text())
     assert answer["provenance"]["command"] == (
