@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QWidget
 
 from brdf_color_swatch.controller import PaletteController
 from brdf_color_swatch.export.contact_sheet import ContactSheets
-from brdf_color_swatch.export.dialog import ExportDialogs, QtExportDialogs
+from brdf_color_swatch.export.dialog import QtExportDialogs
 from brdf_color_swatch.export.palette_export import PaletteExport
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.features.colour_search import ColourSearch
@@ -82,7 +82,7 @@ class ColorSwatch(Program):
 
     window: SwatchWindow
 
-    def __init__(self, dialogs: Callable[[QWidget], ExportDialogs] = QtExportDialogs) -> None:
+    def __init__(self, dialogs: Callable[[QWidget], QtExportDialogs] = QtExportDialogs) -> None:
         lights = resource_names("environments", ".exr")
         super().__init__(SwatchWindow(lights))
         self.library = Library(palette_format(), dialogs(self.window), self._autosave_failed, self.window)
@@ -91,6 +91,7 @@ class ColorSwatch(Program):
         self.session.recall()
         self.controller = PaletteController(self.session, self.window, self.window)
         self.features += (feature(self.session, self.window) for feature in FEATURES)
+        self.features.append(self.feature(PaintExchange).link)
         self.window.complete()
         self.controller.start()
         self.window.close_requested.connect(self._may_close)

@@ -147,12 +147,11 @@ class PaletteController(QObject):
         if state.near is not None:
             title = tr("{palette}, nearest to {paint}").format(palette=title, paint=state.near.name[:80])
         shown, whole = len(pane.model.shown.places), len(pane.model.shown.rows)
-        if shown == whole:
-            count = ""
-            if item is not None:
-                count = tr("1 swatch") if whole == 1 else tr("{count} swatches").format(count=whole)
-        else:
+        count = tr("1 swatch") if whole == 1 else tr("{count} swatches").format(count=whole)
+        if shown != whole:
             count = tr("{shown} of {count}").format(shown=shown, count=whole)
+        elif item is None:
+            count = ""
         if self._session.is_working(pane.number):
             count = tr("({count}, working)").format(count=count)
         front = pane.number == self._session.front
@@ -196,10 +195,8 @@ class PaletteController(QObject):
     def _show_counts(self) -> None:
         session = self._session
         shown, selected = len(session.shown[session.front].places), len(session.selected)
-        text = tr("{count} shown").format(count=shown)
-        if selected:
-            text = tr("{count} shown, {selected} selected").format(count=shown, selected=selected)
-        self._window.count_cell.set(text)
+        text = tr("{count} shown, {selected} selected") if selected else tr("{count} shown")
+        self._window.count_cell.set(text.format(count=shown, selected=selected))
         notes = session.shown[session.front].rows.notes
         self._window.note_cell.set(notes[0] if notes else "", "\n".join(notes))
 
@@ -213,9 +210,8 @@ class PaletteController(QObject):
     def _show_palette_fields(self) -> None:
         palette, scope = self._session.palette, self._session.state.scope
         panel = self._window.palette_panel
-        group = None
-        if palette is not None and scope.group:
-            group = next((one for one in palette.groups if one.path == scope.group), None)
+        groups = palette.groups if palette is not None and scope.group else ()
+        group = next((one for one in groups if one.path == scope.group), None)
         shown = group or palette
         if shown is not None:
             panel.show_palette(shown.name, shown.colour, shown.notes, there=True)
@@ -240,9 +236,8 @@ class PaletteController(QObject):
             if action is not None:
                 action.setText(f"{word} {name}".rstrip())
                 action.setIconText(word.replace("&", ""))
-                action.setToolTip(
-                    plain_tip(f"{action.text().replace('&', '')} ({action.shortcut().toString()})")
-                )
+                tip = f"{action.text().replace('&', '')} ({action.shortcut().toString()})"
+                action.setToolTip(plain_tip(tip))
                 action.setEnabled(can)
 
 
@@ -262,11 +257,8 @@ def figures_of(entry: Entry) -> str:
             gloss += ", " + tr("60°: {gloss} GU").format(gloss=f"{content.gloss.gu_60:g}")
         lines.append(gloss)
         if content.flakes is not None:
-            lines.append(
-                tr("Flakes: {density} /mm², {size} µm").format(
-                    density=f"{content.flakes.density_per_mm2:g}", size=f"{content.flakes.size_um:g}"
-                )
-            )
+            density, size = f"{content.flakes.density_per_mm2:g}", f"{content.flakes.size_um:g}"
+            lines.append(tr("Flakes: {density} /mm², {size} µm").format(density=density, size=size))
     elif isinstance(content, FlatColour):
         numbers = ", ".join(f"{value:.4g}" for value in content.values[:6])
         numbers += "…" if len(content.values) > 6 else ""

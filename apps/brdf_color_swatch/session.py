@@ -9,7 +9,6 @@ from typing import Any
 
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import message_of
 from PySide6.QtCore import QObject, Signal
 
 from brdf_color_swatch.grid.filtering import filter_and_sort, is_slow
@@ -64,7 +63,6 @@ class PaletteSession(QObject):
 
     @property
     def state(self) -> PaneState:
-        """The state of the pane in front."""
         return self.states[self.front]
 
     @property
@@ -73,7 +71,6 @@ class PaletteSession(QObject):
 
     @property
     def palette(self) -> Palette | None:
-        """The palette of the pane in front; ``None`` where none is open there."""
         return self.library.palette(self.state.scope.palette)
 
     def set_front(self, pane: int) -> None:
@@ -82,7 +79,6 @@ class PaletteSession(QObject):
             self.front_changed.emit()
 
     def set_state(self, state: PaneState, pane: int | None = None) -> None:
-        """Show a pane in another way."""
         pane = self.front if pane is None else pane
         before = self.states[pane]
         if state == before:
@@ -102,7 +98,6 @@ class PaletteSession(QObject):
         self.set_state(replace(state, scope=scope), pane)
 
     def set_look(self, **changes: Any) -> None:
-        """Show all swatches in another way."""
         old, self.look = self.look, replace(self.look, **changes)
         if old != self.look:
             self.look_changed.emit(old, self.look)
@@ -116,8 +111,8 @@ class PaletteSession(QObject):
             self._working(pane, True)
             self.library.tasks.submit(
                 task,
-                lambda _, progress: filter_and_sort(rows, state, progress),
-                None,
+                lambda request, progress: filter_and_sort(request[0], request[1], progress),
+                (rows, state),
                 partial(self._take, pane),
                 partial(self._fail, pane),
             )
@@ -137,7 +132,7 @@ class PaletteSession(QObject):
 
     def _fail(self, pane: int, error: Exception) -> None:
         self._working(pane, False)
-        self.library.message.emit(message_of(error, "order"))
+        self.library.fails(error, "order")
 
     def _working(self, pane: int, busy: bool) -> None:
         if self._busy[pane] != busy:
@@ -192,7 +187,6 @@ class PaletteSession(QObject):
         return [palette.entry(key) for key in self._selected[pane] if key in palette.by_id]
 
     def reveal(self, ids: tuple[str, ...], pane: int | None = None) -> None:
-        """Select swatches of a pane and let them be seen."""
         self.reveal_requested.emit(self.front if pane is None else pane, ids)
 
     def edit(self, name: str, change: Edit, key: str | None = None) -> bool:

@@ -136,7 +136,6 @@ class LobeVisualizer(Program):
             self.sources.open_many(paths)
 
     def show_list(self) -> None:
-        """Show the list of reflectances, ready to be searched."""
         self.panel_dock.show()
         self.panel_dock.raise_()
         self.panel.query.setFocus()
@@ -162,14 +161,12 @@ class LobeVisualizer(Program):
         add = self.window.add_command
         tip = mark("Sample paints, measured paints of Table 1, models, opened palettes")
         listed = add("file", mark("Add from &Library…"), "Ctrl+L", self.show_list, icon="list-plus", tip=tip)
-        reset = add(
-            "view",
-            mark("Reset &View Options"),
-            "Ctrl+0",
+        tip, act = (
+            mark("Restore the default incidence, channel, radius, cosine and lobes"),
             self.session.reset_view,
-            icon="arrow-counter-clockwise",
-            tip=mark("Restore the default incidence, channel, radius, cosine and lobes"),
         )
+        title, sign = mark("Reset &View Options"), "arrow-counter-clockwise"
+        reset = add("view", title, "Ctrl+0", act, icon=sign, tip=tip)
         for action, text in ((listed, mark("List")), (reset, mark("Reset View"))):
             action.setIconText(tr(text))
             self.window.toolbar.addAction(action)

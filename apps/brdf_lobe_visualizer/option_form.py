@@ -121,14 +121,11 @@ class OptionForm(Form):
         self._shows.append(lambda: show(self._value(name)))
 
     def _plain(self, name: str) -> Any:
-        plain = vars(self._state.plain)
-        return plain[name] if name in plain else vars(Options())[name]
+        return (vars(Options()) | vars(self._state.plain))[name]
 
     def _value(self, name: str) -> Any:
-        own = vars(self._state.options)
-        if name in own or self._session is None:
-            return own[name]
-        return vars(self._session.options)[name]
+        shared = {} if self._session is None else vars(self._session.options)
+        return (shared | vars(self._state.options))[name]
 
     def _set(self, name: str, value: Any) -> None:
         if self._session is None or name in vars(self._state.plain):

@@ -62,7 +62,6 @@ class PlotRow(QWidget):
         self.show()
 
     def shown(self) -> tuple[str, ...]:
-        """Return the keys of those that are shown."""
         return tuple(key for key, button in self.buttons.items() if button.isChecked())
 
     def even(self) -> None:

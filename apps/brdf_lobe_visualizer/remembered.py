@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields
 from typing import Any
 
 from brdf_qt.program.settings import settings
 from PySide6.QtWidgets import QSplitter
 
-from brdf_lobe_visualizer.options import CHANNELS, COSINES, INCIDENCE_DEG, RADII, SHOWN, Options
+from brdf_lobe_visualizer.options import CHANNELS, COSINES, INCIDENCE_DEG, RADII, SHOWN
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.window import LobeWindow
 
@@ -33,13 +32,10 @@ def recall(session: LobeSession, window: LobeWindow) -> None:
         return
     options = {name: stored[name] for name, choices in _CHOICES.items() if stored.get(name) in choices}
     session.set_options(**options)
-    incidence = stored.get("incidence")
-    if (
-        isinstance(incidence, list)
-        and len(incidence) == len(INCIDENCE_DEG)
-        and all(isinstance(value, (int, float)) and abs(value) <= 360.0 for value in incidence)
-    ):
-        session.set_incidence(*incidence)
+    angles: Any = stored.get("incidence")
+    sound = isinstance(angles, list) and all(isinstance(a, (int, float)) and abs(a) <= 360.0 for a in angles)
+    if sound and len(angles) == len(INCIDENCE_DEG):
+        session.set_incidence(*angles)
     for split in window.findChildren(QSplitter):
         state = settings().value(f"{_SPLIT_KEY}/{split.objectName()}")
         if split.objectName() and state is not None:
@@ -48,7 +44,7 @@ def recall(session: LobeSession, window: LobeWindow) -> None:
 
 def remember(session: LobeSession, window: LobeWindow) -> None:
     """Keep incidence, options and sizes for the next start; lobes that are switched off are not kept."""
-    kept = {f.name: getattr(session.options, f.name) for f in fields(Options) if f.name in _CHOICES}
+    kept = {name: vars(session.options)[name] for name in _CHOICES}
     settings().setValue(_VIEW_KEY, json.dumps({**kept, "incidence": list(session.incidence)}))
     for split in window.findChildren(QSplitter):
         if split.objectName():

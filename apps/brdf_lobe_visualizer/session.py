@@ -206,7 +206,6 @@ class LobeSession(QObject):
         self.set_options(**{name: getattr(plain, name) for name in names or vars(plain)})
 
     def reset_view(self) -> None:
-        """Restore options and incidence of a first start."""
         self.reset_options()
         self.reset_incidence()
         self.view_reset.emit()

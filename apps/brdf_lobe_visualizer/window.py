@@ -26,10 +26,8 @@ class LobeWindow(SuiteWindow):
             PlainLabel(tr("No 3-D view"), alignment=Qt.AlignmentFlag.AlignCenter), name="no_view"
         )
         self.plots = PlotRow()
-        self.top_split, self.centre_split = (
-            QSplitter(Qt.Orientation.Horizontal),
-            QSplitter(Qt.Orientation.Vertical),
-        )
+        self.top_split = QSplitter(Qt.Orientation.Horizontal)
+        self.centre_split = QSplitter(Qt.Orientation.Vertical)
         self.top_split.addWidget(absent)
         self.centre_split.addWidget(self.top_split)
         self.centre_split.addWidget(self.plots)

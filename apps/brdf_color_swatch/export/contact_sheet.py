@@ -97,7 +97,6 @@ class ContactSheets(SwatchFeature):
         self._enable_always()
 
     def export(self) -> None:
-        """Ask for a file, and draw what is shown into it."""
         shown = self.shown_palette()
         if shown is None:
             return
@@ -130,7 +129,6 @@ class ContactSheets(SwatchFeature):
         return Palette(palette.name, tuple(entries), notes=palette.notes)
 
     def print_sheet(self) -> None:
-        """Ask for a printer, draw page by page, and print."""
         shown = self.shown_palette()
         if shown is None:
             return
@@ -191,6 +189,5 @@ class ContactSheets(SwatchFeature):
         self._window.show_message(message_of(error, _KEY, todo=tr("The palette is unchanged.")))
 
     def _enable(self) -> None:
-        there = bool(self._session.shown[self._session.front].places)
-        self._sheet.setEnabled(there)
-        self._print.setEnabled(there)
+        for action in (self._sheet, self._print):
+            action.setEnabled(bool(self._session.shown[self._session.front].places))

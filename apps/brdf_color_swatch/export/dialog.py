@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from brdf_qt.program.translation import tr
-from brdf_qt.window.dialogs import Dialogs, QtDialogs
+from brdf_qt.window.dialogs import QtDialogs
 from PySide6.QtWidgets import QFileDialog
 
 if TYPE_CHECKING:
@@ -28,21 +28,13 @@ class Choice:
     form: PaletteFormat | None = None
 
 
-class ExportDialogs(Dialogs, Protocol):
-    """What this program asks about its files."""
+class QtExportDialogs(QtDialogs):
+    """What this program asks about its files, as dialogs over ``window``."""
 
     def export_path(
         self, suggested: Path, choices: Sequence[Choice], chosen: Choice
     ) -> tuple[Path, Choice] | None:
         """Ask for a file to write and its format; ``None`` where the user gives up."""
-
-
-class QtExportDialogs(QtDialogs):
-    """The questions as dialogs over ``window``."""
-
-    def export_path(
-        self, suggested: Path, choices: Sequence[Choice], chosen: Choice
-    ) -> tuple[Path, Choice] | None:
         by_line = {choice.line: choice for choice in choices}
         dialog = QFileDialog(self._window, tr("Export Palette"), str(suggested.parent), ";;".join(by_line))
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)

@@ -64,7 +64,6 @@ class PaletteExport(SwatchFeature):
             self.export(replace(palette, entries=kept, groups=groups))
 
     def export(self, palette: Palette) -> None:
-        """Ask for a file; list what its format cannot store, and write it after confirmation."""
         from brdf_suite.files.palettes import FORMATS
 
         choices = choices_of(FORMATS, _USUAL)

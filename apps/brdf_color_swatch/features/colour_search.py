@@ -47,19 +47,16 @@ class ColourSearch(SwatchFeature):
         self._enable_always()
 
     def find(self) -> None:
-        """Order the pane by the difference to what is selected."""
         entries = self._session.selected_entries
         if entries:
             self.find_near(near_of(entries[0]))
 
     def find_other(self) -> None:
-        """Order the other pane by the difference to what is selected here."""
         entries = self._session.selected_entries
         if entries and self._window.has_two_panes:
             self.find_near(near_of(entries[0]), 1 - self._session.front)
 
     def find_clipboard(self) -> None:
-        """Order the pane by the difference to what the clipboard holds."""
         try:
             carried = read_data(QGuiApplication.clipboard().mimeData())
             if not carried.entries:
@@ -70,7 +67,6 @@ class ColourSearch(SwatchFeature):
         self.find_near(near_of(carried.entries[0]))
 
     def find_near(self, near: Near, pane: int | None = None) -> None:
-        """Order a pane by the difference to a colour."""
         pane = self._session.front if pane is None else pane
         state = self._session.states[pane]
         self._session.set_state(replace(state, near=near, duplicates=None, sort="nearest"), pane)

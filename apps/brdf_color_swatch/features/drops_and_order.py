@@ -63,13 +63,8 @@ class DropsAndOrder(SwatchFeature):
             return
         beside = pane.model.entry_at(rows[0] - 1 if by < 0 else rows[-1] + 1)
         before = pane.model.id_at(at) if at < count else None
-        self._place(
-            tr("Move {what}").format(what=count_words(len(ids))),
-            self._session.front,
-            list(ids),
-            beside.group,
-            before,
-        )
+        name = tr("Move {what}").format(what=count_words(len(ids)))
+        self._place(name, self._session.front, list(ids), beside.group, before)
 
     def drop_on_pane(self, number: int, event: QDropEvent, row: int) -> None:
         """Take what fell on a pane before a row: swatches of this program are moved, or copied with Ctrl."""

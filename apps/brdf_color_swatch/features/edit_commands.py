@@ -93,7 +93,6 @@ class EditCommands(SwatchFeature):
             QGuiApplication.clipboard().setMimeData(self._carry(entries, self._session.state.scope.palette))
 
     def cut(self) -> None:
-        """Put what is selected on the clipboard, and take it out of the palette."""
         entries = self._session.selected_entries
         if entries:
             self.copy()
@@ -191,7 +190,11 @@ class EditCommands(SwatchFeature):
             self._change(name, ids, lambda entry: replace(entry, content=replace(entry.content, name=text)))
         elif key in ("code", "notes"):
             name = tr("Change code") if key == "code" else tr("Change notes")
-            self._change(name, ids, lambda entry: replace(entry, **{key: text}))
+            self._change(
+                name,
+                ids,
+                lambda entry: replace(entry, code=text) if key == "code" else replace(entry, notes=text),
+            )
         else:
             self._tag(ids, text)
 

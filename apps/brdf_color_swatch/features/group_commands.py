@@ -44,12 +44,15 @@ class GroupCommands(SwatchFeature):
             return
         name = tr("Change colour") if key == "colour" else tr("Change notes")
         if group:
-            self._session.edit(
-                name,
-                lambda palette: edits.change_group(palette, group, lambda one: replace(one, **{key: text})),
-            )
+
+            def change(one: Group) -> Group:
+                return replace(one, colour=text) if key == "colour" else replace(one, notes=text)
+
+            self._session.edit(name, lambda palette: edits.change_group(palette, group, change))
+        elif key == "colour":
+            self._session.edit(name, lambda palette: replace(palette, colour=text))
         else:
-            self._session.edit(name, lambda palette: replace(palette, **{key: text}))
+            self._session.edit(name, lambda palette: replace(palette, notes=text))
 
     def new_group(self) -> None:
         """Make a group within the one that is shown, of what is selected, and let it be named."""
@@ -72,7 +75,6 @@ class GroupCommands(SwatchFeature):
             self._window.tree.rename(Scope(scope.palette, path))
 
     def rename_group(self) -> None:
-        """Write the name of the group that is shown anew, in the library."""
         scope = self._session.state.scope
         self._window.tree.rename(scope if scope.group else Scope(scope.palette))
 
@@ -126,8 +128,9 @@ class GroupCommands(SwatchFeature):
             return
         to = (*onto.group, moved.group[-1])
         if to != moved.group:
+            name = tr("Move group")
             self._session.edit(
-                tr("Move group"), lambda palette: edits.move_group(palette, moved.group, to), moved.palette
+                name, lambda palette: edits.move_group(palette, moved.group, to), moved.palette
             )
 
     def _carry_group(self, moved: Scope, onto: Scope) -> None:
@@ -141,11 +144,8 @@ class GroupCommands(SwatchFeature):
             return (*onto.group, moved.group[-1], *path[depth:])
 
         groups = [group for group in source.groups if group.path[:depth] == moved.group]
-        entries = [
-            replace(entry, group=there(entry.group))
-            for entry in source.entries
-            if entry.group[:depth] == moved.group
-        ]
+        inside = (entry for entry in source.entries if entry.group[:depth] == moved.group)
+        entries = [replace(entry, group=there(entry.group)) for entry in inside]
 
         def take(palette: Palette) -> Palette:
             known = {group.path for group in palette.groups}
@@ -165,8 +165,5 @@ class GroupCommands(SwatchFeature):
 
 
 def _inside(scope: Scope, around: Scope) -> bool:
-    return (
-        scope.palette == around.palette
-        and bool(around.group)
-        and scope.group[: len(around.group)] == around.group
-    )
+    path = around.group
+    return scope.palette == around.palette and bool(path) and scope.group[: len(path)] == path

@@ -65,12 +65,6 @@ class PaintExchange(SwatchFeature):
         self._enable_always()
         self._show_peers()
 
-    def start(self) -> None:
-        self.link.start()
-
-    def close(self) -> None:
-        self.link.close()
-
     def send(self, role: str) -> None:
         """Send the selected paint to a program; it is started where it is not there."""
         entries = self._session.selected_entries
@@ -124,11 +118,8 @@ class PaintExchange(SwatchFeature):
         self._session.set_state(replace(self._session.state, near=near, duplicates=None, sort="nearest"))
 
     def _report_no_paint(self) -> None:
-        self._window.show_message(
-            Message(
-                "take", tr("No paint is being edited."), todo=tr("Open a paint in Designer, then try again.")
-            )
-        )
+        todo = tr("Open a paint in Designer, then try again.")
+        self._show_message("take", tr("No paint is being edited."), todo)
 
     def _received(self, topic: str, value: dict[str, Any]) -> None:
         if topic == "paint":

@@ -48,8 +48,7 @@ def filter_and_sort(rows: Rows, state: PaneState, progress: Progress | None = No
 
 def filter_of(state: PaneState) -> Filter:
     """Return the filter of a pane's state."""
-    ranges = {key: (low, high) for key, low, high in state.ranges}
-    scope = state.scope
+    ranges, scope = {key: (low, high) for key, low, high in state.ranges}, state.scope
     return Filter(text=state.text, tags=(scope.tag,) if scope.tag else (), group=scope.group, **ranges)
 
 
@@ -87,12 +86,10 @@ def _duplicates(rows: Rows, state: PaneState, inside: np.ndarray, progress: Prog
         members = [place for place in group.indices if inside[place]]
         if len(members) < 2:
             continue
+        title = tr("{count} similar, differences up to ΔE00 {widest}")
         if math.isnan(group.widest):  # not worked out of a group that large
-            title = tr("{count} similar").format(count=len(members))
-        else:
-            title = tr("{count} similar, differences up to ΔE00 {widest}").format(
-                count=len(members), widest=f"{group.widest:.2f}"
-            )
+            title = tr("{count} similar")
+        title = title.format(count=len(members), widest=f"{group.widest:.2f}")
         if group.chained:
             title = tr("{title}, by steps").format(title=title)
         parts.append(Part(title, len(places), len(members)))
@@ -108,8 +105,7 @@ def _order(rows: Rows, state: PaneState) -> np.ndarray:
     key = _order_key(state)
     if key not in rows.kept:
         rows.kept[key] = _compute_order(rows, state.sort, descending=state.descending)
-    found: np.ndarray = rows.kept[key]
-    return found
+    return np.asarray(rows.kept[key])
 
 
 def _compute_order(rows: Rows, sort: str, *, descending: bool) -> np.ndarray:

@@ -19,9 +19,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QWidget
 
 from brdf_color_swatch.grid.model import SwatchModel
-from brdf_color_swatch.grid.view import DEFAULT_SIZE, GridView
-
-__all__ = ["DEFAULT_SIZE", "SwatchGrid"]
+from brdf_color_swatch.grid.view import GridView
 
 
 class SwatchGrid(GridView):
@@ -64,12 +62,8 @@ class SwatchGrid(GridView):
 
     def selected_rows(self) -> list[int]:
         """Return the rows that are selected, in their order; from ranges, as an index for each of many takes long."""
-        rows = {
-            row
-            for one in _ranges(self.selectionModel().selection())
-            for row in range(one.top(), one.bottom() + 1)
-        }
-        return sorted(rows)
+        ranges = _ranges(self.selectionModel().selection())
+        return sorted({row for one in ranges for row in range(one.top(), one.bottom() + 1)})
 
     def visualRegionForSelection(self, selection: QItemSelection) -> QRegion:
         region, seen = QRegion(), set(self.seen())
@@ -84,9 +78,8 @@ class SwatchGrid(GridView):
         index = self.indexAt(event.position().toPoint())
         if not index.isValid() and event.button() is Qt.MouseButton.LeftButton:
             # A band over the empty room; the press itself clears, unless Ctrl or Shift keeps what is selected.
-            keeps = event.modifiers() & (
-                Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier
-            )
+            keys = Qt.KeyboardModifier
+            keeps = event.modifiers() & (keys.ControlModifier | keys.ShiftModifier)
             if not keeps:
                 self.clearSelection()
             self._anchor = event.position().toPoint() + QPoint(0, self.verticalOffset())
@@ -121,10 +114,8 @@ class SwatchGrid(GridView):
             selection.merge(self._selection(rows), flag.Select)
             self.selectionModel().select(selection, flag.ClearAndSelect)
             bar = self.verticalScrollBar()
-            if point.y() < 0:
-                bar.setValue(bar.value() - bar.singleStep())
-            elif point.y() > self.viewport().height():
-                bar.setValue(bar.value() + bar.singleStep())
+            away = (point.y() > self.viewport().height()) - (point.y() < 0)
+            bar.setValue(bar.value() + away * bar.singleStep())
             self.viewport().update()
             return
         row = self.layout_.at(point.x(), point.y() + self.verticalOffset())
@@ -172,7 +163,8 @@ class SwatchGrid(GridView):
 
     def dragMoveEvent(self, event: QDragMoveEvent) -> None:
         super().dragMoveEvent(event)
-        if self._accepts(event):
+        model, data = self.model(), event.mimeData()
+        if isinstance(model, SwatchModel) and any(data.hasFormat(kind) for kind in model.mime_types):
             row = self.drop_row(event.position().toPoint())
             if row != self._drop_row:
                 self._drop_row = row
@@ -213,12 +205,6 @@ class SwatchGrid(GridView):
             return 0
         left, _top, width, _height = self.layout_.box(found)
         return found + 1 if point.x() > left + width // 2 else found
-
-    def _accepts(self, event: QDragMoveEvent) -> bool:
-        model = self.model()
-        return isinstance(model, SwatchModel) and any(
-            event.mimeData().hasFormat(kind) for kind in model.mime_types
-        )
 
     def closeEditor(self, editor: QWidget, hint: QAbstractItemDelegate.EndEditHint) -> None:
         # Tab goes on to the next name, as in every list; Return stays.

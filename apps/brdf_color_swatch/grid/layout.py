@@ -49,11 +49,7 @@ class GridLayout:
         part = bisect_right(self._firsts, place) - 1
         # An empty part begins where the next one does, which holds the swatch.
         line, column = divmod(place - self._firsts[part], self.columns)
-        return (
-            GAP + column * self.stride,
-            self._body(part) + line * (self.tile[1] + GAP),
-            *self.tile,
-        )
+        return GAP + column * self.stride, self._body(part) + line * (self.tile[1] + GAP), *self.tile
 
     def heading(self, part: int) -> Box:
         return (GAP, self._tops[part], max(0, self.width - 2 * GAP), HEADING if self.parts[part].title else 0)
@@ -90,7 +86,6 @@ class GridLayout:
             yield part, range(start + min(first, count), start + min(last, count))
 
     def inside(self, box: Box) -> list[int]:
-        """Return the places of all swatches that a box touches."""
         left, top, width, height = box
         found = []
         for _part, places in self.between(top, top + height):

@@ -23,15 +23,8 @@ from brdf_color_swatch.grid.rows import ANGLES_DEG, Rows
 from brdf_suite.documents.palette import Entry
 
 ID_ROLE = Qt.ItemDataRole.UserRole + 1
-SORT_KEYS: tuple[str, ...] = (
-    "name",
-    "code",
-    *(f"{axis}_{angle:g}" for angle in ANGLES_DEG for axis in ("L", "a", "b")),
-    "gloss",
-    "flop",
-    "tags",
-    "date",
-)
+_READINGS = tuple(f"{axis}_{angle:g}" for angle in ANGLES_DEG for axis in ("L", "a", "b"))
+SORT_KEYS: tuple[str, ...] = ("name", "code", *_READINGS, "gloss", "flop", "tags", "date")
 _TITLES = {
     "name": mark("Name"),
     "code": mark("Code"),
@@ -104,10 +97,6 @@ class SwatchModel(QAbstractTableModel):
     def entry_at(self, row: int) -> Entry:
         return self.shown.rows.entries[self.shown.places[row]]
 
-    def ids_of(self, indexes: Sequence[QModelIndex]) -> list[str]:
-        """Return the ids of some indexes, each once, in the order of the rows."""
-        return [self.id_at(row) for row in sorted({index.row() for index in indexes})]
-
     def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008 - the signature is Qt's
         return 0 if parent.isValid() else len(self.shown.places)
 
@@ -123,17 +112,12 @@ class SwatchModel(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return section + 1 if role == Qt.ItemDataRole.DisplayRole else None
         key = SORT_KEYS[section]
+        axis, _, angle = key.partition("_")
         if role == Qt.ItemDataRole.DisplayRole:
-            if key in _TITLES:
-                return tr(_TITLES[key])
-            axis, _, angle = key.partition("_")
-            return f"{axis}* {angle}°"
+            return tr(_TITLES[key]) if key in _TITLES else f"{axis}* {angle}°"
         if role == Qt.ItemDataRole.ToolTipRole:
-            if key in _TIPS:
-                return tr(_TIPS[key])
-            axis, _, angle = key.partition("_")
-            tip = tr("CIE {axis}* (D65, 10°) at the aspecular angle {angle}°")
-            return plain_tip(tip.format(axis=axis, angle=angle))
+            tip = tr("CIE {axis}* (D65, 10°) at the aspecular angle {angle}°").format(axis=axis, angle=angle)
+            return plain_tip(tr(_TIPS[key]) if key in _TIPS else tip)
         return None
 
     def data(self, index: QModelIndex | QPersistentModelIndex, role: int = 0) -> Any:
@@ -177,4 +161,5 @@ class SwatchModel(QAbstractTableModel):
         return list(self.mime_types)
 
     def mimeData(self, indexes: Sequence[QModelIndex]) -> QMimeData | None:  # type: ignore[override]  # Qt takes None for no data
-        return self.mime_of(self.ids_of(indexes)) if self.mime_of is not None else None
+        rows = sorted({index.row() for index in indexes})
+        return self.mime_of([self.id_at(row) for row in rows]) if self.mime_of is not None else None

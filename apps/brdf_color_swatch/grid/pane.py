@@ -191,7 +191,6 @@ class Pane(QFrame):
         self._mark.setVisible(front and two)
 
     def reveal(self, ids: tuple[str, ...]) -> None:
-        """Select these swatches and scroll to the first."""
         rows = [row for one in ids if (row := self.model.row_of(one)) is not None]
         if not rows:
             return
@@ -202,7 +201,6 @@ class Pane(QFrame):
         self.view.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def rename_current(self) -> None:
-        """Write the name of the current swatch anew, in its place."""
         index = self.grid.currentIndex()
         if index.isValid():
             index = self.model.index(index.row(), 0)

@@ -54,16 +54,6 @@ class Rows:
         """L*a*b* (n, 3, 3) at :data:`ANGLES_DEG`; NaN where it is not known."""
         return self.columns.main
 
-    @property
-    def gloss(self) -> np.ndarray:
-        """Gloss at 20° (n,), GU; NaN where there is none."""
-        return self.columns.gloss
-
-    @property
-    def flop(self) -> np.ndarray:
-        """Flop index (n,)."""
-        return self.columns.flop
-
     @cached_property
     def notes(self) -> tuple[str, ...]:
         """What is to be known of how the flat colours are shown, sentences."""
@@ -93,15 +83,8 @@ class Rows:
         """Return what the grid shows of a row; ``picture`` a QPixmap or None."""
         entry = self.entries[place]
         below = f"ΔE00 {delta_e:.2f}" if delta_e is not None else entry.code
-        return Tile(
-            self.name(place),
-            below,
-            self.codes[place],
-            ANGLES_DEG,
-            entry.is_flat,
-            picture,  # type: ignore[arg-type]  # rows know no pixmaps
-            spot=entry.usage == "spot",
-        )
+        name, spot = self.name(place), entry.usage == "spot"
+        return Tile(name, below, self.codes[place], ANGLES_DEG, entry.is_flat, picture, spot)  # type: ignore[arg-type]  # rows know no pixmaps
 
     def text(self, place: int, key: str) -> str:
         """Return what a column of the list shows."""
@@ -115,9 +98,9 @@ class Rows:
         if key == "date":
             return entry.date[:10]
         if key == "gloss":
-            return _number(self.gloss[place], 0)
+            return _number(self.columns.gloss[place], 0)
         if key == "flop":
-            return _number(self.flop[place], 1)
+            return _number(self.columns.flop[place], 1)
         axis, _, angle = key.partition("_")
         value = self.lab[place, ANGLES_DEG.index(float(angle)), "Lab".index(axis) if axis != "L" else 0]
         return _number(value, 1)
@@ -138,7 +121,7 @@ class Rows:
             lines.append(tr("Flat colour, {model}").format(model=entry.content.model))
             lines.append(f"L* {lab[0]:.1f}  a* {lab[1]:.1f}  b* {lab[2]:.1f}")
         else:
-            flop, gloss = _number(self.flop[place], 1), _number(self.gloss[place], 0)
+            flop, gloss = _number(self.columns.flop[place], 1), _number(self.columns.gloss[place], 0)
             if flop:
                 lines.append(tr("Flop {flop}").format(flop=flop))
             if gloss:
@@ -157,17 +140,14 @@ class Rows:
         name = self.name(place)[:200]
         if not np.isfinite(lab[0]):
             return name
-        flop = _number(self.flop[place], 1) or "0"
+        flop = _number(self.columns.flop[place], 1) or "0"
         return tr("{name}, L* {L}, a* {a}, b* {b} at 45°, flop {flop}").format(
             name=name, L=f"{lab[0]:.0f}", a=f"{lab[1]:.0f}", b=f"{lab[2]:.0f}", flop=flop
         )
 
 
 def _number(value: float, decimals: int) -> str:
-    if not np.isfinite(value):
-        return ""
-    text = f"{value:.{decimals}f}"
-    return text.replace("-", "−")
+    return f"{value:.{decimals}f}".replace("-", "−") if np.isfinite(value) else ""
 
 
 _STEP = 25

@@ -11,6 +11,7 @@ from PySide6.QtGui import (
     QColor,
     QFont,
     QFontMetrics,
+    QGradient,
     QLinearGradient,
     QPainter,
     QPalette,
@@ -61,14 +62,12 @@ class TilePainter:
 
     @property
     def tile(self) -> tuple[int, int]:
-        """Width and height of a tile in pixels."""
         return (self.size + 2 * _PAD, self.size + 2 * _PAD + self.lines * self._line + 2)
 
     def picture_box(self, box: QRect) -> QRect:
         return QRect(box.left() + _PAD, box.top() + _PAD, self.size, self.size)
 
     def name_box(self, box: QRect) -> QRect:
-        """Return where in a tile the name lies, to be edited there."""
         return QRect(box.left() + 2, box.top() + 2 * _PAD + self.size - 2, box.width() - 4, self._line + 4)
 
     def paint(self, painter: QPainter, box: QRect, tile: Tile, look: Look) -> None:
@@ -123,32 +122,26 @@ class TilePainter:
             left = box.left() + box.width() * number // count
             right = box.left() + box.width() * (number + 1) // count
             chip = QRect(left, box.top(), right - left, box.height())
-            colour = QColor(*(int(part) for part in code))
-            painter.fillRect(chip, colour)
+            painter.fillRect(chip, QColor(*(int(part) for part in code)))
             if chip.width() >= 36:
                 dark = 0.2126 * code[0] + 0.7152 * code[1] + 0.0722 * code[2] < 110
                 painter.setPen(QColor(230, 230, 230) if dark else QColor(20, 20, 20))
-                painter.drawText(
-                    chip.adjusted(0, 0, 0, -2),
-                    Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom,
-                    f"{tile.angles[number]:g}°",
-                )
+                foot = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignBottom
+                painter.drawText(chip.adjusted(0, 0, 0, -2), foot, f"{tile.angles[number]:g}°")
 
     def _stand_in(self, painter: QPainter, box: QRect, tile: Tile, form: str) -> None:
         """Draw the readings themselves until the picture is there: never mistaken for one, it has no light in it."""
         colours = [QColor(*(int(part) for part in code)) for code in tile.codes] or [_GROUND]
         if form == "flop_strip":
             ramp = QLinearGradient(QPointF(box.topLeft()), QPointF(box.topRight()))
-            for number, colour in enumerate(colours):
-                ramp.setColorAt(number / max(1, len(colours) - 1), colour)
+            _spread(ramp, colours, 0.0)
             painter.fillRect(box, ramp)
             return
         painter.fillRect(box, _GROUND)
         if form == "sphere":
             disc = QRectF(box).adjusted(*(0.06 * self.size * way for way in (1, 1, -1, -1)))
             shade = QRadialGradient(disc.center() - QPointF(0.2, 0.25) * self.size, 0.75 * self.size)
-            for number, colour in enumerate(colours):
-                shade.setColorAt(0.1 + 0.8 * number / max(1, len(colours) - 1), colour)
+            _spread(shade, colours, 0.1)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(shade)
@@ -156,8 +149,7 @@ class TilePainter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, on=False)
             return
         ramp = QLinearGradient(QPointF(box.topLeft()), QPointF(box.bottomLeft()))
-        for number, colour in enumerate(colours):
-            ramp.setColorAt(0.1 + 0.8 * number / max(1, len(colours) - 1), colour)
+        _spread(ramp, colours, 0.1)
         edge = round(0.08 * self.size)
         painter.fillRect(box.adjusted(edge, edge, -edge, -edge), ramp)
 
@@ -177,3 +169,8 @@ class TilePainter:
         painter.setPen(grey(10.0))
         painter.setBrush(grey(98.0))
         painter.drawPolygon(QPolygon(triangle))
+
+
+def _spread(ramp: QGradient, colours: list[QColor], margin: float) -> None:
+    for number, colour in enumerate(colours):
+        ramp.setColorAt(margin + (1.0 - 2.0 * margin) * number / max(1, len(colours) - 1), colour)

@@ -163,9 +163,8 @@ class GridView(QAbstractItemView):
         self._band = None
         model = self.model()
         shown = model.shown if isinstance(model, SwatchModel) else None
-        lines = 2 if shown is not None and (shown.figure or shown.rows.has_codes) else 1
-        if lines != self.lines:
-            self.lines = lines
+        self.lines = 2 if shown is not None and (shown.figure or shown.rows.has_codes) else 1
+        if self.lines != self.tiles.lines:
             self._renew(self.tiles.size)
         else:
             self._lay_out()
@@ -205,16 +204,13 @@ class GridView(QAbstractItemView):
             return self.model().index(0, 0)
         row = current.row()
         lines = max(1, self.viewport().height() // (self.tiles.tile[1] + GAP))
-        if action in (act.MoveLeft, act.MovePrevious):
-            row -= 1
-        elif action in (act.MoveRight, act.MoveNext):
-            row += 1
-        elif action is act.MoveHome:
-            row = 0
-        elif action is act.MoveEnd:
-            row = count - 1
+        sideways = {act.MoveLeft: -1, act.MovePrevious: -1, act.MoveRight: 1, act.MoveNext: 1}
+        steps = {act.MoveUp: -1, act.MoveDown: 1, act.MovePageUp: -lines, act.MovePageDown: lines}
+        if action in (act.MoveHome, act.MoveEnd):
+            row = 0 if action is act.MoveHome else count - 1
+        elif action in sideways:
+            row += sideways[action]
         else:
-            steps = {act.MoveUp: -1, act.MoveDown: 1, act.MovePageUp: -lines, act.MovePageDown: lines}
             row = self.layout_.step(row, steps.get(action, 0))
         return self.model().index(min(count - 1, max(0, row)), 0)
 

@@ -64,10 +64,7 @@ class PaneState:
         return self.sort == "own" and self.near is None and self.duplicates is None
 
     def range_of(self, key: str) -> tuple[float, float]:
-        for name, low, high in self.ranges:
-            if name == key:
-                return low, high
-        return RANGES[key]
+        return next(((low, high) for name, low, high in self.ranges if name == key), RANGES[key])
 
     def with_range(self, key: str, low: float, high: float) -> PaneState:
         """Return this state with other ends of a filter; the whole range takes the filter away."""
@@ -78,7 +75,8 @@ class PaneState:
 
     def cleared(self) -> PaneState:
         """Return this state with nothing that hides a swatch."""
-        return replace(self, text="", ranges=(), duplicates=None, near=None, sort=_without_nearest(self.sort))
+        sort = "own" if self.sort == "nearest" else self.sort
+        return replace(self, text="", ranges=(), duplicates=None, near=None, sort=sort)
 
 
 @dataclass(frozen=True)
@@ -99,18 +97,10 @@ class Look:
         return Look(**{key: value[key] for key, good in _GOOD.items() if key in value and good(value[key])})
 
 
-def _is_size(value: Any) -> bool:
-    # A bool is an int as well.
-    return type(value) is int and SIZES[0] <= value <= SIZES[1]
-
-
 _GOOD: dict[str, Callable[[Any], bool]] = {
     "form": lambda value: isinstance(value, str) and value in get_args(Form),
-    "size": _is_size,
+    # A bool is an int as well.
+    "size": lambda value: type(value) is int and SIZES[0] <= value <= SIZES[1],
     "booth": lambda value: isinstance(value, str) and value in resource_names("environments", ".exr"),
     "as_list": lambda value: isinstance(value, bool),
 }
-
-
-def _without_nearest(sort: str) -> str:
-    return "own" if sort == "nearest" else sort

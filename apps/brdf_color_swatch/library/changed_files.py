@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.message_bar import Message, Severity, message_of
 
 from brdf_color_swatch.feature import SwatchFeature
 from brdf_color_swatch.library.loading import Read
@@ -13,7 +13,6 @@ from brdf_color_swatch.session import PaletteSession
 from brdf_color_swatch.window import SwatchWindow
 from brdf_suite.documents.palette import Palette
 from brdf_suite.palettes.merge import Merge, merge
-from brdf_suite.progress import Progress
 
 _MOST_LISTED = 6
 
@@ -63,7 +62,7 @@ class ChangedFiles(SwatchFeature):
         mine = opened.store.value
         self._session.library.tasks.submit(
             f"merge {key}",
-            _merge_palettes,
+            lambda request, _progress: merge(*request),
             (opened.base, mine, read.palette),
             lambda merged: self._take(key, mine, merged, read),
             lambda error: self._window.show_message(message_of(error, f"outside {key}")),
@@ -84,25 +83,13 @@ class ChangedFiles(SwatchFeature):
         more = len(changes) - _MOST_LISTED
         lines = changes[:_MOST_LISTED] + ([tr("{count} more").format(count=more)] if more > 0 else [])
         if merged.conflicts:
-            count = len(merged.conflicts)
-            what = (
-                tr("File merged with 1 conflict; your version was kept.")
-                if count == 1
-                else tr("File merged with {count} conflicts; your version was kept.").format(count=count)
-            )
+            what = tr("File merged with {count} conflicts; your version was kept.")
+            if len(merged.conflicts) == 1:
+                what = tr("File merged with 1 conflict; your version was kept.")
+            what = what.format(count=len(merged.conflicts))
         else:
             what = tr("File merged with your changes.")
-        self._window.show_message(
-            Message(
-                "merged",
-                what,
-                todo="\n".join(lines),
-                severity="warning" if merged.conflicts else "info",
-                actions=((tr("Undo"), self._session.library.history.undo),),
-            )
-        )
-
-
-def _merge_palettes(request: tuple[Palette, Palette, Palette], progress: Progress) -> object:
-    progress(0.0, "")
-    return merge(*request)
+        undo = (tr("Undo"), self._session.library.history.undo)
+        severity: Severity = "warning" if merged.conflicts else "info"
+        message = Message("merged", what, todo="\n".join(lines), severity=severity, actions=(undo,))
+        self._window.show_message(message)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
@@ -34,12 +35,6 @@ def new_palette() -> Palette:
     return Palette(tr("Untitled"))
 
 
-def shipped_palette() -> Palette:
-    """Return the paints that come with the suite as a palette."""
-    entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
-    return Palette(tr("Sample Paints"), tuple(entries))
-
-
 class FileCommands(SwatchFeature):
     """Commands on palettes as a whole."""
 
@@ -53,7 +48,7 @@ class FileCommands(SwatchFeature):
         add("file", mark("Open S&ample Paints"), None, self.open_shipped, "shipped")
         window.menus["file"].addSeparator()
         self._save = add("file", mark("&Save"), keys.Save, self.save, "save", icon="floppy-disk")
-        add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
+        self._save_as = add("file", mark("Save &As…"), "Ctrl+Shift+S", self.save_as, "save_as")
         add("file", mark("Save A&ll"), None, self.save_all, "save_all")
         self._close = add("file", mark("&Close Palette"), "Ctrl+W", self.close_palette, "close", icon="x")
         window.menus["file"].addSeparator()
@@ -93,14 +88,14 @@ class FileCommands(SwatchFeature):
     def open_shipped(self) -> None:
         """Open the shipped paints as a palette without a file."""
         try:
-            palette = shipped_palette()
+            entries = [Entry(load_shipped_paint(name), id=name) for name in paint_names()]
         except SuiteError as error:
             self._session.library.fails(error, "open")
             return
+        palette = Palette(tr("Sample Paints"), tuple(entries))
         self._session.show_scope(Scope(self._session.library.add_palette(palette)))
 
     def save(self) -> None:
-        """Save the palette in front."""
         self._finish_typing()
         self._session.library.save(self._session.state.scope.palette)
 
@@ -158,33 +153,30 @@ class FileCommands(SwatchFeature):
     def _on_add_failed(self, error: Exception) -> None:
         self._session.library.fails(error, "open", tr("The palette is unchanged."))
 
-    def _open_files(self, paths: list[Path]) -> None:
-        for path in paths:
-            self.open(path)
-
     def _clear_recent(self) -> None:
         RecentFiles().clear()
         self._window.show_recent([])
+
+    def _open_files(self, paths: list[Path]) -> None:
+        for path in paths:
+            self.open(path)
 
     def _act(self, what: str, number: int) -> None:
         """Do what a button of an empty page offers."""
         session = self._session
         session.set_front(number)
         key = session.state.scope.palette
-        if what == "new":
-            self.new()
-        elif what == "open":
-            self.open(None)
-        elif what == "shipped":
-            self.open_shipped()
-        elif what == "cancel":
-            session.loader.cancel_reading(key)
-        elif what == "again" and session.library.item(key) is not None:
-            session.loader.load(key)
-        elif what == "close":
-            self.close_palette()
-        elif what == "clear":
-            session.set_state(session.state.cleared())
+        acts: dict[str, Callable[[], object]] = {
+            "new": self.new,
+            "open": lambda: self.open(None),
+            "shipped": self.open_shipped,
+            "cancel": lambda: session.loader.cancel_reading(key),
+            "again": lambda: session.loader.load(key),
+            "close": self.close_palette,
+            "clear": lambda: session.set_state(session.state.cleared()),
+        }
+        if what in acts:  # others are another feature's
+            acts[what]()
 
     def _menu(self, scope: Scope, point: QPoint) -> None:
         if scope.palette and scope.palette != self._session.state.scope.palette:
@@ -197,10 +189,8 @@ class FileCommands(SwatchFeature):
     def _enable(self) -> None:
         item = self._session.item
         there = item is not None and item.palette is not None
-        for key in ("save", "save_as"):
-            action = self._window.command(key)
-            if action is not None:
-                action.setEnabled(there)
+        for action in (self._save, self._save_as):
+            action.setEnabled(there)
         self._close.setEnabled(item is not None)
 
 

@@ -69,11 +69,9 @@ class History(QObject):
         return bool(self._undone)
 
     def undo(self) -> None:
-        """Take the newest step back, in every palette that it changed."""
         self._travel(self._done, self._undone, forth=False)
 
     def redo(self) -> None:
-        """Do again what was taken back last."""
         self._travel(self._undone, self._done, forth=True)
 
     def forget(self, store: Store) -> None:

@@ -21,7 +21,7 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Signal
 
-from brdf_color_swatch.export.dialog import ExportDialogs
+from brdf_color_swatch.export.dialog import QtExportDialogs
 from brdf_color_swatch.grid.rows import Rows, finish_rows, rows_of
 from brdf_color_swatch.library.autosave import PaletteRecovery
 from brdf_color_swatch.library.history import History, Step
@@ -97,7 +97,7 @@ class Library(QObject):
     def __init__(
         self,
         form: DocumentFormat[Palette],
-        dialogs: ExportDialogs,
+        dialogs: QtExportDialogs,
         autosave_failed: Callable[[BaseException], None],
         parent: QObject | None = None,
     ) -> None:
@@ -110,7 +110,6 @@ class Library(QObject):
 
     @property
     def items(self) -> tuple[Item, ...]:
-        """The palettes in the library's order."""
         return tuple(self._items.values())
 
     def item(self, key: str) -> Item | None:
@@ -281,7 +280,6 @@ class Library(QObject):
         self._any_files().remember(path)
 
     def recent(self) -> list[Path]:
-        """Return the files opened or saved last."""
         return self._any_files().recent()
 
     def fails(self, error: Exception, key: str, todo: str = "") -> None:

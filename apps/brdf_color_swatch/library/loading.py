@@ -13,7 +13,7 @@ from pathlib import Path
 from brdf_qt.documents.recovery import Recovered
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.message_bar import Message
 
 from brdf_color_swatch.export.dialog import open_filters
 from brdf_color_swatch.grid.rows import Rows, rows_of
@@ -101,7 +101,6 @@ class PaletteLoader:
         )
 
     def cancel_reading(self, key: str) -> None:
-        """Leave a palette unread after all."""
         self._library.tasks.cancel(f"read {key}")
         item = self._library.item(key)
         if item is not None and item.state == "reading":
@@ -125,17 +124,11 @@ class PaletteLoader:
         self._library.remember_file(read.path)
         self._library.settled.emit(f"open {key}")
         if read.notices:
-            self._library.message.emit(
-                Message(
-                    f"open {key}",
-                    (
-                        tr("“{name}” imported with 1 note.")
-                        if len(read.notices) == 1
-                        else tr("“{name}” imported with {count} notes.")
-                    ).format(name=read.path.name, count=len(read.notices)),
-                    todo="\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else ""),
-                )
-            )
+            one, several = tr("“{name}” imported with 1 note."), tr("“{name}” imported with {count} notes.")
+            text = one if len(read.notices) == 1 else several
+            text = text.format(name=read.path.name, count=len(read.notices))
+            todo = "\n".join(read.notices[:6]) + ("\n…" if len(read.notices) > 6 else "")
+            self._library.message.emit(Message(f"open {key}", text, todo=todo))
         item.run_waiting()
 
     def _not_read(self, key: str, error: Exception) -> None:
@@ -146,7 +139,7 @@ class PaletteLoader:
         item.waiting.clear()
         self._library.items_changed.emit()
         todo = tr("The palette stays in the library; nothing else has changed.")
-        self._library.message.emit(message_of(error, f"open {key}", todo=todo))
+        self._library.fails(error, f"open {key}", todo)
 
     def ask_open(self, path: Path | None = None) -> str | None:
         """Open ``path``, or ask for a file; return its key. It is read in the background."""
@@ -166,14 +159,13 @@ class PaletteLoader:
         if item is None or item.palette is None or item.palette.store.path is None:
             # It was closed since it was offered.
             return
+        todo = tr("The open palette is unchanged.")
         self._library.tasks.submit(
             f"again {key}",
             read_palette_file,
             item.palette.store.path,
             then,
-            lambda error: self._library.message.emit(
-                message_of(error, f"outside {key}", todo=tr("The open palette is unchanged."))
-            ),
+            lambda error: self._library.fails(error, f"outside {key}", todo),
         )
 
     def adopt_file(self, key: str, value: Palette, read: Read, name: str) -> None:

@@ -100,21 +100,18 @@ class LibraryTree(QTreeWidget):
         self._quiet = False
 
     def show_scope(self, scope: Scope) -> None:
-        """Mark what the pane in front shows."""
         self._chosen = scope
         self._quiet = True
         self._mark_chosen()
         self._quiet = False
 
     def rename(self, scope: Scope) -> None:
-        """Write the name of a line anew, in its place."""
         item = self.item_of(scope)
         if item is not None:
             self.setCurrentItem(item)
             self.editItem(item)
 
     def scopes(self) -> list[Scope]:
-        """Return what all lines stand for, from top to bottom."""
         return [self._scope(item) for item in self._all()]
 
     def _build_item(self, line: _Line) -> QTreeWidgetItem:
@@ -263,10 +260,8 @@ def _line_of(item: Item) -> _Line:
     tags = Counter(tag for entry in palette.entries for tag in entry.tags)
     children = groups(())
     if tags:
-        under = tuple(
-            _Line(Scope(item.key, (), tag), _with_count(tag, tags[tag]), "", "", "tag")
-            for tag in sorted(tags, key=str.casefold)
-        )
+        names = [(tag, _with_count(tag, tags[tag])) for tag in sorted(tags, key=str.casefold)]
+        under = tuple(_Line(Scope(item.key, (), tag), text, "", "", "tag") for tag, text in names)
         children = (*children, _Line(Scope(item.key, (), _TAGS.tag), tr("Tags"), "", "", "tag", under))
     mark = "" if item.is_clean else " •"
     tip = tip if item.is_clean else tr("{file}\nUnsaved changes.").format(file=tip)

@@ -109,7 +109,6 @@ class ColourMap(SwatchFeature):
             self.dock.raise_()
 
     def frame(self) -> None:
-        """Show all points."""
         view = self.space if self.kind == "space" else self.plane
         if view is not None:
             view.frame()

@@ -6,8 +6,8 @@ import numpy as np
 import pyqtgraph as pg  # pyqtgraph has no types
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, QSizeF, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPalette, QPen, QPolygonF, QTransform
 from PySide6.QtWidgets import QToolTip, QWidget
 
 from brdf_color_swatch.map.points import LassoLine, MapPoints, inside, nearest
@@ -32,7 +32,8 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self._at = np.zeros((0, 2))
         self._colours: list[QColor] = []
         self._chosen: np.ndarray = np.zeros(0, bool)
-        self._box = QRectF()
+        self.box = QRectF()
+        """Around the points, without their own size."""
         self.palette = QPalette()
 
     def show_points(self, at: np.ndarray, codes: np.ndarray) -> None:
@@ -41,11 +42,10 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         self._colours = [QColor(*code) for code in codes.tolist()]
         self._chosen = np.zeros(len(at), bool)
         known = at[np.isfinite(at).all(axis=1)]
+        self.box = QRectF()
         if len(known):
             low, high = known.min(axis=0), known.max(axis=0)
-            self._box = QRectF(QPointF(*low), QPointF(*np.maximum(high, low + 1e-6)))
-        else:
-            self._box = QRectF()
+            self.box = QRectF(QPointF(*low), QPointF(*np.maximum(high, low + 1e-6)))
         self.informViewBoundsChanged()
         self.update()
 
@@ -58,7 +58,7 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         across = self.pixelVectors()
         wide = abs(across[0].x()) * _SIDE_CHOSEN if across[0] is not None else 0.0
         high = abs(across[1].y()) * _SIDE_CHOSEN if across[1] is not None else 0.0
-        return self._box.adjusted(-wide, -high, wide, high)
+        return self.box.adjusted(-wide, -high, wide, high)
 
     def dataBounds(
         self,
@@ -66,49 +66,34 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         frac: float = 1.0,  # noqa: ARG002 - pyqtgraph calls it by these names
         orthoRange: object = None,  # noqa: ARG002 - as above
     ) -> tuple[float, float] | None:
-        if self._box.isNull():
+        if self.box.isNull():
             return None
         if ax == 0:
-            return self._box.left(), self._box.right()
-        return self._box.top(), self._box.bottom()
-
-    def around(self) -> QRectF:
-        """Return the box around the points, without their own size."""
-        return self._box
+            return self.box.left(), self.box.right()
+        return self.box.top(), self.box.bottom()
 
     def pixels(self) -> np.ndarray:
         """Return where the points (n, 2) are on the screen."""
-        transform = self.sceneTransform()
-        x, y = self._at[:, 0], self._at[:, 1]
-        return np.stack(
-            [
-                transform.m11() * x + transform.m21() * y + transform.dx(),
-                transform.m12() * x + transform.m22() * y + transform.dy(),
-            ],
-            axis=1,
-        )
+        return _mapped(self.sceneTransform(), self._at)
 
     def paint(self, painter: QPainter, *_: object) -> None:
         if not len(self._at):
             return
-        device = painter.transform()
-        x, y = self._at[:, 0], self._at[:, 1]
-        across = device.m11() * x + device.m21() * y + device.dx()
-        down = device.m12() * x + device.m22() * y + device.dy()
+        at = _mapped(painter.transform(), self._at)
         painter.save()
         painter.resetTransform()
-        many = len(x) > _MANY
+        many = len(at) > _MANY
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, not many)
         ring = self.palette.color(QPalette.ColorRole.Mid)
         ratio = painter.device().devicePixelRatioF()
         side = _SIDE * ratio * (0.55 if many else 1.0)
-        known = np.isfinite(across) & np.isfinite(down)
+        known = np.isfinite(at).all(axis=1)
         painter.setPen(QPen(ring, ratio) if not many else Qt.PenStyle.NoPen)
         ringed = np.flatnonzero(known & self._chosen)[:_MOST_RINGED]
         plain = known.copy()
         plain[ringed] = False
         for place in np.flatnonzero(plain).tolist():
-            box = QRectF(across[place] - side / 2, down[place] - side / 2, side, side)
+            box = QRectF(QPointF(*(at[place] - side / 2)), QSizeF(side, side))
             if many:
                 painter.fillRect(box, self._colours[place])
             else:
@@ -120,7 +105,7 @@ class _Cloud(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no types
         side = _SIDE_CHOSEN * ratio
         for place in ringed.tolist():
             painter.setBrush(self._colours[place])
-            painter.drawEllipse(QRectF(across[place] - side / 2, down[place] - side / 2, side, side))
+            painter.drawEllipse(QRectF(QPointF(*(at[place] - side / 2)), QSizeF(side, side)))
         painter.restore()
 
 
@@ -159,7 +144,6 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             self.frame()
 
     def show_chosen(self, ids: set[str]) -> None:
-        """Show which are selected."""
         if self._points is not None:
             self.cloud.show_chosen(
                 np.fromiter((key in ids for key in self._points.ids), bool, len(self._points))
@@ -167,7 +151,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def frame(self) -> None:
         """Show all points, and at least a range of five: a difference of nothing fills no plane."""
-        box = self.cloud.around()
+        box = self.cloud.box
         wide, high = max(_LEAST_RANGE, box.width()), max(_LEAST_RANGE, box.height())
         # What begins at 0 goes up from there; the rest is in the middle.
         left = box.left() if box.left() == 0.0 else box.center().x() - wide / 2
@@ -176,10 +160,7 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
 
     def pixels(self) -> np.ndarray:
         """Return where the points (n, 2) are in this widget."""
-        transform = self.viewportTransform()
-        return np.array(
-            [(p.x(), p.y()) for p in (transform.map(QPointF(*at)) for at in self.cloud.pixels())], float
-        ).reshape(-1, 2)
+        return _mapped(self.viewportTransform(), self.cloud.pixels())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.viewport() and isinstance(event, QMouseEvent) and self._mouse(event):
@@ -192,20 +173,18 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
         if kind == QEvent.Type.MouseButtonDblClick and event.button() is left:
             self.frame()
-            return True
-        if kind == QEvent.Type.MouseButtonPress and event.button() is left and not shift:
+        elif kind == QEvent.Type.MouseButtonPress and event.button() is left and not shift:
             self._line.begin(at.x(), at.y())
-            return True
-        if kind == QEvent.Type.MouseMove and self._line.is_drawn:
+        elif kind == QEvent.Type.MouseMove and self._line.is_drawn:
             self._line.extend(at.x(), at.y())
             self.viewport().update()
-            return True
-        if kind == QEvent.Type.MouseMove and not event.buttons():
-            self._show_name(event)
-        if kind == QEvent.Type.MouseButtonRelease and self._line.is_drawn:
+        elif kind == QEvent.Type.MouseButtonRelease and self._line.is_drawn:
             self._close(event)
-            return True
-        return False
+        else:
+            if kind == QEvent.Type.MouseMove and not event.buttons():
+                self._show_name(event)
+            return False
+        return True
 
     def _close(self, event: QMouseEvent) -> None:
         points, click = self._line.points, self._line.is_click
@@ -249,6 +228,12 @@ class PlaneMap(pg.PlotWidget):  # type: ignore[misc]  # pyqtgraph has no types
             axis.setPen(colours.color(QPalette.ColorRole.Mid))
             axis.setTextPen(colours.color(QPalette.ColorRole.WindowText))
         self.showGrid(x=True, y=True, alpha=0.15)
+
+
+def _mapped(transform: QTransform, at: np.ndarray) -> np.ndarray:
+    """Return where an affine transform takes points (n, 2)."""
+    turn = np.array([[transform.m11(), transform.m12()], [transform.m21(), transform.m22()]])
+    return np.asarray(at @ turn + (transform.dx(), transform.dy()))
 
 
 def mode_of(event: QMouseEvent) -> str:

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_color_swatch.grid.model import VisibleRows
-from brdf_color_swatch.grid.rows import Rows
 
 PLANES = ("flop", "ab", "gloss")
 """Flop over lightness, b* over a*, gloss over flop."""
@@ -30,16 +29,14 @@ class MapPoints:
 
     @staticmethod
     def of(shown: VisibleRows) -> MapPoints:
-        rows: Rows = shown.rows
-        places = np.asarray(shown.places, int)
-        ids = rows.ids
+        rows, places = shown.rows, np.asarray(shown.places, int)
         return MapPoints(
-            tuple(ids[place] for place in shown.places),
+            tuple(rows.ids[place] for place in shown.places),
             tuple(rows.name(place) for place in shown.places),
-            rows.lab[places, 1] if len(places) else np.zeros((0, 3)),
-            rows.flop[places] if len(places) else np.zeros(0),
-            rows.gloss[places] if len(places) else np.zeros(0),
-            rows.codes[places, 1] if len(places) else np.zeros((0, 3), np.uint8),
+            rows.lab[places, 1],
+            rows.columns.flop[places],
+            rows.columns.gloss[places],
+            rows.codes[places, 1],
         )
 
     @property

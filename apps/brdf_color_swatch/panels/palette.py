@@ -24,12 +24,9 @@ class PalettePanel(QWidget):
         self.name.setMaxLength(200)
         self.name.setMinimumWidth(60)
         self.name.editingFinished.connect(self._named)
-        self.colour = described(
-            QPushButton(),
-            name="palette_colour",
-            spoken=tr("Colour of the palette or group"),
-            tip=tr("Colour that marks the palette or group in the library"),
-        )
+        spoken = tr("Colour of the palette or group")
+        tip = tr("Colour that marks the palette or group in the library")
+        self.colour = described(QPushButton(), name="palette_colour", spoken=spoken, tip=tip)
         self.colour.clicked.connect(self._choose)
         self.none = icon_button("x", tr("No colour"), lambda: self.edited.emit("colour", ""))
         self.notes = described(_Notes(), name="palette_notes", spoken=tr("Notes of the palette or group"))

@@ -134,13 +134,12 @@ class SwatchPanel(QWidget):
         self.title.setText(title)
         self.title.setVisible(bool(title))
         values = {
-            "name": [entry.name for entry in entries],
-            "code": [entry.code for entry in entries],
-            "tags": [", ".join(entry.tags) for entry in entries],
-            "notes": [entry.notes for entry in entries],
+            "name": {entry.name for entry in entries},
+            "code": {entry.code for entry in entries},
+            "tags": {", ".join(entry.tags) for entry in entries},
         }
         for key, field in self.fields.items():
-            found = set(values[key])
+            found = values[key]
             text = found.pop() if len(found) == 1 else ""
             self._shown[key] = text
             if not (field.hasFocus() and field.isModified()):
@@ -149,7 +148,7 @@ class SwatchPanel(QWidget):
             if key != "tags":
                 field.setPlaceholderText(_VARIOUS if found else "")
             field.setEnabled(bool(entries))
-        notes = set(values["notes"])
+        notes = {entry.notes for entry in entries}
         self.notes.show_text(notes.pop() if len(notes) == 1 else "")
         self.notes.setPlaceholderText(_VARIOUS if notes else "")
         self.notes.setEnabled(bool(entries))
@@ -173,7 +172,7 @@ class SwatchPanel(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.KeyPress and isinstance(watched, QLineEdit):
-            key = next((key for key, field in self.fields.items() if field is watched), "")
+            key = watched.objectName().removeprefix("swatch_")
             if event.key() == Qt.Key.Key_Escape:  # type: ignore[attr-defined]  # a QKeyEvent
                 watched.setText(self._shown.get(key, ""))
                 watched.setModified(False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from brdf_qt.fields.choice_button import ChoiceButton
-from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.layouts import described, row_of
 from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
 from brdf_qt.program.icons import icon
@@ -53,12 +52,8 @@ class SearchField(QLineEdit):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        described(
-            self,
-            name="search",
-            spoken=tr("Search names, codes, tags and notes"),
-            tip=tr("Every word must occur in name, code, tags, notes or group (Ctrl+F)"),
-        )
+        tip = tr("Every word must occur in name, code, tags, notes or group (Ctrl+F)")
+        described(self, name="search", spoken=tr("Search names, codes, tags and notes"), tip=tip)
         self.setPlaceholderText(tr("Search names, codes, tags, notes"))
         self.setClearButtonEnabled(True)
         self.addAction(icon("magnifying-glass"), QLineEdit.ActionPosition.LeadingPosition)
@@ -169,13 +164,9 @@ class TopBar(QWidget):
         self.sort.setCurrentIndex(self.sort.findData(state.sort))
         self.way.setIcon(icon("sort-descending" if state.descending else "sort-ascending"))
         self.way.setEnabled(state.sort not in ("own", "nearest"))
-        direction = (
-            tr("Descending; click for ascending")
-            if state.descending
-            else tr("Ascending; click for descending")
-        )
-        self.way.setToolTip(plain_tip(direction))
-        self.way.setAccessibleName(direction)
+        down, up = tr("Descending; click for ascending"), tr("Ascending; click for descending")
+        direction = down if state.descending else up
+        described(self.way, spoken=direction, tip=direction)
 
     def show_look(self, look: Look) -> None:
         for button in self.forms.buttons():
@@ -184,9 +175,7 @@ class TopBar(QWidget):
         with QSignalBlocker(self.size_slider):
             self.size_slider.setValue(look.size)
         self.size_slider.setEnabled(not look.as_list)
-        self.size_slider.setToolTip(
-            plain_tip(tr("Swatch size: {size} pixels (Ctrl+wheel)").format(size=look.size))
-        )
+        described(self.size_slider, tip=tr("Swatch size: {size} pixels (Ctrl+wheel)").format(size=look.size))
         place = self.light.findData(look.booth)
         if place >= 0:
             self.light.setCurrentIndex(place)

@@ -6,7 +6,6 @@ times are others than before.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -62,7 +61,7 @@ def paints_in(request: tuple[Path, PaintsIn | None], progress: Progress | None =
 
 
 class FolderPaints(QObject):
-    """Tracks the contents of a folder. Signals: ``changed()`` when they are known or have changed."""
+    """Tracks the contents of a folder. Signals: ``changed()`` when it has been looked at."""
 
     changed = Signal()
 
@@ -71,7 +70,6 @@ class FolderPaints(QObject):
         self._session = session
         self._folder: Path | None = None
         self._known: dict[Path, PaintsIn] = {}
-        self._then: list[Callable[[PaintsIn], None]] = []
         self._watch = QFileSystemWatcher(self)
         self._watch.directoryChanged.connect(lambda _path: self.look())
         self.busy = False
@@ -89,32 +87,21 @@ class FolderPaints(QObject):
         if folder.is_dir():
             self._watch.addPath(str(folder))
         self._folder = folder
-        self._then.clear()
         self.look()
 
-    def look(self, then: Callable[[PaintsIn], None] | None = None) -> None:
-        """Look whether anything has changed; ``then`` is called with what is there, unless the folder is another."""
-        if self._folder is None:
-            return
-        if then is not None:
-            self._then.append(then)
-        self.busy = True
-        self._session.tasks.submit(_TASK, paints_in, (self._folder, self.known), self._arrived, self._failed)
-
-    def forget_wishes(self) -> None:
-        """Do nothing after the look that is under way."""
-        self._then.clear()
+    def look(self) -> None:
+        """Look whether anything has changed; ``changed`` follows also where nothing has."""
+        if self._folder is not None:
+            self.busy = True
+            request = (self._folder, self.known)
+            self._session.tasks.submit(_TASK, paints_in, request, self._arrived, self._failed)
 
     def _arrived(self, found: PaintsIn) -> None:
         self.busy = False
         self._known[found.folder] = found
-        wishes, self._then = self._then, []
         self.changed.emit()
-        for wish in wishes:
-            wish(found)
 
     def _failed(self, error: Exception) -> None:
-        self.busy = False
         folder = self._folder
         if folder is not None:  # a folder that cannot be walked has no paints to offer
             self._session.messages.show_message(message_of(error, _TASK))

@@ -27,7 +27,6 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QPushButton, QToolButton, QWid
 from brdf_lobe_visualizer.basis.paints import FolderPaints, PaintsIn
 from brdf_lobe_visualizer.basis.plots import MOST_LOBES, BasisPlots
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 from brdf_lobe_visualizer.window import LobeWindow
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, SuiteError
@@ -109,11 +108,11 @@ class Basis(Feature, QObject):
         self.run: BasisRun | None = None
         self._source: Path | None = None
         self._own_of: tuple[Any, Any] | None = None
-        self._working = self._built = self._follows_run = False
+        self._working = self._built = self._follows_run = self._wants_search = False
         self._watch = FileWatch(self)
         self._watch.changed.connect(lambda _path: self._read())
         self.paints = FolderPaints(session, self)
-        self.paints.changed.connect(self.show_note)
+        self.paints.changed.connect(self._paints_seen)
         self._output_of: tuple[Path, Path] | None = None
         window.plots.add(BASIS, tr("Basis"), self.view)
         self.view.search.clicked.connect(self.start_search)
@@ -164,18 +163,25 @@ class Basis(Feature, QObject):
             return
         self.view.search.setEnabled(False)
         self.view.progress.set_job(BASIS, 0.0, tr("Scanning the folder for paints"), self._drop_search)
-        self.paints.look(self._begin_search)
+        self._wants_search = True
+        self.paints.look()
 
     def _drop_search(self) -> None:
-        self.paints.forget_wishes()
+        self._wants_search = False
         self.view.progress.end_job(BASIS)
         self.view.search.setEnabled(True)
+
+    def _paints_seen(self) -> None:
+        self.show_note()
+        if self._wants_search and self.paints.known is not None:
+            self._wants_search = False
+            self._begin_search(self.paints.known)
 
     def _begin_search(self, paints: PaintsIn) -> None:
         if not paints.count:
             self._drop_search()
-            error = FileError(self.folder, tr("there is no paint ({ending})").format(ending=PAINT_ENDING))
-            self._session.messages.show_message(message_of(error, BASIS))
+            text = tr("there is no paint ({ending})").format(ending=PAINT_ENDING)
+            self._session.messages.show_message(message_of(FileError(self.folder, text), BASIS))
             return
         run = BasisRun(self.folder, self._output(), max(1, min(MOST_LOBES, paints.count)), self)
         self.run = run
@@ -294,13 +300,13 @@ class Basis(Feature, QObject):
             _TASK,
             _errors,
             (front.reflectance, bases),
-            lambda errors: self._own_ended(front, wanted, errors),
-            lambda error: self._own_ended(front, wanted, None, error),
+            lambda errors: self._own_ended(front.key, wanted, errors),
+            lambda error: self._own_ended(front.key, wanted, None, error),
         )
 
     def _own_ended(
         self,
-        subject: PlottedMaterial,
+        key: str,
         wanted: tuple[Any, Any],
         errors: ErrorsOverCount | None,
         error: Exception | None = None,
@@ -311,7 +317,7 @@ class Basis(Feature, QObject):
         if error is not None:
             self.view.plots.show_own(None, None)
             self._session.messages.show_message(message_of(error, _TASK))
-        elif front is not None and front.key == subject.key:
+        elif front is not None and front.key == key:
             self.view.plots.show_own(front, errors)
             self._session.messages.dismiss_message(_TASK)
         self.show_note()

@@ -82,7 +82,6 @@ class BasisPlots(QWidget):
         self._draw()
 
     def show_own(self, subject: PlottedMaterial | None, errors: ErrorsOverCount | None) -> None:
-        """Draw the errors of one reflectance; None: they are not there."""
         self.own = None if subject is None or errors is None else (subject, errors)
         self._draw()
 

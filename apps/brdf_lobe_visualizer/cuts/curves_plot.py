@@ -43,12 +43,8 @@ class CurvesPlot(LinePlot):
         self.axis_buttons: dict[Axis, ChoiceButton] = {}
         for axis in get_args(Axis):
             title = tr(AXIS_TITLES[axis])
-            button = described(
-                ChoiceButton(AXIS_LETTERS[axis]),
-                name=f"axis_{axis}",
-                spoken=title,
-                tip=f"{title}\n{tr(AXIS_TIPS[axis])}",
-            )
+            button, tip = ChoiceButton(AXIS_LETTERS[axis]), f"{title}\n{tr(AXIS_TIPS[axis])}"
+            described(button, name=f"axis_{axis}", spoken=title, tip=tip)
             button.clicked.connect(lambda _on=False, axis=axis: self._choose(axis))
             self.axis_buttons[axis] = button
         tip = tr("Logarithmic value axis. Differences are signed and stay linear.")

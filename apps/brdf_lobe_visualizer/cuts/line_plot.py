@@ -64,11 +64,9 @@ class LinePlot(QWidget):
         raise NotImplementedError
 
     def dress(self) -> None:
-        """Take the theme's colours."""
         raise NotImplementedError
 
     def draw(self) -> None:
-        """Draw what is set."""
         raise NotImplementedError
 
     def read(self, x: float, y: float) -> None:

@@ -112,7 +112,6 @@ class Slices(Feature, QObject):
         QGuiApplication.clipboard().setText(self.curves_csv())
 
     def save_curves(self, path: Path) -> None:
-        """Write the curves as CSV; an error is shown as a message."""
         try:
             write_atomically(path, self.curves_csv().encode())
             self._session.messages.dismiss_message("curves")

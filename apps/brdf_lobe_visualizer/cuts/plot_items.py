@@ -222,7 +222,6 @@ class PolarRings(pg.GraphicsObject):  # type: ignore[misc]  # pyqtgraph has no t
         self.setCacheMode(self.CacheMode.DeviceCoordinateCache)
 
     def show_rings(self, radii: Sequence[float], palette: QPalette) -> None:
-        """Draw these rings in the greys of ``palette``."""
         self._radii, self._palette = tuple(radii), QPalette(palette)
         self.update()
 

@@ -83,16 +83,11 @@ class PolarPlot(LinePlot):
         """Take the half disc as large as the widget lets it be, its middle in the widget's."""
         area: QRect = self.plot.rect()
         wide, high = max(area.width(), 1), max(area.height(), 1)
-        unit = max(10.0, min((wide - 2.0 * _SIDE_PX) / 2.0, high - _TOP_PX - _FOOT_PX))
-        self._unit = unit
+        unit = self._unit = max(10.0, min((wide - 2.0 * _SIDE_PX) / 2.0, high - _TOP_PX - _FOOT_PX))
         self._rung = None
         middle = 0.5 * (high - unit - _TOP_PX - _FOOT_PX) + _FOOT_PX
-        self.plot.setRange(
-            xRange=(-0.5 * wide / unit, 0.5 * wide / unit),
-            yRange=(-middle / unit, (high - middle) / unit),
-            padding=0.0,
-            disableAutoRange=True,
-        )
+        x, y = (-0.5 * wide / unit, 0.5 * wide / unit), (-middle / unit, (high - middle) / unit)
+        self.plot.setRange(xRange=x, yRange=y, padding=0.0, disableAutoRange=True)
 
     def _resized(self) -> None:
         self._fit_range()

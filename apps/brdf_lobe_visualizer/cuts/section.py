@@ -31,11 +31,8 @@ class SlicesSection(QWidget):
         self.setObjectName("slices_section")
         self._state = state
         form = self._form = OptionForm(state)
-        form.add_row(
-            tr("θd of the θh cut"),
-            form.tick("follow", tr("At the incidence")),
-            tr("θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value"),
-        )
+        tip = tr("θd of the cut over θh: that of the mirror configuration (the incidence), or a fixed value")
+        form.add_row(tr("θd of the θh cut"), form.tick("follow", tr("At the incidence")), tip)
         angle = (0.0, 89.9, 1.0)
         self.theta_d = form.number("theta_d_deg", tr("θd"), tr("θd"), "°", angle, 1)
         name, tip = tr("θh of the θd cut"), tr("θh of the cut over θd")

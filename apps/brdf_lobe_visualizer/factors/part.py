@@ -59,7 +59,7 @@ def title_of(picture: FactorPicture) -> str:
 
 def grid_of(pictures: tuple[FactorPicture, ...], channel: str, tone: Tone) -> Grid:
     """Return the pictures in one row, each over its largest value."""
-    drawn, columns = {}, []
+    drawn = {}
     for number, picture in enumerate(pictures):
         if channel == "colour":
             codes, value = colour_codes(picture.values, tone, 1.0), channel_of(picture.values, "luminance")
@@ -68,8 +68,7 @@ def grid_of(pictures: tuple[FactorPicture, ...], channel: str, tone: Tone) -> Gr
             codes = mapped_codes(share_of(value, tone, 1.0), _GREYS)
         notes = (tr("added peak"), tr("peak")) if picture.part == "peak" else ()
         drawn[0, number] = Picture(codes, value, nothing=picture.outside, notes=notes)
-        columns.append(title_of(picture))
-    return Grid(("",), tuple(columns), drawn, _bar(tone))
+    return Grid(("",), tuple(map(title_of, pictures)), drawn, _bar(tone))
 
 
 def _bar(tone: Tone) -> ScaleBar:
@@ -101,9 +100,8 @@ class FactorsView(SliceImageView):
             angles = angles_at(x, y)
             if angles is None:
                 return title
-            return tr("{map}: θ {theta}°, φ {phi}°").format(
-                map=title, theta=f"{angles[0]:.1f}", phi=f"{angles[1]:.0f}"
-            )
+            theta, phi = f"{angles[0]:.1f}", f"{angles[1]:.0f}"
+            return tr("{map}: θ {theta}°, φ {phi}°").format(map=title, theta=theta, phi=phi)
         if picture.form == "band":
             return tr("{map}: at {x}").format(map=title, x=f"{x:.2f}")
         return tr("{map}: at {x}, {y}").format(map=title, x=f"{x:.2f}", y=f"{1.0 - y:.2f}")
@@ -198,8 +196,5 @@ class Factors(Feature, QObject):
         self.panel.view.show_pictures(pictures, channel, tone, "")
         alpha = ", ".join(f"{number:.3g}" for number in value.terms[0][0].tolist())
         texels = ", ".join(f"{one.name} {one.texels}" for one in pictures)
-        self.panel.note.setText(
-            tr("{name}: α {alpha} 1/sr; texels: {texels}").format(
-                name=front.title, alpha=alpha, texels=texels
-            )
-        )
+        text = tr("{name}: α {alpha} 1/sr; texels: {texels}")
+        self.panel.note.setText(text.format(name=front.title, alpha=alpha, texels=texels))

@@ -52,7 +52,6 @@ class SweepControl(QObject):
         self.set_running(not self.running)
 
     def advance(self, seconds: float) -> None:
-        """Move the light as far as it goes in a time."""
         theta, phi = self._session.incidence
         options = self._state.options
         step = options.speed * seconds
@@ -99,11 +98,8 @@ class IncidenceSection(QWidget):
             tr("Polar angle of the light"), "°", 0.0, MOST_THETA_DEG, 1.0, 1, INCIDENCE_DEG[0]
         )
         self.theta.edited.connect(lambda value: session.set_incidence(value, session.incidence[1]))
-        form.add_row(
-            tr("Polar angle θi"),
-            self.theta,
-            tr("Angle between the normal and the light. The yellow handle in the view sets it, too."),
-        )
+        tip = tr("Angle between the normal and the light. The yellow handle in the view sets it, too.")
+        form.add_row(tr("Polar angle θi"), self.theta, tip)
         self.theta_slider = described(
             QuietSlider(Qt.Orientation.Horizontal), spoken=tr("Polar angle of the light, tenths of a degree")
         )

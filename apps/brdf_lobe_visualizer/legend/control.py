@@ -299,7 +299,6 @@ class LegendControl(QObject):
         self._line.addAction(tr("Reset All Lines"), self.reset_lines)
 
     def reset_lines(self) -> None:
-        """Give the lines the colours and dashes of a first start, in the legend's order."""
         count = len(LINE_COLOURS)
         lines = [
             (LINE_COLOURS[k % count], DASHES[(k + k // count) % len(DASHES)])

@@ -146,7 +146,6 @@ class FiguresTable(QTableView):
             super().keyPressEvent(event)
 
     def copy_selected(self) -> None:
-        """Copy the selected cells; nothing where none is."""
         chosen = sorted({(index.row(), index.column()) for index in self.selectedIndexes()})
         if not chosen:
             return
@@ -194,11 +193,8 @@ class NumbersPanel(QWidget):
         self.table = FiguresTable()
         self.note = PlainLabel()
         self.buttons = {key: ChoiceButton(tr(title)) for key, title in _GROUPS.items()}
-        self.angles = described(
-            QuietComboBox(),
-            spoken=tr("Colour geometries"),
-            tip=tr("Geometries of the L*a*b* values (D65, 10° observer)"),
-        )
+        tip = tr("Geometries of the L*a*b* values (D65, 10° observer)")
+        self.angles = described(QuietComboBox(), spoken=tr("Colour geometries"), tip=tip)
         for key, title in _ANGLES.items():
             self.angles.addItem(tr(title), key)
         for key, button in self.buttons.items():

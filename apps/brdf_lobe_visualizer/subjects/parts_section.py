@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel
 from brdf_qt.fields.layouts import column_in, described
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt
@@ -96,25 +96,20 @@ class PartsSection(QWidget):
             of_part = [lobe for lobe in lobes if lobe.part == part]
             if not of_part:
                 continue
-            whole = QPushButton(_swatch(part), tr(PART_TITLES[part]))
-            whole.setFlat(True)
-            whole.setToolTip(tr("Switch all lobes of this part on or off"))
+            tip = tr("Switch all lobes of this part on or off")
+            whole = described(QPushButton(_swatch(part), tr(PART_TITLES[part]), flat=True), tip=tip)
             whole.clicked.connect(lambda _on=False, rows=tuple(of_part): self._switch_part(rows))
             self._grid.addWidget(whole, row, 0, 1, 2, Qt.AlignmentFlag.AlignLeft)
             row += 1
             for lobe in of_part:
-                text = (
-                    tr("KD")
-                    if lobe.exponent is None
-                    else tr("E = {exponent}").format(exponent=number(lobe.exponent))
-                )
+                text = tr("KD")
+                if lobe.exponent is not None:
+                    text = tr("E = {exponent}").format(exponent=number(lobe.exponent))
                 switch = self.switches[lobe.key] = QCheckBox(text)
                 switch.setAccessibleName(f"{tr(PART_TITLES[part])} {text}")
                 switch.clicked.connect(lambda on, key=lobe.key: self._session.switch_lobe(key[0], key[1], on))
-                weight = ElidedLabel(lobe_weight(lobe))
-                weight.setToolTip(
-                    plain_tip(weight.text() + "\n" + tr("Weight (linear Rec. 2020 red, green, blue)"))
-                )
+                tip = lobe_weight(lobe) + "\n" + tr("Weight (linear Rec. 2020 red, green, blue)")
+                weight = described(ElidedLabel(lobe_weight(lobe)), tip=tip)
                 self._grid.addWidget(switch, row, 0)
                 self._grid.addWidget(weight, row, 1)
                 row += 1

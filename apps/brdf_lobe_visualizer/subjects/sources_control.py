@@ -119,11 +119,8 @@ class Sources(Feature, QObject):
     def next_line(self) -> tuple[Srgb, Dash]:
         """Return colour and dash that the fewest subjects have: each colour with a dash of its own first."""
         used = [(s.colour, s.dash) for s in self._session.subjects] + list(self._lines.values())
-        lines = [
-            (colour, DASHES[(place + turn) % len(DASHES)])
-            for turn in range(len(DASHES))
-            for place, colour in enumerate(LINE_COLOURS)
-        ]
+        places = [(turn, place) for turn in range(len(DASHES)) for place in range(len(LINE_COLOURS))]
+        lines = [(LINE_COLOURS[place], DASHES[(place + turn) % len(DASHES)]) for turn, place in places]
         return min(lines, key=used.count)
 
     def recent(self) -> Sequence[Path]:
@@ -158,15 +155,13 @@ class Sources(Feature, QObject):
         if shown + len(found.refused) < len(found.entries):
             more = tr("The others are listed in the panel Reflectances (Ctrl+L).")
         if found.refused:
-            what = tr("{count} entries of {title} cannot be shown.").format(
-                count=len(found.refused), title=found.title
-            )
+            text = tr("{count} entries of {title} cannot be shown.")
+            what = text.format(count=len(found.refused), title=found.title)
             where = " ".join((found.refused[0], *found.notes))
             self._window.show_message(Message(key, what, where=where, todo=more, severity="warning"))
         elif shown < len(found.entries):
-            what = tr("{title} has {count} paints; the first {shown} are shown.").format(
-                title=found.title, count=len(found.entries), shown=shown
-            )
+            text = tr("{title} has {count} paints; the first {shown} are shown.")
+            what = text.format(title=found.title, count=len(found.entries), shown=shown)
             self._window.show_message(Message(key, what, where=noted, todo=more))
         elif noted:
             what = tr("{title} imported with notes.").format(title=found.title)

@@ -54,7 +54,6 @@ class SourcesPanel(QWidget):
         self.setMinimumWidth(180)
 
     def fill(self) -> None:
-        """Put in what comes with the program; once."""
         if self._filled:
             return
         self._filled = True

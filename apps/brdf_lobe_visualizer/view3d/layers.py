@@ -263,15 +263,10 @@ class SceneMaker:
     def _panel(
         self, plan: _Plan, scale: RadiusScale, numbers: dict[int, Singles], options: SpaceOptions
     ) -> Panel:
+        surfaces = (self._surface(sheet, scale, numbers[id(sheet)], options) for sheet in plan.sheets)
         layers = tuple(
-            Layer(
-                self._surface(sheet, scale, numbers[id(sheet)], options),
-                sheet.style,
-                sheet.opacity,
-                sheet.ink,
-                sheet.found.grid,
-            )
-            for sheet in plan.sheets
+            Layer(surface, sheet.style, sheet.opacity, sheet.ink, sheet.found.grid)
+            for surface, sheet in zip(surfaces, plan.sheets, strict=True)
         )
         notes = [plan.note] if plan.note else []
         if layers and all(layer.surface.dark for layer in layers):

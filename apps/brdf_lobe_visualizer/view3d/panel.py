@@ -86,12 +86,11 @@ class Space(Feature, QObject):
 
     def run_script(self, key: str, value: str) -> bool:
         """Take an option that a script sets: one of ``SpaceOptions`` by name, or ``camera`` by a preset's name."""
-        if key == "camera":
-            if value not in dict(PRESETS):
-                return False
+        if key != "camera":
+            return self.state.set_from_text(key, value)
+        if value in dict(PRESETS):
             self.go_to(value)
-            return True
-        return self.state.set_from_text(key, value)
+        return value in dict(PRESETS)
 
     def set_camera(self, camera: Camera) -> None:
         self.camera = camera
@@ -111,7 +110,6 @@ class Space(Feature, QObject):
         settings().setValue(_CAMERA_KEY, format_camera(self.camera))
 
     def reset_view(self) -> None:
-        """Put camera and options back to those of a first start."""
         self.sweep.set_running(False)
         self.state.reset()
         self.set_camera(Camera())
@@ -125,7 +123,6 @@ class Space(Feature, QObject):
             self._settle.start()
 
     def picture(self, width: int, height: int) -> QImage:
-        """Return the view as a picture of any size; a null one where there is none."""
         return QImage() if self.view is None else self.view.picture(width, height)
 
     def _stale(self, *_: object) -> None:

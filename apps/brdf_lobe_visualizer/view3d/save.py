@@ -100,7 +100,6 @@ class SaveSurface(QObject):
             window.add_command("file", title, None, lambda kind=kind: self.ask(kind))
 
     def ask(self, kind: str) -> None:
-        """Ask for a file of a kind and write it; errors are shown in the window."""
         title, filters = KINDS[kind]
         front = self._session.front
         name = "".join(c if c.isalnum() or c in " -_" else "_" for c in (front.title if front else "lobes"))

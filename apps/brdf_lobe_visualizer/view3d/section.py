@@ -53,10 +53,8 @@ class SurfaceSection(QWidget):
         self._session, self._state = session, state
         form = self._form = OptionForm(state, session)
         form.choice("radius", _RADII, tr("Radius"), tr("Mapping from values to distances from the centre"))
-        decades, tip = (
-            (LEAST_DECADES, MOST_DECADES, 1.0),
-            tr("Range of the logarithmic radius below its maximum"),
-        )
+        tip = tr("Range of the logarithmic radius below its maximum")
+        decades = (LEAST_DECADES, MOST_DECADES, 1.0)
         self.decades = form.number("decades", tr("Decades"), tr("Decades"), "", decades, 1, tip)
         tip = tr(
             "Value at the hemisphere; larger values are cut off. Automatic: the maximum, "
@@ -69,12 +67,8 @@ class SurfaceSection(QWidget):
         self.full = form.number(
             "full", tr("Value"), tr("Value of radius 1"), "1/sr", full, 4, tip, self._choose_full
         )
-        form.choice(
-            "cosine",
-            _COSINES,
-            tr("Quantity"),
-            tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo"),
-        )
+        tip = tr("Quantity in all views: f_r, reflected radiance f_r·cosθi, or intensity f_r·cosθi·cosθo")
+        form.choice("cosine", _COSINES, tr("Quantity"), tip)
         form.choice(
             "channel", _CHANNELS, tr("Channel"), tr("Channel that the radius shows (linear Rec. 2020)")
         )

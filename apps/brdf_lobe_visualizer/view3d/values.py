@@ -85,11 +85,10 @@ class SpaceValues:
         """Return a subject's values; None where none have come yet, or it cannot be evaluated."""
         grid = self.grid()
         kept = self.kept.get(subject.key)
-        source = kept.source if kept else None
         if (
-            source is None
-            or source.reflectance is not subject.reflectance
-            or source.measured is not subject.measured
+            kept is None
+            or kept.source.reflectance is not subject.reflectance
+            or kept.source.measured is not subject.measured
         ):
             source = LobeSource(subject.reflectance, subject.measured)
             kept = self.kept[subject.key] = (

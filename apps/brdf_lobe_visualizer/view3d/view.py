@@ -149,7 +149,6 @@ class LobeView(SpaceView):
         self.update()
 
     def set_hot(self, hot: bool) -> None:
-        """Show the light's handle as taken, or as one that can be."""
         if hot != self.hot:
             self.hot = hot
             self._show_handle()
