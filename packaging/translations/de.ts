@@ -4037,7 +4037,7 @@ Zuerst das Ziel, dann der mit den angepassten Keulen erreichte Wert.</translatio
     </message>
     <message>
         <source>Logarithmic, 4 decades</source>
-        <translation>Logarithmisch, 4 Dekaden</translation>
+        <translation>Log., 4 Dekaden</translation>
     </message>
     <message>
         <source>Automatic</source>
