@@ -21,7 +21,8 @@ from brdf_suite.appearance.difference.tolerance import (
 from brdf_suite.appearance.difference.words import NamedDifference, name_differences, name_flop, sentence
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, GeometrySet
 from brdf_suite.errors import SuiteError
-from brdf_suite.files.measured import ReadOptions, read_measured, write_measured
+from brdf_suite.files.measured import read_measured, write_measured
+from brdf_suite.files.measured.format import ReadOptions
 from brdf_suite.fitting.metrics import ErrorFigures, error_figures
 from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs

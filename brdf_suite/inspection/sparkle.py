@@ -65,14 +65,12 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReading
     single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
     whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
     shares = np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
+    places = zip(ANGLES_DEG, shares.tolist(), strict=True)
+    found = [_spots(angle, share, weights.ior, flakes) for angle, share in places]
     return tuple(
-        _sparkle(angle, _spots(angle, share, weights.ior, flakes))
-        for angle, share in zip(ANGLES_DEG, shares.tolist(), strict=True)
+        SparkleReadings(angle, one.per_mm2, one.mean_contrast, one.per_footprint > CROWDED)
+        for angle, one in zip(ANGLES_DEG, found, strict=True)
     )
-
-
-def _sparkle(angle: float, found: Spots) -> SparkleReadings:
-    return SparkleReadings(angle, found.per_mm2, found.mean_contrast, found.per_footprint > CROWDED)
 
 
 def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:

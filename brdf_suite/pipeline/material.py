@@ -30,7 +30,7 @@ from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from brdf_suite.resources import check_exists, packaged_name, resource, resource_names
 
 if TYPE_CHECKING:
-    from brdf_suite.files.palettes import ReadPalette
+    from brdf_suite.files.palettes.format import ReadPalette
     from brdf_suite.reflectance.instruments.aperture import Aperture
 
 __all__ = ["Material"]
@@ -170,7 +170,8 @@ def material_of_entry(entry: Entry, origin: str = "") -> Material:
 def load_measured(path: str | os.PathLike[str], observer_deg: int = 10) -> Material:
     """Return the material of a measured file; raise :class:`FileError` where it is none."""
     # 14 to 30 ms at the start of each program.
-    from brdf_suite.files.measured import ReadOptions, read_measured
+    from brdf_suite.files.measured import read_measured
+    from brdf_suite.files.measured.format import ReadOptions
 
     value = read_measured(path, options=ReadOptions(observer_deg=observer_deg))
     notes = value.facts.get("notes", ())

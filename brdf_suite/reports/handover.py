@@ -13,8 +13,9 @@ from brdf_suite.appearance.geometries import GEOMETRY_SETS
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FileError, PathLike, SuiteError, UnreachableError, ValueRangeError
-from brdf_suite.files.exports import FORMATS, ExportFormat, ExportItem, ImportedPaints, Spectra
+from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports import read_paints as read_known_paints
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra
 from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.instruments.aperture import POINT

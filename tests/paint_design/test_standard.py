@@ -18,7 +18,7 @@ from brdf_suite.documents.palette_store import save_palette
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.files.exports import FORMATS as EXPORTS
-from brdf_suite.files.exports import ExportItem
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.paint_design.standard import Standard, judge_all, judge_batch, standard_of
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import load_document, load_shipped_paint

@@ -26,8 +26,9 @@ from brdf_suite.documents.paint import Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.palette import Entry, Group, Palette
 from brdf_suite.documents.palette_store import encode_palette, palette_from_bytes
 from brdf_suite.errors import FileError
-from brdf_suite.files.palettes import FORMATS, PaletteFormat, read_content
+from brdf_suite.files.palettes import FORMATS, read_content
 from brdf_suite.files.palettes.archive.zipped import pack_zip
+from brdf_suite.files.palettes.format import PaletteFormat
 
 sys.path.insert(0, str(Path(__file__).parent))
 import fuzz_measured

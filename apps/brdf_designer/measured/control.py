@@ -27,7 +27,7 @@ from brdf_suite.pipeline.material import file_kind, load_palette_file
 from brdf_suite.progress import Progress
 
 if TYPE_CHECKING:
-    from brdf_suite.files.exports import ImportedPaints
+    from brdf_suite.files.exports.format import ImportedPaints
 
 KEY = "measured"
 _SET = "measured/angles"
@@ -186,7 +186,8 @@ def _handed_over(path: Path) -> ImportedPaints | None:
     """Read the paints of a file that was handed over (CxF3, CSV, JSON), known by its content; None for any other."""
     if path.suffix.lower() == PAINT_ENDING:
         return None
-    from brdf_suite.files.exports import FORMATS, ImportedPaints
+    from brdf_suite.files.exports import FORMATS
+    from brdf_suite.files.exports.format import ImportedPaints
 
     try:
         with path.open("rb") as stream:

@@ -9,7 +9,7 @@ from brdf_suite.cli.output import add_arguments, add_export, export_progress, pr
 from brdf_suite.cli.paint.tolerances import add_tolerances, parse_tolerances
 from brdf_suite.documents.store import load_view
 from brdf_suite.errors import SuiteError, UnreachableError
-from brdf_suite.files.exports import ExportFormat, ExportItem
+from brdf_suite.files.exports.format import ExportFormat, ExportItem
 from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.reports.handover import export, export_losses, format_named, format_of, formats, item_of
 from brdf_suite.reports.paint_report.document import ReportOptions

@@ -1,6 +1,41 @@
 """Export of paints to other programs: a registry of formats, each with the losses of its conversion."""
 
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra
-from brdf_suite.files.exports.registry import FORMATS, read_paints
+from __future__ import annotations
 
-__all__ = ["FORMATS", "ExportFormat", "ExportItem", "ImportedPaints", "Spectra", "read_paints"]
+from pathlib import Path
+
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.exports import csv_table, cxf3, gltf, json_document, luxcore, openpbr, rgl
+from brdf_suite.files.exports.format import ExportFormat, ImportedPaints
+
+FORMATS: tuple[ExportFormat, ...] = (
+    cxf3.FORMAT,
+    csv_table.FORMAT,
+    json_document.FORMAT,
+    luxcore.FORMAT,
+    openpbr.FORMAT,
+    gltf.FORMAT,
+    rgl.FORMAT,
+)
+"""In the order in which they are offered."""
+
+_HEAD = 1 << 16
+_LARGEST = 64 << 20
+
+
+def read_paints(path: PathLike, formats: tuple[ExportFormat, ...] = FORMATS) -> ImportedPaints:
+    """Return the paints in a file of any format that is read back, known by its content.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, is of no such format, or is damaged; with the place. Nothing is partly read.
+    """
+    with open_plain(path, _LARGEST) as stream:
+        head = stream.read(_HEAD)
+    for known in formats:
+        if known.sniff is not None and known.read is not None and known.sniff(head):
+            return known.read(path)
+    titles = ", ".join(known.title for known in formats if known.read is not None)
+    raise FileError(Path(path), f"holds no paints in a format that is read here ({titles})")

@@ -1,20 +1,101 @@
-"""Measured reflectance: every file format behind :func:`read_measured` and :func:`write_measured`."""
+"""Measured reflectance: every file format behind :func:`read_measured` and :func:`write_measured`.
 
+A file is known by its content; the ending only breaks a tie and names the format to write.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from brdf_suite.errors import FileError, PathLike
+from brdf_suite.files.bounded_reading import open_plain
+from brdf_suite.files.measured import (
+    alta,
+    astm,
+    bird,
+    brdftable,
+    cook_torrance,
+    cornell,
+    merl,
+    pgii,
+    rgl,
+    utia,
+)
 from brdf_suite.files.measured.format import (
     MeasuredFormat,
     MeasuredReflectance,
     ReadOptions,
     WrittenMeasurement,
 )
-from brdf_suite.files.measured.registry import FORMATS, read_measured, sniff, write_measured
 
-__all__ = [
-    "FORMATS",
-    "MeasuredFormat",
-    "MeasuredReflectance",
-    "ReadOptions",
-    "WrittenMeasurement",
-    "read_measured",
-    "sniff",
-    "write_measured",
-]
+FORMATS: tuple[MeasuredFormat, ...] = (
+    rgl.FORMAT,
+    brdftable.FORMAT,
+    merl.FORMAT,
+    utia.FORMAT,
+    cook_torrance.FORMAT,
+    bird.FORMAT,
+    astm.FORMAT,
+    alta.FORMAT,
+    pgii.FORMAT,
+    cornell.FORMAT,
+)
+"""In the order in which they are tried; the ones that a few bytes settle come first."""
+
+_HEAD = 1 << 16
+_LARGEST = 8 << 30
+
+
+def sniff(path: PathLike) -> MeasuredFormat:
+    """Return the format of the file at ``path``, by its content.
+
+    Raises :class:`FileError`: it cannot be read, is empty, or is of no known format.
+    """
+    with open_plain(path, _LARGEST) as stream:
+        head = stream.read(_HEAD)
+        size = stream.seek(0, 2)
+    if not head:
+        raise FileError(path, "is empty", "byte 0")
+    found = [known for known in FORMATS if known.sniff(head, size)]
+    ending = Path(path).suffix.lower()
+    for known in found:
+        if ending in known.endings:
+            return known
+    if found:
+        return found[0]
+    titles = ", ".join(known.title for known in FORMATS)
+    raise FileError(path, f"is of no measured format that is known here ({titles})", "byte 0")
+
+
+def read_measured(path: PathLike, *, options: ReadOptions | None = None) -> MeasuredReflectance:
+    """Return the reflectance in a measured file of any known format.
+
+    The value has ``eval`` and ``facts``; its class says what more it can do (a
+    :class:`~brdf_suite.reflectance.tensor.tensor_reflectance.TensorReflectance`, scattered samples, a table).
+
+    Raises :class:`FileError`: with the place in the file: byte offset, line or field. Nothing is partly read.
+    """
+    value: MeasuredReflectance = sniff(path).read(path, options or ReadOptions())
+    return value
+
+
+# Any: each writer takes its own value classes and says what it cannot write.
+def write_measured(value: Any, path: PathLike) -> WrittenMeasurement:
+    """Write a reflectance in the format that the ending of ``path`` names; return that format, and notes.
+
+    The file is written whole or not at all.
+
+    Raises
+    ------
+    FileError
+        The ending belongs to no format that is written here, the value does not fit the format, or the disk
+        refuses.
+    """
+    ending = Path(path).suffix.lower()
+    writers = [known for known in FORMATS if known.write is not None]
+    for known in writers:
+        if ending in known.endings and known.write is not None:
+            return WrittenMeasurement(known, known.write(value, path) or ())
+    endings = ", ".join(sorted({end for known in writers for end in known.endings}))
+    raise FileError(path, f"the ending {ending or '(none)'} names no format that is written here ({endings})")

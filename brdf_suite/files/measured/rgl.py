@@ -29,19 +29,8 @@ from brdf_suite.reflectance.tensor.tensor_reflectance import TensorReflectance
 MAGIC = b"tensor_file\0"
 _VERSION = (1, 0)
 
-_TYPES = {
-    1: "<u1",
-    2: "<i1",
-    3: "<u2",
-    4: "<i2",
-    5: "<u4",
-    6: "<i4",
-    7: "<u8",
-    8: "<i8",
-    9: "<f2",
-    10: "<f4",
-    11: "<f8",
-}
+_KINDS = ("<u1", "<i1", "<u2", "<i2", "<u4", "<i4", "<u8", "<i8", "<f2", "<f4", "<f8")
+_TYPES = dict(enumerate(_KINDS, start=1))
 _CODES = {np.dtype(kind): code for code, kind in _TYPES.items()}
 
 _MOST_FIELDS = 256

@@ -1,27 +1,130 @@
-"""Palette files of other programs: a registry of formats, each with the losses of its conversion."""
+"""Palette files of other programs: a registry of formats, each with the losses of its conversion.
 
-from brdf_suite.files.palettes.format import PaletteFormat, ReadPalette, WrittenPalette
-from brdf_suite.files.palettes.registry import (
-    FORMATS,
-    find_format,
-    format_for,
-    losses,
-    read_content,
-    read_palette,
-    sniff,
-    write_palette,
+A file is known by its content; only where several formats could be meant does its ending decide. A new format is one
+module and one line here: every check of the formats goes over this list.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from brdf_suite.documents.atomic import write_atomically
+from brdf_suite.documents.palette import Palette
+from brdf_suite.documents.palette_store import LARGEST_PALETTE, without_collection
+from brdf_suite.errors import FileError, PathLike, SuiteError
+from brdf_suite.files.bounded_reading import read_bytes
+from brdf_suite.files.palettes.archive import kpl, sbz
+from brdf_suite.files.palettes.binary import acb, aco, act, ase, riff_pal
+from brdf_suite.files.palettes.format import LARGEST, OWN, PaletteFormat, ReadPalette, WrittenPalette
+from brdf_suite.files.palettes.losses import encode_palette, find_losses
+from brdf_suite.files.palettes.text import css, csv_table, gpl, jasc_pal, json_tokens
+from brdf_suite.files.palettes.xml import cxf3, scribus, soc
+
+FORMATS: tuple[PaletteFormat, ...] = (
+    OWN,
+    ase.FORMAT,
+    acb.FORMAT,
+    gpl.FORMAT,
+    kpl.FORMAT,
+    sbz.FORMAT,
+    cxf3.FORMAT,
+    scribus.FORMAT,
+    soc.FORMAT,
+    riff_pal.FORMAT,
+    jasc_pal.FORMAT,
+    csv_table.FORMAT,
+    css.FORMAT,
+    json_tokens.FORMAT,
+    aco.FORMAT,
+    act.FORMAT,
 )
+"""In the order in which they are tried; those with the weakest signatures come last."""
 
-__all__ = [
-    "FORMATS",
-    "PaletteFormat",
-    "ReadPalette",
-    "WrittenPalette",
-    "find_format",
-    "format_for",
-    "losses",
-    "read_content",
-    "read_palette",
-    "sniff",
-    "write_palette",
-]
+_HEAD = 1 << 16
+
+
+def find_format(name: str) -> PaletteFormat:
+    """Return the format of a short name; :class:`SuiteError` where there is none."""
+    for known in FORMATS:
+        if known.name == name:
+            return known
+    raise SuiteError(f"No palette format is called {name!r}; there are {', '.join(f.name for f in FORMATS)}.")
+
+
+def format_for(path: PathLike) -> PaletteFormat:
+    """Return the format that a file is written in by its ending; :class:`FileError` where there is none."""
+    ending = Path(path).suffix.lower()
+    for known in FORMATS:
+        if ending in known.endings and known.write is not None:
+            return known
+    endings = ", ".join(
+        sorted({end for known in FORMATS if known.write is not None for end in known.endings})
+    )
+    raise FileError(
+        path, f"the ending {ending or '(none)'} names no palette format that is written here ({endings})"
+    )
+
+
+def sniff(content: bytes, path: PathLike) -> PaletteFormat:
+    """Return the format of a file's content; :class:`FileError` where it is of none that is known."""
+    if not content:
+        raise FileError(path, "is empty", "byte 0")
+    head, size = content[:_HEAD], len(content)
+    found = [known for known in FORMATS if known.sniff(head, size)]
+    ending = Path(path).suffix.lower()
+    # Formats with a signature are certain; the last two are recognised by a few numbers or the size alone.
+    named = [known for known in found if ending in known.endings]
+    if found and found[0] in (aco.FORMAT, act.FORMAT) and named:
+        return named[0]
+    if found:
+        return found[0]
+    titles = ", ".join(known.title for known in FORMATS)
+    raise FileError(path, f"is of no palette format that is known here ({titles})", "byte 0")
+
+
+def read_palette(path: PathLike) -> ReadPalette:
+    """Return the palette in a file of any known format, whatever its name.
+
+    Raises
+    ------
+    FileError
+        It cannot be read, is of no known format, or is damaged; with the place: byte, line or field. Nothing is partly
+        read.
+    """
+    return read_content(read_bytes(path, LARGEST_PALETTE), path)
+
+
+def read_content(content: bytes, path: PathLike, known: PaletteFormat | None = None) -> ReadPalette:
+    """Return the palette in the content of a file, of a format where that is known; errors as :func:`read_palette`."""
+    if known is None:
+        known = sniff(content, path)
+    if known is not OWN and len(content) > LARGEST:
+        raise FileError(
+            path, f"has {len(content):,} bytes, more than the {LARGEST:,} allowed", f"byte {LARGEST}"
+        )
+    with without_collection():
+        palette, notes = known.read(content, path)
+    return ReadPalette(palette, notes, known)
+
+
+def losses(palette: Palette, known: PaletteFormat, path: PathLike = "") -> tuple[str, ...]:
+    """Return what a format cannot hold of a palette, in sentences, without writing anything to the disk.
+
+    A file that says no name has its own, so whether the palette's is lost depends on ``path``.
+
+    Raises :class:`SuiteError`: it cannot be written in that format at all.
+    """
+    return find_losses(palette, known, encode_palette(palette, known), path or f"the {known.title} file")
+
+
+def write_palette(palette: Palette, path: PathLike, known: PaletteFormat | None = None) -> WrittenPalette:
+    """Write a palette, whole or not at all, in the format given or that the ending names.
+
+    Raises :class:`SuiteError`: the ending names no format, the format cannot hold the palette, or the disk refuses.
+    """
+    if known is None:
+        known = format_for(path)
+    content = encode_palette(palette, known)
+    lost = find_losses(palette, known, content, path)
+    write_atomically(path, content)
+    return WrittenPalette(known, len(content), lost)

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.files.measured.registry import read_measured
+from brdf_suite.files.measured import read_measured
 from brdf_suite.fitting.cook_torrance import Settings, fit_lobes
 from brdf_suite.fitting.homomorphic.factorize import factorize
 from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_with_peak

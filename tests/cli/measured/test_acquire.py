@@ -10,7 +10,7 @@ import pytest
 
 from brdf_suite.cli.main import main
 from brdf_suite.cli.measured.acquire import _summed_up
-from brdf_suite.files.measured.registry import read_measured
+from brdf_suite.files.measured import read_measured
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
 RIG = ["--size", "144x144", "--positions", "6", "--exposures", "6", "--longest", "0.016", "--stated"]

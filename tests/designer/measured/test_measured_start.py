@@ -11,7 +11,8 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 
 from brdf_suite.documents.store import save_paint
-from brdf_suite.files.exports import FORMATS, ExportItem
+from brdf_suite.files.exports import FORMATS
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.pipeline.material import load_document, load_shipped_paint
 
 

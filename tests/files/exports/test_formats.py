@@ -18,7 +18,8 @@ from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, P
 from brdf_suite.documents.store import PAINT_ENDING, load_paint
 from brdf_suite.errors import FileError, SuiteError, ValueRangeError
 from brdf_suite.files.cxf import read_cxf
-from brdf_suite.files.exports import FORMATS, ExportFormat, ExportItem, Spectra, read_paints
+from brdf_suite.files.exports import FORMATS, read_paints
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, Spectra
 from brdf_suite.files.measured import read_measured
 from brdf_suite.pipeline.material import Material
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
-from brdf_suite.files.exports import FORMATS, ExportItem
+from brdf_suite.files.exports import FORMATS
+from brdf_suite.files.exports.format import ExportItem
 from brdf_suite.files.exports.luxcore import fit_carpaint
 from brdf_suite.files.exports.metal_rough_fit import fit_gltf, fit_openpbr
 from brdf_suite.files.exports.model_fit import sample_paint

@@ -12,7 +12,8 @@ from brdf_suite.appearance.colour.spectra import spectrum_to_working
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError
-from brdf_suite.files.measured import ReadOptions, read_measured, sniff, write_measured
+from brdf_suite.files.measured import read_measured, sniff, write_measured
+from brdf_suite.files.measured.format import ReadOptions
 from brdf_suite.files.measured.samples import as_samples
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab

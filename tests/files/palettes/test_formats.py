@@ -17,16 +17,8 @@ from brdf_suite.documents.flat_colour import CHANNELS, FlatColour
 from brdf_suite.documents.paint import Flakes, Gloss, Measurement, OrangePeel, Paint
 from brdf_suite.documents.palette import Entry, Group, Palette
 from brdf_suite.errors import FileError, SuiteError
-from brdf_suite.files.palettes import (
-    FORMATS,
-    PaletteFormat,
-    ReadPalette,
-    format_for,
-    losses,
-    read_content,
-    read_palette,
-    write_palette,
-)
+from brdf_suite.files.palettes import FORMATS, format_for, losses, read_content, read_palette, write_palette
+from brdf_suite.files.palettes.format import PaletteFormat, ReadPalette
 from brdf_suite.files.palettes.text.css import parse_colour
 
 WRITTEN = [known for known in FORMATS if known.write is not None]

@@ -15,8 +15,9 @@ from types import ModuleType
 import pytest
 
 from brdf_suite.errors import FileError
-from brdf_suite.files.palettes import FORMATS, PaletteFormat, find_format, read_content, read_palette
+from brdf_suite.files.palettes import FORMATS, find_format, read_content, read_palette
 from brdf_suite.files.palettes.collecting import MOST_COLOURS
+from brdf_suite.files.palettes.format import PaletteFormat
 
 NAMES = [known.name for known in FORMATS]
 

@@ -125,7 +125,7 @@ def test_a_file_that_is_not_measured_is_reported(viewer, tmp_path, qtbot) -> Non
 
 
 def test_every_measured_format_is_opened() -> None:
-    from brdf_suite.files.measured.registry import FORMATS
+    from brdf_suite.files.measured import FORMATS
 
     assert {ending for known in FORMATS for ending in known.endings} <= set(ENDINGS["paint"])
 
