@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.cuts.image_layout import Room, best_layout
-from brdf_lobe_visualizer.cuts.options import SliceOptions
 from brdf_lobe_visualizer.cuts.panel import HALF_ANGLE, UNROLLED
+from brdf_lobe_visualizer.cuts.section import SliceOptions
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
 from brdf_lobe_visualizer.cuts.panel import HALF_ANGLE, POLAR, UNROLLED
 from brdf_lobe_visualizer.cuts.pens import colour_of
+from brdf_lobe_visualizer.cuts.section import SliceOptions, SliceState
 from brdf_lobe_visualizer.subjects.subjects import DASHES, LINE_COLOURS, PlottedMaterial, SamplePoints
 from pyqtgraph import TextItem
 from PySide6.QtCore import QEvent, QPointF, Qt

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from brdf_lobe_visualizer.view3d.layers import BODY_RADIUS, full_of, tops_of
-from brdf_lobe_visualizer.view3d.options import SpaceOptions
+from brdf_lobe_visualizer.view3d.section import SpaceOptions
 
 from brdf_suite.geometry.directions import illumination, mirror
 from brdf_suite.inspection.lobe_surface.grid import lobe_grid

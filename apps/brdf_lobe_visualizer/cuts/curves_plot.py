@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QWidget
 from brdf_lobe_visualizer.cuts.crosshair import rows_at
 from brdf_lobe_visualizer.cuts.line_plot import LinePlot
 from brdf_lobe_visualizer.cuts.lines import Lines, largest
-from brdf_lobe_visualizer.cuts.options import SliceOptions, SliceState
+from brdf_lobe_visualizer.cuts.section import SliceOptions, SliceState
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.words import AXIS_LETTERS, AXIS_TIPS, AXIS_TITLES, UNIT, degrees, number, quantity
 from brdf_suite.arrays import Bools, Floats

@@ -24,10 +24,9 @@ from brdf_lobe_visualizer.cuts.curves_plot import CurvesPlot
 from brdf_lobe_visualizer.cuts.image_view import SliceImageView
 from brdf_lobe_visualizer.cuts.images import Axes, Grid
 from brdf_lobe_visualizer.cuts.lines import SliceLines, csv_of
-from brdf_lobe_visualizer.cuts.options import SliceState
 from brdf_lobe_visualizer.cuts.pictures import Request, make_grid
 from brdf_lobe_visualizer.cuts.polar_plot import PolarPlot
-from brdf_lobe_visualizer.cuts.section import SlicesSection
+from brdf_lobe_visualizer.cuts.section import SlicesSection, SliceState
 from brdf_lobe_visualizer.cuts.slice_views import (
     HalfAngleView,
     UnrolledView,

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QWidget
 from brdf_lobe_visualizer.cuts.crosshair import rows_at
 from brdf_lobe_visualizer.cuts.line_plot import LinePlot
 from brdf_lobe_visualizer.cuts.lines import Line, Lines, largest
-from brdf_lobe_visualizer.cuts.options import Polar
+from brdf_lobe_visualizer.cuts.section import Polar
 from brdf_lobe_visualizer.options import Options
 from brdf_lobe_visualizer.words import degrees, plain, quantity
 from brdf_suite.arrays import Floats

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from brdf_lobe_visualizer.option_form import OptionForm
 from brdf_lobe_visualizer.options import INCIDENCE_DEG, MOST_THETA_DEG
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.view3d.options import SPEED_RANGE, SpaceState
+from brdf_lobe_visualizer.view3d.section import SPEED_RANGE, SpaceState
 
 LOW_DEG, HIGH_DEG = 0.0, 85.0
 _STEP_MS = 16

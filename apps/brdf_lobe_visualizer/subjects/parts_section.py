@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QGridLayout, QPushButton, QWidget
 
 from brdf_lobe_visualizer.option_form import OptionForm
 from brdf_lobe_visualizer.session import LobeSession
-from brdf_lobe_visualizer.view3d.options import SpaceState
+from brdf_lobe_visualizer.view3d.section import SpaceState
 from brdf_lobe_visualizer.words import PART_TITLES, lobe_weight, number
 from brdf_suite.inspection.lobe_surface.parts import FIT_PARTS, PART_CODES, FitLobe, FitPart, fit_lobes
 

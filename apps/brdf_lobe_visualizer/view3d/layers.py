@@ -10,9 +10,8 @@ from brdf_qt.program.translation import tr
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, Srgb
-from brdf_lobe_visualizer.view3d.frame import rings_of
-from brdf_lobe_visualizer.view3d.options import BODY_DEG, SpaceOptions
-from brdf_lobe_visualizer.view3d.scene import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style
+from brdf_lobe_visualizer.view3d.frame import CUT, Bar, FrameOptions, Layer, Panel, Scene, Style, rings_of
+from brdf_lobe_visualizer.view3d.section import BODY_DEG, SpaceOptions
 from brdf_lobe_visualizer.view3d.values import Found, SpaceValues, sample_points, with_cosine
 from brdf_lobe_visualizer.words import UNIT, lobe_title, lobe_weight, number, quantity
 from brdf_suite.arrays import Singles

@@ -15,7 +15,7 @@ from OpenGL import GL
 from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem  # pyqtgraph has no types
 from PySide6.QtOpenGL import QOpenGLBuffer
 
-from brdf_lobe_visualizer.view3d.scene import Layer, Style
+from brdf_lobe_visualizer.view3d.frame import Layer, Style
 from brdf_suite.inspection.lobe_surface.surface import LobeSurface, grid_faces
 
 _SHADERS = Path(__file__).parent / "shaders"

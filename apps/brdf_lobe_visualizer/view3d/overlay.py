@@ -8,8 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter, QPainterPath, QPen
 
-from brdf_lobe_visualizer.view3d.frame import Label
-from brdf_lobe_visualizer.view3d.scene import Bar, Panel
+from brdf_lobe_visualizer.view3d.frame import Bar, Label, Panel
 
 Project = Callable[[tuple[float, float, float]], QPointF | None]
 _HALO = 3.0

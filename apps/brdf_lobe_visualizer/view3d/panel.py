@@ -31,9 +31,8 @@ from brdf_lobe_visualizer.view3d.camera import (
     parse_camera,
     preset,
 )
-from brdf_lobe_visualizer.view3d.options import SpaceState
 from brdf_lobe_visualizer.view3d.save import SaveSurface
-from brdf_lobe_visualizer.view3d.section import SurfaceSection
+from brdf_lobe_visualizer.view3d.section import SpaceState, SurfaceSection
 from brdf_lobe_visualizer.window import LobeWindow
 
 if TYPE_CHECKING:

@@ -18,8 +18,7 @@ from brdf_qt.gl.space import project
 from PySide6.QtCore import QRectF, QSize
 
 from brdf_lobe_visualizer.view3d.camera import Camera
-from brdf_lobe_visualizer.view3d.frame import Frame, Label
-from brdf_lobe_visualizer.view3d.scene import Bar, Layer, Panel, Scene
+from brdf_lobe_visualizer.view3d.frame import Bar, Frame, Label, Layer, Panel, Scene
 from brdf_suite.arrays import Floats
 from brdf_suite.inspection.lobe_surface.occlusion import hidden
 

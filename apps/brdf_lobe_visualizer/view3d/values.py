@@ -18,8 +18,8 @@ from brdf_qt.window.message_bar import message_of
 
 from brdf_lobe_visualizer.session import LobeSession
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial, SamplePoints
-from brdf_lobe_visualizer.view3d.options import SpaceOptions
-from brdf_lobe_visualizer.view3d.scene import CUT, Points
+from brdf_lobe_visualizer.view3d.frame import CUT, Points
+from brdf_lobe_visualizer.view3d.section import SpaceOptions
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import angle_between

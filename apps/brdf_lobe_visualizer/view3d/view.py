@@ -23,7 +23,7 @@ from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectF
 from PySide6.QtWidgets import QWidget
 
 from brdf_lobe_visualizer.view3d.camera import Camera
-from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH, Frame, frame_of
+from brdf_lobe_visualizer.view3d.frame import LIGHT_REACH, Frame, Panel, Probe, Scene, frame_of
 from brdf_lobe_visualizer.view3d.lobe_item import (
     ARROWS_DEPTH,
     FRAME_DEPTH,
@@ -33,7 +33,6 @@ from brdf_lobe_visualizer.view3d.lobe_item import (
 )
 from brdf_lobe_visualizer.view3d.overlay import Overlay
 from brdf_lobe_visualizer.view3d.save_svg import Look, svg_of
-from brdf_lobe_visualizer.view3d.scene import Panel, Probe, Scene
 from brdf_lobe_visualizer.words import UNIT, number
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
