@@ -113,7 +113,7 @@ class SwatchPanel(QWidget):
         self.fields["code"].setMaxLength(200)
         self.fields["tags"].setPlaceholderText(tr("comma-separated"))
         tip = tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
-        self.fields["tags"].setToolTip(tip)
+        described(self.fields["tags"], tip=tip)
         self.notes = described(_Notes(), name="swatch_notes", spoken=tr("Notes"))
         self.notes.finished.connect(lambda text: self.edited.emit("notes", text))
         form.addRow(tr("Notes"), self.notes)
