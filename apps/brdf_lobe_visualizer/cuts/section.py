@@ -128,7 +128,8 @@ class SlicesSection(QWidget):
         tip = tr("Draw samples near a cut as rings, and samples of an image's incidence as dots")
         form.add_wide(described(form.tick("samples", tr("Measured samples")), tip=tip))
         for choice in (tone, spacing, polar):
-            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+            choice.setMinimumContentsLength(0)
+            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContentsOnFirstShow)
         self.reset = described(QPushButton(tr("Reset Slices")), name="reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
         column_in(self, form, self.reset)
