@@ -78,9 +78,8 @@ class LobeSession(QObject):
     @property
     def visible(self) -> tuple[PlottedMaterial, ...]:
         """Those that are shown: where any is solo those, else all that are not hidden."""
-        if self._solo:
-            return tuple(s for s in self.subjects if s.key in self._solo)
-        return tuple(s for s in self.subjects if s.key not in self._hidden)
+        shown = self._solo or {s.key for s in self.subjects} - self._hidden
+        return tuple(s for s in self.subjects if s.key in shown)
 
     @property
     def front(self) -> PlottedMaterial | None:
@@ -114,10 +113,8 @@ class LobeSession(QObject):
 
     def add(self, subject: PlottedMaterial) -> None:
         """Put a subject at the end, or in the place of the one with its key."""
-        if self.subject(subject.key) is None:
-            self.set_subjects((*self.subjects, subject))
-        else:
-            self.set_subjects([subject if s.key == subject.key else s for s in self.subjects])
+        known = {s.key: s for s in self.subjects}
+        self.set_subjects(tuple((known | {subject.key: subject}).values()))
 
     def change(self, key: str, **fields: Any) -> None:
         """Give the subject of that key other fields; nothing where it has gone."""
@@ -144,7 +141,7 @@ class LobeSession(QObject):
         subject = self.subject(key)
         if subject is not None:
             rest = [s for s in self.subjects if s.key != key]
-            rest.insert(min(max(place, 0), len(rest)), subject)
+            rest.insert(max(place, 0), subject)
             if tuple(rest) != self.subjects:
                 self.set_subjects(rest)
 

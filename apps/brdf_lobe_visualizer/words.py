@@ -54,9 +54,8 @@ def degrees(axis: Axis, angle_deg: float) -> str:
 def lobe_title(lobe: FitLobe) -> str:
     """Return part and exponent of a lobe, as it is listed."""
     part = tr(PART_TITLES[lobe.part])
-    if lobe.exponent is None:
-        return part
-    return tr("{part}, E = {exponent}").format(part=part, exponent=number(lobe.exponent))
+    text = tr("{part}, E = {exponent}")
+    return part if lobe.exponent is None else text.format(part=part, exponent=number(lobe.exponent))
 
 
 def lobe_weight(lobe: FitLobe) -> str:

@@ -112,9 +112,8 @@ class SwatchPanel(QWidget):
         self.fields["name"].setMaxLength(200)
         self.fields["code"].setMaxLength(200)
         self.fields["tags"].setPlaceholderText(tr("comma-separated"))
-        self.fields["tags"].setToolTip(
-            tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
-        )
+        tip = tr("Search terms, comma-separated. With several swatches, +word adds and -word removes a tag.")
+        described(self.fields["tags"], tip=tip)
         self.notes = described(_Notes(), name="swatch_notes", spoken=tr("Notes"))
         self.notes.finished.connect(lambda text: self.edited.emit("notes", text))
         form.addRow(tr("Notes"), self.notes)

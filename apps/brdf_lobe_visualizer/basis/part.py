@@ -240,10 +240,9 @@ class Basis(Feature, QObject):
             words.append(tr("no search yet: choose Search"))
         else:
             words.append(tr("{count} targets").format(count=len(search.paints)))
-            if search.default_count is None:
-                words.append(tr("{count} lobe counts so far").format(count=len(search.results)))
-            else:
-                words.append(tr("default: {count} lobes").format(count=search.default_count))
+            partial, whole = tr("{count} lobe counts so far"), tr("default: {count} lobes")
+            text = partial if search.default_count is None else whole
+            words.append(text.format(count=search.default_count or len(search.results)))
             if search.date:
                 words.append(search.date)
             if self._is_stale(search):
@@ -325,11 +324,10 @@ class Basis(Feature, QObject):
 
     def _moved(self, fraction: float, words: str) -> None:
         run = self.run
-        if run is None:
-            return
-        self.view.progress.set_job(BASIS, fraction, words, run.cancel)
-        if self._follows_run and self._source != run.state and run.state.exists():
-            self.show_file(run.state)
+        if run is not None:
+            self.view.progress.set_job(BASIS, fraction, words, run.cancel)
+            if self._follows_run and self._source != run.state and run.state.exists():
+                self.show_file(run.state)
 
     def _done(self) -> None:
         run = self.run

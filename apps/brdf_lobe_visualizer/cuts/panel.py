@@ -92,9 +92,7 @@ class Slices(Feature, QObject):
 
     def run_script(self, key: str, value: str) -> bool:
         """Take ``slices.NAME=VALUE``, for pictures that are made by scripts; False: it is not of here."""
-        if not key.startswith("slices."):
-            return False
-        return self.state.set_from_text(key.removeprefix("slices."), value)
+        return key.startswith("slices.") and self.state.set_from_text(key.removeprefix("slices."), value)
 
     def draw_now(self) -> None:
         """Draw what is stale and shown; images are asked for."""
@@ -242,8 +240,7 @@ class Slices(Feature, QObject):
         self._all_stale()
 
     def _shown(self) -> list[str]:
-        shown = self.window.plots.shown()
-        return [key for key in _TITLES if key in shown]
+        return [key for key in _TITLES if key in self.window.plots.shown()]
 
     def _all_stale(self, *_: object) -> None:
         self._stale = set(_TITLES)

@@ -10,7 +10,7 @@ from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QObject, QSignalBlocker, Qt
-from PySide6.QtWidgets import QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QPushButton, QWidget
 
 from brdf_lobe_visualizer.option_form import OptionForm
 from brdf_lobe_visualizer.options import OptionState
@@ -116,16 +116,19 @@ class SlicesSection(QWidget):
             field.setAccessibleName(tr("Light of column {number}, degrees").format(number=number + 1))
         tip = tr("Incidences of the unrolled hemispheres (10°, 40° and 70° in the paper)")
         form.add_row(tr("Unrolled at"), lights, tip)
-        form.choice(
-            "tone", _TONES, tr("Images"), tr("Mapping from values to brightness, shown by the scale bar")
-        )
+        tip = tr("Mapping from values to brightness, shown by the scale bar")
+        tone = form.choice("tone", _TONES, tr("Images"), tip)
         tip = tr("Stops above the automatic exposure of the selected reflectance")
         form.number("ev", tr("Exposure"), tr("Exposure"), "EV", (*EV_RANGE, 0.5), 1, tip)
-        form.choice("by_root", _SPACING, tr("θh of images"), tr("Spacing of θh along the half-angle image"))
+        tip = tr("Spacing of θh along the half-angle image")
+        spacing = form.choice("by_root", _SPACING, tr("θh of images"), tip)
         tip = tr("Mapping from values to radii of the polar plot. Automatic: logarithmic for high peaks.")
-        form.choice("polar", _POLARS, tr("Polar radius"), tip)
+        polar = form.choice("polar", _POLARS, tr("Polar radius"), tip)
         tip = tr("Draw samples near a cut as rings, and samples of an image's incidence as dots")
         form.add_wide(described(form.tick("samples", tr("Measured samples")), tip=tip))
+        for choice in (tone, spacing, polar):
+            choice.setMinimumContentsLength(0)
+            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContentsOnFirstShow)
         self.reset = described(QPushButton(tr("Reset Slices")), name="reset_slices")
         self.reset.clicked.connect(lambda: state.reset())
         column_in(self, form, self.reset)

@@ -39,14 +39,10 @@ class SweepControl(QObject):
         return self._timer.isActive()
 
     def set_running(self, on: bool) -> None:
-        if on == self.running:
-            return
-        if on:
+        if on != self.running:
             self._clock.start()
-            self._timer.start()
-        else:
-            self._timer.stop()
-        self.running_changed.emit(on)
+            self._timer.start() if on else self._timer.stop()
+            self.running_changed.emit(on)
 
     def toggle(self) -> None:
         self.set_running(not self.running)
@@ -56,9 +52,9 @@ class SweepControl(QObject):
         options = self._state.options
         step = options.speed * seconds
         if options.sweep == "azimuth":
-            self._session.set_incidence(theta, phi + step)
-            return
-        theta, self._rising = to_and_fro(theta, step, self._rising)
+            phi += step
+        else:
+            theta, self._rising = to_and_fro(theta, step, self._rising)
         self._session.set_incidence(theta, phi)
 
     def _tick(self) -> None:
@@ -73,11 +69,9 @@ def to_and_fro(theta: float, step: float, rising: bool) -> tuple[float, bool]:
     """
     theta += step if rising else -step
     while not LOW_DEG <= theta <= HIGH_DEG:
-        if theta > HIGH_DEG:
-            # From beyond the end, where only a hand has put it, it comes back at once.
-            theta, rising = max(2.0 * HIGH_DEG - theta, LOW_DEG), False
-        else:
-            theta, rising = min(2.0 * LOW_DEG - theta, HIGH_DEG), True
+        # From beyond the end, where only a hand has put it, it comes back at once.
+        rising = theta < LOW_DEG
+        theta = min(2.0 * LOW_DEG - theta, HIGH_DEG) if rising else max(2.0 * HIGH_DEG - theta, LOW_DEG)
     return theta, rising
 
 

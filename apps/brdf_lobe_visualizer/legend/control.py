@@ -220,9 +220,8 @@ class LegendControl(QObject):
             )
             details.append(text.format(rms=away, all=whole))
             if found.delta_e is not None:
-                details.append(
-                    tr("Mean ΔE00 at 15°, 45°, 110°: {value}").format(value=f"{found.delta_e:.2f}")
-                )
+                text = tr("Mean ΔE00 at 15°, 45°, 110°: {value}")
+                details.append(text.format(value=f"{found.delta_e:.2f}"))
         if subject.fit is not None and subject.fit.worst_delta_e is not None:
             details.append(tr("Fit: worst ΔE00 {value}").format(value=f"{subject.fit.worst_delta_e:.2f}"))
         tip = "\n".join([subject.title, subject.material.origin, *subject.notes, *details])

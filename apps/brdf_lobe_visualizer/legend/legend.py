@@ -259,11 +259,9 @@ class Legend(QWidget):
             self._session.set_front(item.data(0, _KEY))
 
     def _changed(self, item: QTreeWidgetItem, column: int) -> None:
-        if self._filling:
-            return
         key = item.data(0, _KEY)
         row = self._row(key)
-        if row is None:
+        if self._filling or row is None:
             return
         checked = item.checkState(column) == Qt.CheckState.Checked
         if column == SOLO:
@@ -278,10 +276,8 @@ class Legend(QWidget):
 
     def _key(self, what: str) -> None:
         item = self.rows.currentItem()
-        if item is None:
-            return
-        row = self._row(item.data(0, _KEY))
-        if row is None:
+        row = None if item is None else self._row(item.data(0, _KEY))
+        if item is None or row is None:
             return
         place = self.rows.indexOfTopLevelItem(item)
         session = self._session

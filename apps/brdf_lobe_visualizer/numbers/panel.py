@@ -64,8 +64,7 @@ class FiguresModel(QAbstractTableModel):
         self._columns: Sequence[Column] = ()
 
     def show(self, columns: Sequence[Column], rows: Sequence[FigureRow]) -> None:
-        same = len(rows) == len(self._rows) and len(columns) == len(self._columns)
-        if same:
+        if len(rows) == len(self._rows) and len(columns) == len(self._columns):
             # The place that is scrolled to and the selection stay while a paint is dragged.
             self._rows, self._columns = rows, columns
             if not rows:
@@ -146,13 +145,11 @@ class FiguresTable(QTableView):
             super().keyPressEvent(event)
 
     def copy_selected(self) -> None:
-        chosen = sorted({(index.row(), index.column()) for index in self.selectedIndexes()})
-        if not chosen:
-            return
         lines: dict[int, list[str]] = {}
-        for row, column in chosen:
+        for row, column in sorted({(index.row(), index.column()) for index in self.selectedIndexes()}):
             lines.setdefault(row, []).append(self.figures.text(row, column))
-        QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
+        if lines:
+            QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines.values()))
 
 
 def _named(row: FigureRow) -> str:

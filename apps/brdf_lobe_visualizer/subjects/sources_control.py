@@ -168,7 +168,7 @@ class Sources(Feature, QObject):
             self._window.show_message(Message(key, what, where=noted))
 
     def _cancelled(self, job: str) -> None:
-        name = self._waiting[job]
+        name = self._waiting.get(job, "")
         self._ended(job)
         self.tasks.cancel(job)
         self.failed.emit(name)

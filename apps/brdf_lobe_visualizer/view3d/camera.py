@@ -88,20 +88,17 @@ class Camera:
 def parse_camera(text: str) -> Camera:
     """Return the camera that :func:`format_camera` wrote; that of a first start where the text is none."""
     try:
-        numbers = [float(part) for part in text.split()]
-        azimuth, elevation, distance, x, y, z = numbers
+        azimuth, elevation, distance, x, y, z = numbers = [float(part) for part in text.split()]
     except ValueError:
         return Camera()
-    if not all(map(math.isfinite, numbers)) or not NEAREST <= distance <= FARTHEST or abs(elevation) > 90.0:
-        return Camera()
-    return Camera(azimuth, elevation, distance, (x, y, z))
+    sound = all(map(math.isfinite, numbers)) and NEAREST <= distance <= FARTHEST and abs(elevation) <= 90.0
+    return Camera(azimuth, elevation, distance, (x, y, z)) if sound else Camera()
 
 
 def format_camera(camera: Camera) -> str:
     """Return a camera as text, to be remembered."""
-    return " ".join(
-        f"{v:.6g}" for v in (camera.azimuth_deg, camera.elevation_deg, camera.distance, *camera.centre)
-    )
+    values = (camera.azimuth_deg, camera.elevation_deg, camera.distance, *camera.centre)
+    return " ".join(f"{value:.6g}" for value in values)
 
 
 def frame_hemisphere(camera: Camera) -> Camera:

@@ -126,7 +126,9 @@ def _faces(layer: Layer, sight: _Sight, look: Look) -> Iterator[tuple[float, str
     points, normals = surface.points[grid].astype(float), surface.normals[grid].astype(float)
     known = np.isfinite(surface.values)[grid]
     places, depths = sight(points)
-    colours = _codes(look.ink) if layer.ink else surface.colours[grid].astype(float)
+    colours = (
+        np.array([*bytes.fromhex(look.ink[1:])], float) if layer.ink else surface.colours[grid].astype(float)
+    )
     lit = _lit(np.broadcast_to(colours, points.shape), points, normals, sight)
     fill = f" fill-opacity='{layer.opacity:.2f}'" if layer.style == "glass" else ""
     for j in range(len(rows) - 1):
@@ -147,13 +149,12 @@ def _lines(layer: Layer, sight: _Sight, look: Look) -> Iterator[tuple[float, str
     places, depths = sight(surface.points)
     known = np.isfinite(surface.values) & (depths > 0.0)
     rows, columns = surface.shape
-    colours = surface.colours
     every = [((j, k), (j, k + 2)) for j in range(6, rows, 6) for k in range(0, columns - 2, 2)]
     every += [((j, k), (j + 1, k)) for k in range(0, columns - 1, 16) for j in range(rows - 1)]
     for a, b in every:
         if not (known[a] and known[b]):
             continue
-        colour = look.ink if layer.ink else _hex(colours[a])
+        colour = look.ink if layer.ink else _hex(surface.colours[a])
         (x1, y1), (x2, y2) = places[a], places[b]
         if abs(x1 - x2) + abs(y1 - y2) < 0.02:
             continue
@@ -253,7 +254,3 @@ def _lit(codes: Floats, points: Floats, normals: Floats, sight: _Sight) -> Float
 def _hex(codes: npt.ArrayLike) -> str:
     red, green, blue = (round(float(c)) for c in np.clip(np.asarray(codes, float), 0.0, 255.0))
     return f"#{red:02x}{green:02x}{blue:02x}"
-
-
-def _codes(colour: str) -> Floats:
-    return np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)], float)

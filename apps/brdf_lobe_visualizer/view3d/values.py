@@ -223,5 +223,5 @@ def samples_near(samples: SamplePoints, light: Floats, within_deg: float) -> tup
 
 def _turned(directions: Floats, angle: Floats) -> Floats:
     cosine, sine = np.cos(angle), np.sin(angle)
-    x, y = directions[:, 0], directions[:, 1]
-    return np.column_stack((cosine * x - sine * y, sine * x + cosine * y, directions[:, 2]))
+    x, y, z = directions.T
+    return np.column_stack((cosine * x - sine * y, sine * x + cosine * y, z))
