@@ -20,8 +20,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
 
-from brdf_suite.acquisition.reconstruction.coverage import coverage_map, deviation_map, within
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.acquired import Acquired, coverage_map, deviation_map, within
+from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings

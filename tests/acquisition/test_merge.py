@@ -9,9 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.acquisition.radiance.dark_frame import dark_model
-from brdf_suite.acquisition.radiance.flat_field import flat_field
 from brdf_suite.acquisition.radiance.merge import CLIPPED, DARK, GOOD, OUTSIDE, MergedRadiance, merge
+from brdf_suite.acquisition.radiance.sensor_maps import dark_model, flat_field
 from brdf_suite.acquisition.response.response import Response, linear_response
 from brdf_suite.errors import ValueRangeError
 

@@ -8,8 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.source import SeriesKind, Stack
+from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.session.finding import SessionFinding
+from brdf_suite.acquisition.session.series import SeriesKind
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.simulator import Simulator
 from brdf_suite.arrays import AnyArray, Bools

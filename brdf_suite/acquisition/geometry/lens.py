@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.session.camera import Lens
+from brdf_suite.acquisition.session.session import Lens
 from brdf_suite.arrays import Floats
 
 _STEPS = 12
@@ -49,8 +49,7 @@ def lens_rays(lens: Lens, pixels: npt.ArrayLike) -> Floats:
             if not np.any(np.abs(step) > _CLOSE):
                 break
     rays = np.concatenate((plane, np.ones((*plane.shape[:-1], 1))), axis=-1)
-    unit: Floats = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
-    return unit
+    return np.asarray(rays / np.linalg.norm(rays, axis=-1, keepdims=True))
 
 
 def _distorted(lens: Lens, plane: Floats) -> tuple[Floats, tuple[Floats, Floats, Floats, Floats]]:

@@ -54,13 +54,6 @@ def exposure_faults(
     return faults
 
 
-def raise_fatal(faults: Sequence[ExposureFault]) -> None:
-    """Raise the :class:`FileError` of the first fault that makes radiances wrong, if there is one."""
-    for fault in faults:
-        if fault.fatal:
-            raise fault.error()
-
-
 def time_errors(time_ratios: Floats, times: Floats) -> Floats:
     """Return (n,) ln(time shown / time stated) from the ratios between neighbours; NaN where no ratio is usable.
 
@@ -83,14 +76,14 @@ def time_errors(time_ratios: Floats, times: Floats) -> Floats:
 
 def _time_faults(merged: MergedRadiance, times: Floats, names: Sequence[str]) -> list[ExposureFault]:
     errors = time_errors(merged.time_ratios, times)
-    wrong = np.flatnonzero(np.abs(np.nan_to_num(errors)) > TIME_TOLERANCE)
+    shown = times * np.exp(np.nan_to_num(errors))
+    wrong: list[int] = np.flatnonzero(np.abs(np.nan_to_num(errors)) > TIME_TOLERANCE).tolist()
     faults = []
     reported: set[int] = set()
     for i in wrong:
-        if int(i) in reported:
+        if i in reported:
             continue
-        shown = times * np.exp(np.nan_to_num(errors))
-        other = next((int(k) for k in wrong if k != i and _exchanged(shown, times, int(i), int(k))), None)
+        other = next((k for k in wrong if k != i and _exchanged(shown, times, i, k)), None)
         if other is not None:
             reported.add(other)
             reason = (
@@ -101,7 +94,7 @@ def _time_faults(merged: MergedRadiance, times: Floats, names: Sequence[str]) ->
             falls = i > 0 and merged.falling_share[i - 1] > _FALLING
             reason = f"stated as {times[i]:g} s, but its pixels show about {shown[i]:.3g} s"
             reason += f", darker than the {times[i - 1]:g} s before it" if falls else ""
-        faults.append(ExposureFault(names[int(i)], reason, True))
+        faults.append(ExposureFault(names[i], reason, True))
     return faults
 
 

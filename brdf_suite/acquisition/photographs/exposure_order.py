@@ -7,15 +7,14 @@ grows with the time, also where much of it is saturated. Where it falls, files o
 from __future__ import annotations
 
 import itertools
-import os
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.session.finding import SessionFinding, Severity
+from brdf_suite.arrays import AnyArray, Floats
+from brdf_suite.errors import PathLike
 
 _MOST_PIXELS = 20_000
 _FULL = 0.998
@@ -27,12 +26,12 @@ _SIGMAS = 6.0
 
 
 def check_exposures(
-    codes: NDArray[Any],
+    codes: AnyArray,
     exposures_s: Sequence[float],
     names: Sequence[str],
     bit_depth: int,
     *,
-    folder: str | os.PathLike[str] = ".",
+    folder: PathLike = ".",
     position: int | None = None,
     exposures: Sequence[int] | None = None,
 ) -> tuple[SessionFinding, ...]:
@@ -47,39 +46,58 @@ def check_exposures(
     exposures
         Their indices in the session, where some are left out; default: 0, 1, …
     """
-    index = list(range(len(names))) if exposures is None else list(exposures)
+    index = range(len(names)) if exposures is None else exposures
     found: list[SessionFinding] = []
 
     def add(k: int, severity: Severity, reason: str) -> None:
-        at = index[k]
-        place = f"positions[{position}].photographs[{at}]" if position is not None else ""
+        place = f"positions[{position}].photographs[{index[k]}]" if position is not None else ""
+        exposure = index[k] if severity == "exposure" else None
         path = str(Path(folder) / names[k])
-        found.append(
-            SessionFinding(severity, path, reason, place, position, at if severity == "exposure" else None)
-        )
+        found.append(SessionFinding(severity, path, reason, place, position, exposure))
 
     means, errors, full = _statistics(codes, bit_depth)
     everywhere = full >= _EVERYWHERE
     if everywhere.all():
-        add(
-            0,
-            "position",
-            "is saturated everywhere, and so are the longer exposures: there is nothing to measure",
-        )
+        reason = "is saturated everywhere, and so are the longer exposures: there is nothing to measure"
+        add(0, "position", reason)
         return tuple(found)
-    for k in (int(i) for i in np.flatnonzero(everywhere)):
-        add(
-            k,
-            "exposure",
-            f"is saturated in {full[k]:.0%} of its pixels, background included: other light came in, "
-            f"or it was exposed longer than {exposures_s[k]:g} s",
-        )
-    kept = np.flatnonzero(~everywhere)
-    _order(kept, means, errors, exposures_s, names, add)
+    for k in np.flatnonzero(everywhere).tolist():
+        reason = f"is saturated in {full[k]:.0%} of its pixels, background included: other light came in, "
+        add(k, "exposure", f"{reason}or it was exposed longer than {exposures_s[k]:g} s")
+
+    def rises(order: Sequence[int]) -> bool:
+        return all(means[b] >= means[a] - errors[a] - errors[b] for a, b in itertools.pairwise(order))
+
+    order: list[int] = np.flatnonzero(~everywhere).tolist()
+    if len(order) < 2 or rises(order):
+        return tuple(found)
+    if len(order) > 2 and rises(order[::-1]):
+        reason = "is the brightest of its position: the files are in reverse order of their times"
+        add(order[0], "position", reason)
+        return tuple(found)
+    # The simplest exchange of two photographs that explains why a longer exposure is darker.
+    for i, j in itertools.combinations(range(len(order)), 2):
+        exchanged = list(order)
+        exchanged[i], exchanged[j] = order[j], order[i]
+        if rises(exchanged):
+            for k, other, how in ((order[i], order[j], "brighter"), (order[j], order[i], "darker")):
+                reason = f"is {how} than {names[other]}, which was exposed for {exposures_s[other]:g} s: "
+                add(k, "exposure", f"{reason}the two files or their times were exchanged")
+            return tuple(found)
+    for i, k in enumerate(order):
+        if rises(order[:i] + order[i + 1 :]):
+            reason = (
+                f"is not as bright as an exposure of {exposures_s[k]:g} s between its neighbours: its time "
+            )
+            add(k, "exposure", f"{reason}is wrong, or it shows something else")
+            return tuple(found)
+    by_name = ", ".join(Path(names[k]).name for k in sorted(order, key=lambda k: float(means[k])))
+    reason = f"and the others are not in order of their times; by brightness they are {by_name}"
+    add(order[0], "position", reason)
     return tuple(found)
 
 
-def _statistics(codes: NDArray[Any], bit_depth: int) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+def _statistics(codes: AnyArray, bit_depth: int) -> tuple[Floats, Floats, Floats]:
     """Return per photograph the mean code over full scale, what it may fall by noise, and the saturated share."""
     rows, columns = codes.shape[1:3]
     step = max(1, int(np.ceil(np.sqrt(rows * columns / _MOST_PIXELS))))
@@ -92,56 +110,3 @@ def _statistics(codes: NDArray[Any], bit_depth: int) -> tuple[NDArray[Any], NDAr
     # Neighbouring pixels of the sample differ by noise and by the scene: more than by noise.
     noise = np.median(np.abs(np.diff(some, axis=1)), axis=1) / np.sqrt(some.shape[1])
     return some.mean(axis=1), _FALL + _SIGMAS * noise, full
-
-
-def _order(
-    kept: NDArray[Any],
-    means: NDArray[Any],
-    errors: NDArray[Any],
-    exposures_s: Sequence[float],
-    names: Sequence[str],
-    add: Any,
-) -> None:
-    """Report the simplest exchange of two photographs that explains why a longer exposure is darker."""
-
-    def rises(order: Sequence[int]) -> bool:
-        return all(means[b] >= means[a] - errors[a] - errors[b] for a, b in itertools.pairwise(order))
-
-    order = [int(k) for k in kept]
-    if len(order) < 2 or rises(order):
-        return
-    if len(order) > 2 and rises(order[::-1]):
-        add(
-            order[0],
-            "position",
-            "is the brightest of its position: the files are in reverse order of their times",
-        )
-        return
-    for i in range(len(order)):
-        for j in range(i + 1, len(order)):
-            exchanged = list(order)
-            exchanged[i], exchanged[j] = order[j], order[i]
-            if rises(exchanged):
-                first, second = order[i], order[j]
-                reason = (
-                    "{} than {}, which was exposed for {:g} s: the two files or their times were exchanged"
-                )
-                add(first, "exposure", "is " + reason.format("brighter", names[second], exposures_s[second]))
-                add(second, "exposure", "is " + reason.format("darker", names[first], exposures_s[first]))
-                return
-    for i, k in enumerate(order):
-        if rises(order[:i] + order[i + 1 :]):
-            add(
-                k,
-                "exposure",
-                f"is not as bright as an exposure of {exposures_s[k]:g} s between its neighbours: its time is wrong, "
-                "or it shows something else",
-            )
-            return
-    by_brightness = sorted(order, key=lambda k: float(means[k]))
-    by_name = ", ".join(Path(names[k]).name for k in by_brightness)
-    add(
-        order[0],
-        "position",
-        f"and the others are not in order of their times; by brightness they are {by_name}",
-    )

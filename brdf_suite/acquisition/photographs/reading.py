@@ -7,6 +7,7 @@ Nothing is converted: codes are those of the file, and of three equal channels w
 from __future__ import annotations
 
 import mmap
+import os
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,15 +20,20 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.jpeg import jpeg_parts, jpeg_pixels
 from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts, png_pixels
-from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_pixels
-from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
-from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
-from brdf_suite.errors import FileError, PathLike
+from brdf_suite.acquisition.photographs.tiff import first_page, read_exposure, tiff_facts, tiff_pixels
+from brdf_suite.errors import ExtraError, FileError, PathLike
+from brdf_suite.extras import import_extra
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
 from brdf_suite.files.memory_limit import within_memory
 
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
+
+RAW_ENDINGS = (
+    *(".dng", ".nef", ".cr2", ".cr3", ".crw", ".arw", ".raf"),
+    *(".orf", ".rw2", ".pef", ".srw", ".iiq", ".3fr"),
+)
+"""Of camera files, which are known by their names alone: most begin as TIFF. LibRaw reads them, by rawpy."""
 
 ENDINGS = (".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".hdr", *RAW_ENDINGS)
 """Of files that can be photographs."""
@@ -85,11 +91,6 @@ def read_photograph(path: PathLike) -> Photograph:
         else:
             codes = _float_pixels(facts.kind, path)
     return Photograph(_three_channels(codes, path), facts)
-
-
-def exif_time(path: PathLike) -> float | None:
-    """Return the exposure time in seconds stored in a photograph; errors as :func:`photograph_facts`."""
-    return photograph_facts(path).exposure_s
 
 
 @contextmanager
@@ -154,7 +155,7 @@ def _kind(start: bytes, path: PathLike) -> Kind:
 
 
 def _exposure(block: bytes, path: PathLike) -> float | None:
-    """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
+    """Return the time in an EXIF block; None for a damaged one, as the pixels do not depend on it."""
     try:
         with first_page(block, path) as page:
             return read_exposure(page)
@@ -179,3 +180,53 @@ def _three_channels(codes: NDArray[Any], path: PathLike) -> NDArray[Any]:
     if channels not in (3, 4):
         raise FileError(path, f"has {channels} channels; expected grey or red, green, blue")
     return np.ascontiguousarray(codes[..., :3])
+
+
+@contextmanager
+def _opened_raw(path: PathLike) -> Iterator[tuple[Any, Any]]:
+    """Yield the module and the opened file; whatever LibRaw says becomes :class:`FileError`."""
+    try:
+        rawpy = import_extra(
+            "rawpy", purpose="a camera's raw file", instead="a TIFF of 16 bits needs nothing more"
+        )
+    except ExtraError as error:
+        raise FileError(path, error.reason) from error
+    try:
+        with rawpy.imread(os.fspath(path)) as raw:
+            yield rawpy, raw
+    except rawpy.LibRawError as error:
+        detail = error.args[0] if error.args else ""
+        text = detail.decode("utf-8", "replace") if isinstance(detail, bytes) else str(detail)
+        raise FileError(path, f"cannot be read as a raw file ({text or type(error).__name__})") from error
+
+
+def raw_facts(path: PathLike) -> tuple[int, int, int, float | None]:
+    """Return width, height, bits and exposure time of the picture; unpacks its data to detect truncation."""
+    with _opened_raw(path) as (_, raw):
+        if not raw.raw_image_visible.size:
+            raise FileError(path, "holds no picture")
+        seconds = float(raw.other.shutter_speed)
+        return int(raw.sizes.iwidth), int(raw.sizes.iheight), 16, seconds if seconds > 0.0 else None
+
+
+def raw_pixels(path: PathLike) -> NDArray[np.uint16]:
+    """Return (h, w, 3) uint16, linear: demosaiced and black taken off, in the sensor's own channels.
+
+    Neither white balance nor brightening nor a curve is applied, and the scale is that of full saturation, so that
+    photographs of one camera can be compared. Fine detail is interpolated as LibRaw's AHD does.
+    """
+    with _opened_raw(path) as (rawpy, raw):
+        pixels = raw.postprocess(
+            gamma=(1.0, 1.0),
+            no_auto_bright=True,
+            output_bps=16,
+            use_camera_wb=False,
+            use_auto_wb=False,
+            user_wb=[1.0, 1.0, 1.0, 1.0],
+            output_color=rawpy.ColorSpace.raw,
+            highlight_mode=rawpy.HighlightMode.Clip,
+            user_flip=0,
+            no_auto_scale=False,
+            adjust_maximum_thr=0.0,
+        )
+    return np.asarray(pixels, np.uint16)

@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.sphere.nominal_geometry import in_rig
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, in_rig, triple
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import AcquisitionError
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_suite.acquisition.reconstruction.options import Acquired
+from brdf_suite.acquisition.reconstruction.acquired import Acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import kept_calibration, kept_positions, reconstruct
 from brdf_suite.errors import FileError
@@ -59,7 +59,7 @@ def acquire(
 def _check_files(acquisition: Acquisition, progress: Progress | None) -> None:
     """Refuse what nothing can be made of, and keep the warnings for the user."""
     report(progress, 0.0, "checking the files")
-    for finding in acquisition.check(None):
+    for finding in acquisition.source.findings(None):
         if finding.severity == "fatal":
             raise finding.error()
         if finding.severity == "warning":
@@ -99,9 +99,8 @@ def acquire_partial(
 def check_output(output: Path, overwrite: bool = False) -> None:
     """Raise :class:`FileError` where ``output`` could not be written in the end."""
     if output.suffix.lower() not in WRITERS:
-        raise FileError(
-            output, f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
-        )
+        reason = f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
+        raise FileError(output, reason)
     if output.exists() and not overwrite:
         raise FileError(output, "exists already and is left as it is; choose another name, or --overwrite")
     if not output.parent.is_dir():
@@ -114,15 +113,11 @@ def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) ->
     return WRITERS[output.suffix.lower()](found.table, output)
 
 
-def _write_own(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    return write_brdftable(table, path)
-
-
 def _write_merl(table: IsotropicTable, path: Path) -> tuple[str, ...]:
     return (*write_merl(table, path), "coverage and uncertainty are not held by this format")
 
 
 WRITERS: dict[str, Callable[[IsotropicTable, Path], tuple[str, ...]]] = {
-    ".brdftable": _write_own,
+    ".brdftable": write_brdftable,
     ".binary": _write_merl,
 }

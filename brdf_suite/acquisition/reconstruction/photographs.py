@@ -1,23 +1,158 @@
-"""The photographs of a session as radiance: read position by position, corrected and merged."""
+"""The photographs of a session as radiance: read position by position, corrected and merged; and its calibration."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, get_args
 
-from brdf_suite.acquisition.reconstruction.calibration import Corrections, corrections
-from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-from brdf_suite.acquisition.reconstruction.source import PhotographSource, SeriesKind, Stack
+import numpy as np
+
+from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
+from brdf_suite.acquisition.radiance.merge import MergedRadiance, merge
+from brdf_suite.acquisition.radiance.sensor_maps import Dark, dark_model, flat_field
+from brdf_suite.acquisition.reconstruction.source import PhotographSource, Stack
 from brdf_suite.acquisition.reconstruction.work_file import StepClock
+from brdf_suite.acquisition.response.response import Response
+from brdf_suite.acquisition.session.series import SeriesKind
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.arrays import Bools
 from brdf_suite.errors import AcquisitionError, FileError, ValueRangeError
-from brdf_suite.progress import Progress
+from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
-    from brdf_suite.acquisition.radiance.merge import MergedRadiance
-    from brdf_suite.acquisition.response.response import Response
-    from brdf_suite.acquisition.session.finding import SessionFinding
+ResponseChoice = Literal["auto", "linear"]
+BINS = (90, 90, 180)
+
+
+@dataclass(frozen=True, eq=False)
+class AcquireOptions:
+    """Choices that change the result.
+
+    Attributes
+    ----------
+    grazing_deg
+        Readings whose light or view is further from the normal are left out, degrees, 30 to less than 90.
+    refine
+        Whether highlights may correct the stated geometry.
+    response
+        ``auto``: as the session says, recovered where it says ``unknown``; ``linear``: the camera is linear.
+    mask
+        (rows, columns), True where a pixel may be used, besides the session's own masks; None: no further mask.
+    positions
+        Which positions of the session to use, rising; None: all.
+    compare
+        Whether to make the two other layouts of Figure 4 as well.
+    bins
+        Of the table along (θh, θd, φd); what renders elsewhere wants the usual 90 × 90 × 180.
+    """
+
+    grazing_deg: float = 80.0
+    refine: bool = True
+    response: ResponseChoice = "auto"
+    mask: Bools | None = None
+    positions: tuple[int, ...] | None = None
+    compare: bool = False
+    bins: tuple[int, int, int] = BINS
+
+    def __post_init__(self) -> None:
+        if not 30.0 <= self.grazing_deg < 90.0:
+            raise ValueRangeError("grazing_deg", f"{self.grazing_deg:g}°; 30° to less than 90° are wanted")
+        HalfAngleGrid(*self.bins)
+        if self.response not in get_args(ResponseChoice):
+            raise ValueRangeError("response", f"{self.response!r}; auto or linear are known")
+
+    def to_json(self) -> dict[str, object]:
+        """Return what decides the result, for the key of a work file."""
+        mask = None
+        if self.mask is not None:
+            content = repr(self.mask.shape).encode() + np.packbits(self.mask).tobytes()
+            mask = hashlib.sha256(content).hexdigest()
+        chosen = {name: value for name, value in vars(self).items() if name != "positions"}
+        return {**chosen, "mask": mask, "bins": list(self.bins)}
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """Response of the camera and geometry of the rig: what turns a stack of photographs into readings.
+
+    ``response`` is None for photographs that are linear already (float files); ``figures`` are what the steps
+    measured, plain values. Positions ``left_out`` give no readings, for the reason that stands beside them.
+    """
+
+    response: Response | None
+    intrinsics: CameraCalibration | None
+    geometry: RigGeometry
+    figures: Mapping[str, Any]
+    left_out: Mapping[int, str] = field(default_factory=dict)
+    notices: tuple[str, ...] = ()
+
+    def to_json(self) -> dict[str, Any]:
+        """Return everything, exact to the last bit."""
+        return {
+            "response": None if self.response is None else self.response.to_json(),
+            "intrinsics": None if self.intrinsics is None else self.intrinsics.to_json(),
+            "geometry": self.geometry.to_json(),
+            "figures": dict(self.figures),
+            "left_out": [[k, reason] for k, reason in self.left_out.items()],
+            "notices": list(self.notices),
+        }
+
+    @classmethod
+    def from_json(cls, values: Mapping[str, Any]) -> Calibration:
+        """Return what :meth:`to_json` gave."""
+        response, intrinsics = values["response"], values["intrinsics"]
+        return cls(
+            None if response is None else Response.from_json(response),
+            None if intrinsics is None else CameraCalibration.from_json(intrinsics),
+            RigGeometry.from_json(values["geometry"]),
+            dict(values["figures"]),
+            {int(k): str(reason) for k, reason in values["left_out"]},
+            tuple(values["notices"]),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Corrections:
+    """What is taken off each photograph: dark and flat field, full pictures or None."""
+
+    dark: Dark | None = None
+    flat: np.ndarray | None = None
+
+    def merged(
+        self,
+        stack: Stack,
+        response: Response | None,
+        mask: Bools | None,
+        box: tuple[slice, slice] | None = None,
+    ) -> MergedRadiance:
+        """Return the radiance of a stack, of the pixels in ``box`` (rows, columns) where it is given."""
+        if self.dark is not None and self.dark.hot.any():
+            mask = ~self.dark.hot if mask is None else mask & ~self.dark.hot
+        if box is None:
+            return merge(stack.codes, stack.exposures_s, response, dark=self.dark, flat=self.flat, mask=mask)
+        rows, columns = box
+        return merge(
+            np.ascontiguousarray(stack.codes[:, rows, columns]),
+            stack.exposures_s,
+            response,
+            dark=None if self.dark is None else self.dark.cropped(rows, columns),
+            flat=None if self.flat is None else self.flat[rows, columns],
+            mask=None if mask is None else mask[rows, columns],
+        )
+
+
+def corrections(series: Callable[[SeriesKind], Stack | None], response: Response | None) -> Corrections:
+    """Return dark and flat field of photographs that ``series`` reads; the same give the same, bit for bit."""
+    dark_stack = series("dark")
+    dark = None
+    if dark_stack is not None and response is not None:
+        dark = dark_model(dark_stack.codes, dark_stack.exposures_s, response)
+    flat_stack = series("flat_field")
+    if flat_stack is None:
+        return Corrections(dark)
+    return Corrections(dark, flat_field(Corrections(dark).merged(flat_stack, response, None)))
 
 
 class SessionPhotographs:
@@ -70,10 +205,6 @@ class SessionPhotographs:
             raise ValueRangeError("positions", "none is asked for")
         return tuple(sorted(set(chosen)))
 
-    def check(self, progress: Progress | None = None) -> tuple[SessionFinding, ...]:
-        """Return what is wrong with the files, without decoding them (:mod:`~brdf_suite.acquisition.session.check`)."""
-        return self.source.findings(progress)
-
     def stack(self, k: int) -> Stack:
         """Read the photographs of position ``k``; raises FileError where none can be read."""
         with self.clock.step("read"):
@@ -93,9 +224,8 @@ class SessionPhotographs:
         if given is None or chosen is None:
             return chosen if given is None else given
         if given.shape != chosen.shape:
-            raise ValueRangeError(
-                "mask", f"has the shape {chosen.shape}; that of the session has {given.shape}"
-            )
+            reason = f"has the shape {chosen.shape}; that of the session has {given.shape}"
+            raise ValueRangeError("mask", reason)
         return given & chosen
 
     def set_response(self, response: Response | None) -> None:

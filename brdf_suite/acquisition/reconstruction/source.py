@@ -4,27 +4,28 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import Protocol
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.photographs.reading import read_photograph
-from brdf_suite.acquisition.session import series as photograph_series
 from brdf_suite.acquisition.session.check import check_session
 from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
-from brdf_suite.acquisition.session.series import PhotographSeries, read_mask, read_position
+from brdf_suite.acquisition.session.series import (
+    PhotographSeries,
+    SeriesKind,
+    read_calibration,
+    read_mask,
+    read_position,
+)
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.session.store import session_to_json
 from brdf_suite.arrays import AnyArray, Bools
-from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress
-
-SeriesKind = Literal["dark", "white", "flat_field"]
 
 _PIECE = 1 << 20
 
@@ -117,12 +118,7 @@ class FolderSource:
 
     def series(self, kind: SeriesKind) -> Stack | None:
         """Read a calibration series."""
-        readers = {
-            "dark": photograph_series.read_dark,
-            "white": photograph_series.read_white,
-            "flat_field": photograph_series.read_flat_field,
-        }
-        found = readers[kind](self.folder, self.session)
+        found = read_calibration(self.folder, self.session, kind)
         return None if found is None else _stack(found, [])
 
     def board(self) -> list[tuple[str, AnyArray]]:
@@ -174,22 +170,3 @@ class FolderSource:
 def _stack(found: PhotographSeries, skipped: list[SessionFinding]) -> Stack:
     findings = tuple(f"{one.path}: {one.reason}" for one in (*skipped, *found.findings))
     return Stack(found.codes, np.asarray(found.exposures_s, float), found.names, findings)
-
-
-def first_readable(read: Callable[[int], Stack], positions: tuple[int, ...]) -> Stack:
-    """Return the first of ``positions`` that ``read`` can read.
-
-    Raises
-    ------
-    FileError
-        None can; the last one's reason.
-    """
-    failure: FileError | None = None
-    for k in positions:
-        try:
-            return read(k)
-        except FileError as error:
-            failure = error
-    if failure is None:
-        raise ValueError("no positions are asked for")
-    raise failure

@@ -5,16 +5,15 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.calibration import Calibration
-from brdf_suite.acquisition.reconstruction.options import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.acquired import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.photographs import Calibration
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.reconstruction.work_file import (
@@ -25,6 +24,7 @@ from brdf_suite.acquisition.reconstruction.work_file import (
     open_work,
 )
 from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.table.samples import SphereSampler
 from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
 from brdf_suite.acquisition.table.table_from_sums import (
     ParameterizedTable,
@@ -35,9 +35,6 @@ from brdf_suite.acquisition.table.table_from_sums import (
 from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
 
 Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
 """Called after each position with how many are done, of how many, and a function that makes the table so far."""
@@ -75,7 +72,7 @@ def reconstruct(
     FileError
         ``work`` belongs to other photographs, is in use, or cannot be written.
     """
-    with _opened(work) as kept:
+    with contextlib.nullcontext() if work is None else open_work(work) as kept:
         key = work_key(acquisition)
         done: dict[int, WorkRecord] = {}
         if kept is not None:
@@ -123,23 +120,14 @@ def work_key(acquisition: Acquisition) -> str:
     return hashlib.sha256(described.encode()).hexdigest()
 
 
-@contextmanager
-def _opened(work: Path | None) -> Iterator[WorkFile | None]:
-    with contextlib.nullcontext() if work is None else open_work(work) as kept:
-        yield kept
-
-
 def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
     """Return the positions in a work file, the newest record of each."""
     if not kept.records:
         return {}
     first = kept.records[0]
     if first.tag != CALIBRATION or first.values.get("key") != key:
-        raise FileError(
-            kept.path,
-            "belongs to a reconstruction of other photographs or with other options; "
-            "go on with those, or begin anew (--restart)",
-        )
+        reason = "belongs to a reconstruction of other photographs or with other options; "
+        raise FileError(kept.path, f"{reason}go on with those, or begin anew (--restart)")
     return {record.values["position"]: record for record in kept.records if record.tag == POSITION}
 
 
@@ -151,6 +139,7 @@ class _Reconstruction:
         self.kept = kept
         self.done = done
         self.calibration = acquisition.calibration
+        self.colour = acquisition.session.camera.to_working
         layouts = LAYOUTS if acquisition.options.compare else LAYOUTS[:1]
         self.sums = {
             layout: TableSums(Parameterization(layout, acquisition.options.bins)) for layout in layouts
@@ -169,7 +158,9 @@ class _Reconstruction:
             ahead: Future[Stack] | None = None
             for n, k in enumerate(positions):
                 report(progress, 0.97 * n / len(positions), f"position {n + 1} of {len(positions)}")
-                record = self._still_valid(k)
+                record = self.done.get(k)
+                if record is not None and record.values["digest"] != self.acquisition.source.digest(k):
+                    record = None
                 if k in self.calibration.left_out:
                     self.failed.append(LeftOut(k, self.calibration.left_out[k]))
                 elif record is not None:
@@ -181,10 +172,8 @@ class _Reconstruction:
                     sampler = sampler or self.acquisition.sampler()
                     try:
                         stack = reading.result()
-                        if following is not None and following not in {
-                            *self.done,
-                            *self.calibration.left_out,
-                        }:
+                        known = {*self.done, *self.calibration.left_out}
+                        if following is not None and following not in known:
                             ahead = pool.submit(self.acquisition.stack, following)
                         self._add_new(k, stack, sampler)
                     except FileError as error:
@@ -198,7 +187,7 @@ class _Reconstruction:
         with self.acquisition.clock.step("finish"):
             table = self._table()
             compared: dict[str, ParameterizedTable] = {
-                layout: tabulate_means(bin_means(sums, self._colour()))
+                layout: tabulate_means(bin_means(sums, self.colour))
                 for layout, sums in self.sums.items()
                 if layout != "half-angle"
             }
@@ -214,38 +203,30 @@ class _Reconstruction:
             compared,
         )
 
-    def _still_valid(self, k: int) -> WorkRecord | None:
-        record = self.done.get(k)
-        if record is None or record.values["digest"] != self.acquisition.source.digest(k):
-            return None
-        return record
-
     def _add_kept(self, k: int, record: WorkRecord) -> None:
-        if self.kept is None:
-            raise RuntimeError("a record without its file")
+        assert self.kept is not None
         arrays = self.kept.arrays(record)
         self.resumed += 1
-        self._take(
-            k,
-            {
-                layout: PositionSums(arrays[f"{layout} places"], arrays[f"{layout} sums"])
-                for layout in self.sums
-            },
-            record.values["readings"],
-            record.values["findings"],
-        )
+        position = {
+            layout: PositionSums(arrays[f"{layout} places"], arrays[f"{layout} sums"]) for layout in self.sums
+        }
+        self._take(k, position, record.values["readings"], record.values["findings"])
 
     def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
         found, findings = self.acquisition.checked_samples(k, sampler, stack)
+        position: dict[Any, PositionSums] = {}
         with self.acquisition.clock.step("table"):
-            position = {
-                layout: self._binned(found, sums.parameterization) for layout, sums in self.sums.items()
-            }
-        readings = int(sum(sums.sums[:, 0].sum(dtype=np.float64) for sums in list(position.values())[:1]))
+            weights = reading_weights(found.wi, found.wo, found.value, found.variance) * found.weight
+            wi, wo = found.wi.astype(np.float64), found.wo.astype(np.float64)
+            for layout, sums in self.sums.items():
+                places = sums.parameterization.index_of(wi, wo)
+                binned = position_sums(sums.parameterization, places, found.value, weights, found.variance)
+                position[layout] = binned
+        readings = int(next(iter(position.values())).sums[:, 0].sum(dtype=np.float64))
         if self.kept is not None:
             arrays: dict[str, Any] = {}
-            for layout, sums in position.items():
-                arrays |= {f"{layout} places": sums.places, f"{layout} sums": sums.sums}
+            for layout, binned in position.items():
+                arrays |= {f"{layout} places": binned.places, f"{layout} sums": binned.sums}
             values = {
                 "position": k,
                 "digest": self.acquisition.source.digest(k),
@@ -262,18 +243,9 @@ class _Reconstruction:
         self.readings += readings
         self.findings += [f"{finding}." for finding in findings]
 
-    @staticmethod
-    def _binned(found: PositionSamples, parameterization: Parameterization) -> PositionSums:
-        weights = reading_weights(found.wi, found.wo, found.value, found.variance) * found.weight
-        places = parameterization.index_of(found.wi.astype(np.float64), found.wo.astype(np.float64))
-        return position_sums(parameterization, places, found.value, weights, found.variance)
-
-    def _colour(self) -> Any:
-        return self.acquisition.session.camera.to_working
-
     def _table_so_far(self) -> IsotropicTable:
         # Without the rounds of centring: this one is for a plot while the work goes on.
-        return half_angle_table(bin_means(self.sums["half-angle"], self._colour(), centre=False))
+        return half_angle_table(bin_means(self.sums["half-angle"], self.colour, centre=False))
 
     def _table(self) -> IsotropicTable:
         session = self.acquisition.session
@@ -289,5 +261,5 @@ class _Reconstruction:
             "notes": (*self.calibration.notices, *self.findings, *(one.reason for one in self.failed)),
             **{f"calibration_{name}": value for name, value in self.calibration.figures.items()},
         }
-        means = bin_means(self.sums["half-angle"], self._colour())
+        means = bin_means(self.sums["half-angle"], self.colour)
         return half_angle_table(means, session.name, facts)

@@ -8,18 +8,16 @@ from __future__ import annotations
 
 import bisect
 import contextlib
-import os
 from collections.abc import Collection
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.reading import read_photograph
-from brdf_suite.acquisition.session.finding import SessionFinding
+from brdf_suite.acquisition.session.finding import SessionFinding, Severity
 from brdf_suite.acquisition.session.session import Session
-from brdf_suite.errors import FileError
+from brdf_suite.arrays import AnyArray
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.progress import Progress, report
 
 _LEAST_LIGHT = 0.03
@@ -38,12 +36,12 @@ class PositionOrder:
     behind the sphere lights its rim on both sides, whose middle wanders back.
     """
 
-    def __init__(self, session: Session, folder: str | os.PathLike[str] = ".") -> None:
+    def __init__(self, session: Session, folder: PathLike = ".") -> None:
         self._session, self._folder = session, Path(folder)
         self._columns: dict[int, float] = {}
         self._width = 1
 
-    def add(self, position: int, codes: NDArray[Any]) -> bool:
+    def add(self, position: int, codes: AnyArray) -> bool:
         """Take photographs (e, h, w, 3) of a position, shortest exposure first; say whether they show a highlight."""
         column = highlight_column(codes, self._session.camera.bit_depth)
         self._width = codes.shape[2]
@@ -71,9 +69,8 @@ class PositionOrder:
         found = []
         for at in sorted(set(range(len(order))) - set(rising)):
             reason = f"shows the highlight at column {columns[at]:.0f}, {self._between(at, order, columns, rising)}"
-            found.append(
-                self._finding("position", order[at], f"{reason}: does it belong to another position?")
-            )
+            reason += ": does it belong to another position?"
+            found.append(self._finding("position", order[at], reason))
         return tuple(found)
 
     def _between(self, at: int, order: list[int], columns: list[float], rising: list[int]) -> str:
@@ -86,14 +83,14 @@ class PositionOrder:
             return f"beyond that of {angles[-1]:g}°"
         return f"between those of {angles[place - 1]:g}° and {angles[place]:g}°"
 
-    def _finding(self, severity: Any, position: int, reason: str) -> SessionFinding:
+    def _finding(self, severity: Severity, position: int, reason: str) -> SessionFinding:
         path = str(self._folder / self._session.positions[position].photographs[0])
         where = f"positions[{position}]"
         return SessionFinding(severity, path, reason, where, position if severity == "position" else None)
 
 
 def check_positions(
-    folder: str | os.PathLike[str],
+    folder: PathLike,
     session: Session,
     leave_out: Collection[tuple[int, int]] = (),
     progress: Progress | None = None,
@@ -115,7 +112,7 @@ def check_positions(
     return order.findings()
 
 
-def highlight_column(codes: NDArray[Any], bit_depth: int) -> float | None:
+def highlight_column(codes: AnyArray, bit_depth: int) -> float | None:
     """Return the column of the brightest part, in the shortest exposure that shows one; None where none does."""
     full = 1.0 if codes.dtype.kind == "f" else float((1 << bit_depth) - 1)
     for picture in codes:
@@ -134,9 +131,9 @@ def highlight_column(codes: NDArray[Any], bit_depth: int) -> float | None:
     return None
 
 
-def _of_three(values: NDArray[Any]) -> NDArray[Any]:
+def _of_three(values: AnyArray) -> AnyArray:
     padded = np.pad(values, ((0, 0), (1, 1)), mode="edge")
-    mean: NDArray[Any] = (padded[:, :-2] + padded[:, 1:-1] + padded[:, 2:]) / 3.0
+    mean: AnyArray = (padded[:, :-2] + padded[:, 1:-1] + padded[:, 2:]) / 3.0
     return mean
 
 

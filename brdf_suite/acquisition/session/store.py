@@ -7,12 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import (
     FORMAT,
     SESSION_FILE,
     Board,
     FlatField,
+    Lens,
     Light,
     Position,
     Session,

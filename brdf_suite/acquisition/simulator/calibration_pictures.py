@@ -7,8 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
-from brdf_suite.acquisition.simulator.optics import SimulatedCamera
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera, SimulatedLamp
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 from brdf_suite.arrays import Floats
 
@@ -29,16 +28,12 @@ def tile_picture(optics: SimulatedCamera, settings: SimulatorSettings, lamp: Sim
     """Return the radiance (h, w, 3), over the lamp's strength, of a matt tile at the origin that faces +z."""
     half = _TILE_HALF * settings.radius_m
 
-    def shade(points: Floats) -> Floats:
-        lights, relative = lamp.at(points)
+    def shade(uv: Floats) -> Floats:
+        lights, relative = lamp.at(np.pad(uv, ((0, 0), (0, 1))))
         value = TILE_REFLECTANCE / math.pi * np.maximum(lights[:, 2], 0.0) * relative
-        inside = (np.abs(points[:, 0]) < half) & (np.abs(points[:, 1]) < half)
-        return np.where(inside, value, 0.0)
+        return np.where((np.abs(uv) < half).all(axis=1), value, 0.0)
 
-    plane = np.eye(3)
-    return _plane_picture(
-        optics, settings, np.zeros(3), plane, lambda uv: shade(_points(uv, np.zeros(3), plane))
-    )
+    return _plane_picture(optics, settings, np.zeros(3), np.eye(3), shade)
 
 
 def tile_region(optics: SimulatedCamera, settings: SimulatorSettings) -> tuple[int, int, int, int]:
@@ -96,12 +91,7 @@ def _turned(axis: Floats, angle: float) -> Floats:
     """Return the rotation about a unit axis (Rodrigues)."""
     x, y, z = axis
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    turned: Floats = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross)
-    return turned
-
-
-def _points(uv: Floats, middle: Floats, axes: Floats) -> Floats:
-    return middle + uv @ axes[:2]
+    return np.asarray(np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * (cross @ cross))
 
 
 def _plane_picture(

@@ -10,11 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
-from brdf_suite.acquisition.simulator.optics import SimulatedCamera, first_hits, lengths
-from brdf_suite.arrays import Floats
+from brdf_suite.acquisition.simulator.optics import SimulatedCamera, SimulatedLamp, first_hits, lengths
+from brdf_suite.arrays import Bools, Floats, Integers
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -73,7 +71,7 @@ class SimulatedScene:
         return picture
 
     def _refine(
-        self, lamp: SimulatedLamp, picture: Floats, pixels: NDArray[np.int64], side: int, *, deeper: bool
+        self, lamp: SimulatedLamp, picture: Floats, pixels: Integers, side: int, *, deeper: bool
     ) -> None:
         """Replace pixels (n, 2) as (row, column) by the mean of ``side`` × ``side`` rays."""
         block = max(1, _BLOCK // (side * side))
@@ -99,12 +97,9 @@ class SimulatedScene:
             for start in range(0, len(uneven), block):
                 part = uneven[start : start + block]
                 values[part] = self._means(lamp, xs[part], ys[part], width / side, _INNER_GRID, False)
-        means: Floats = values.reshape(len(x), side * side, 3).mean(axis=1)
-        return means
+        return np.asarray(values.reshape(len(x), side * side, 3).mean(axis=1))
 
-    def _seen(
-        self, lamp: SimulatedLamp, x: Floats, y: Floats
-    ) -> tuple[Floats, Floats, NDArray[np.bool_], NDArray[np.bool_]]:
+    def _seen(self, lamp: SimulatedLamp, x: Floats, y: Floats) -> tuple[Floats, Floats, Bools, Bools]:
         """Return of each ray: radiance (n, 3), θh (n,) or NaN, whether it meets the sphere, whether it is hidden."""
         values, half = np.zeros((len(x), 3)), np.full(len(x), np.nan)
         covered, hidden = np.zeros(len(x), bool), np.zeros(len(x), bool)
@@ -162,16 +157,13 @@ def _in_frames(normals: Floats, *vectors: Floats) -> list[Floats]:
     return found
 
 
-def _uneven(luminance: Floats) -> NDArray[np.bool_]:
+def _uneven(luminance: Floats) -> Bools:
     """Return which cells (n, side, side) of n pixels differ much from a neighbour."""
     span = _around(luminance, np.maximum, -np.inf) - _around(luminance, np.minimum, np.inf)
-    uneven: NDArray[np.bool_] = span > _UNEVEN * luminance.mean(axis=(1, 2), keepdims=True)
-    return uneven
+    return np.asarray(span > _UNEVEN * luminance.mean(axis=(1, 2), keepdims=True))
 
 
-def _grids(
-    luminance: Floats, half: Floats, covered: NDArray[np.bool_], hidden: NDArray[np.bool_]
-) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+def _grids(luminance: Floats, half: Floats, covered: Bools, hidden: Bools) -> tuple[Integers, Bools]:
     """Return how many rays each way a pixel wants, (h, w), and where cells may need to be divided once more."""
     shown = covered & ~hidden
     grid = np.ones(luminance.shape, np.int64)
@@ -185,10 +177,8 @@ def _grids(
     near_light = _around(highest, np.maximum, -np.inf) > 0.0
     grid[outline] = np.where(near_light, _OUTLINE_GRID, _DARK_OUTLINE_GRID)[outline]
     known = np.where(np.isnan(half), np.inf, half)
-    nearest, farthest = (
-        _around(known, np.minimum, np.inf),
-        _around(np.where(np.isnan(half), 0.0, half), np.maximum, 0.0),
-    )
+    nearest = _around(known, np.minimum, np.inf)
+    farthest = _around(np.where(np.isnan(half), 0.0, half), np.maximum, 0.0)
     step = np.maximum(farthest - nearest, 0.0)
     step[~np.isfinite(step)] = 0.0
     peak = any_light & (nearest < _PEAK_REACH * step)

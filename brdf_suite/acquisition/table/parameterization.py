@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
-import numpy.typing as npt
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Singles
 from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 
@@ -84,7 +83,7 @@ class Parameterization:
         theta_h = _HALF_PI * (share if self.layout == "linear" else share * share)
         return from_half_angle_coordinates(theta_h, 0.0, second[:, None], third[None, :])
 
-    def cosines(self) -> tuple[npt.NDArray[np.float32], npt.NDArray[np.float32]]:
+    def cosines(self) -> tuple[Singles, Singles]:
         """Return cos θi and cos θo (shape) at the centres of the bins; negative below the horizon."""
         light = np.empty(self.shape, np.float32)
         view = np.empty(self.shape, np.float32)

@@ -12,7 +12,6 @@ the low side as the weight 1/σ² of a noisy reading itself would.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -40,8 +39,7 @@ def reading_weights(wi: Singles, wo: Singles, value: Singles, variance: Singles 
     """Return the weights (n,) of readings ``value`` (n, 3) with the ``variance`` of their noise (n, 3)."""
     cosines = np.maximum(wi[:, 2], 0.0).astype(np.float64) * np.maximum(wo[:, 2], 0.0)
     if variance is None:
-        weights: Floats = cosines / GEOMETRIC_ERROR**2
-        return weights
+        return np.asarray(cosines / GEOMETRIC_ERROR**2)
     noise = variance.sum(axis=1, dtype=np.float64)
     total = np.maximum(value.sum(axis=1, dtype=np.float64), np.finfo(np.float32).tiny)
     with np.errstate(over="ignore"):  # next to nothing was seen there, and 0 is its weight
@@ -63,20 +61,13 @@ def position_sums(
     kept = np.flatnonzero((weights > 0.0) & np.isfinite(weights) & np.isfinite(value).all(axis=1))
     places, value, weights = places[:, kept], value[kept], weights[kept]
     whole = np.floor(places)
-    flat = np.ravel_multi_index(
-        tuple(
-            np.minimum(axis.astype(np.intp), n - 1)
-            for axis, n in zip(whole, parameterization.shape, strict=True)
-        ),
-        parameterization.shape,
-    )
+    last = np.array(parameterization.shape)[:, None] - 1
+    flat = np.ravel_multi_index(tuple(np.minimum(whole.astype(np.intp), last)), parameterization.shape)
     bins, which = np.unique(flat, return_inverse=True)
     mean = value.mean(axis=1, dtype=np.float64)
     noise = np.zeros(len(kept)) if variance is None else variance[kept].sum(axis=1, dtype=np.float64) / 9.0
-    columns: list[Floats | None] = [None, weights, weights * weights]
-    columns += [weights * value[:, channel] for channel in range(3)]
-    columns += [weights * mean * mean, weights * weights * noise]
-    columns += [weights * (axis - low - 0.5) for axis, low in zip(places, whole, strict=True)]
+    columns: list[Floats | None] = [None, weights, weights * weights, *(weights[:, None] * value).T]
+    columns += [weights * mean * mean, weights * weights * noise, *(weights * (places - whole - 0.5))]
     sums = np.empty((len(bins), len(FIELDS)), np.float32)
     for number, column in enumerate(columns):
         sums[:, number] = np.bincount(which, column, len(bins))
@@ -96,8 +87,3 @@ class TableSums:
     def add(self, position: PositionSums) -> None:
         """Add one position's sums; the order of the positions decides the last bits."""
         self.sums[position.places] += position.sums
-
-    def add_all(self, positions: Iterable[PositionSums]) -> None:
-        """Add several, in their order."""
-        for position in positions:
-            self.add(position)

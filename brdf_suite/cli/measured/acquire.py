@@ -7,8 +7,9 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.acquired import Acquired
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
+from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.cli.measured import acquire_simulate
 from brdf_suite.cli.output import print_json, progress_bar
@@ -86,7 +87,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _check(road: Acquisition, as_json: bool) -> int:
-    findings = road.check(None)
+    findings = road.source.findings(None)
     if as_json:
         print_json({"session": road.session.name, "findings": [one.to_json() for one in findings]})
     else:

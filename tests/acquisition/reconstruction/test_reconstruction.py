@@ -14,9 +14,15 @@ import numpy as np
 import pytest
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels
-from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map, within
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.acquired import (
+    Acquired,
+    coverage_map,
+    covered_share,
+    deviation_map,
+    within,
+)
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path, write_acquired
+from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.reconstruction.table import reconstruct
@@ -200,7 +206,7 @@ KILLED = """
 import sys
 from pathlib import Path
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.options import AcquireOptions
+from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire
 
 def progress(fraction, what):

@@ -19,7 +19,7 @@ from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes.angles import AngleFitter, AngleGrid, AngleWeights
 from brdf_suite.fitting.lobes.angles import samples as angle_samples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
+from brdf_suite.fitting.lobes.weights import RaisedWeights
 from brdf_suite.fitting.metrics import Evaluable, aspecular_delta_e
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric

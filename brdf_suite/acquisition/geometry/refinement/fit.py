@@ -1,4 +1,4 @@
-"""Robust Gauss-Newton fit of the rig to highlights and stated values, with detection of outlier highlights.
+"""Robust Gauss-Newton fit of the rig to highlights and stated values; detection of outliers and of movements.
 
 With x the changes of the ten numbers, S the slopes of the highlights' places, w Huber's weights over their standard
 errors and P the covariance of the statements, each step solves
@@ -6,6 +6,11 @@ errors and P the covariance of the statements, each step solves
     minimize |w (off + S Δ)|² + (x + Δ)·P⁻¹ (x + Δ)
 
 for Δ. The inverse of the same matrix at the end is the covariance of what was found.
+
+A sphere that moves takes its highlights with it, from one position on. For each place in the series the fit is
+asked how much better it would be with the sphere shifted from there on - two numbers more, in the linear form of the
+fit, all others free to follow. The best place is taken where that cannot be chance and the shift can be seen; then the
+next one, with the first in place.
 """
 
 from __future__ import annotations
@@ -15,12 +20,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, apply
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-from brdf_suite.arrays import Bools, Floats
+from brdf_suite.arrays import Bools, Floats, Indices
 from brdf_suite.progress import Progress, report
 
 _STEPS = 40
@@ -29,6 +33,13 @@ _HUBER = 1.5
 _OUTLIER = 5.0
 _OUTLIER_PX = 0.5
 _STEADY = 1e-4  # of a standard deviation
+_LEAST_PX = 0.4
+_LEAST_SIGNIFICANCE = 8.0
+_MOST = 4
+_LEAST_EACH_SIDE = 2
+_CLIP = 12.0  # standard deviations that one coordinate may count for
+# The stated values have entered the fit already and should not hold the shift back.
+_LOOSE = 0.1
 
 
 @dataclass(frozen=True)
@@ -36,7 +47,7 @@ class HighlightSeries:
     """The highlights as arrays, and the rig as stated."""
 
     start: RigGeometry
-    positions: npt.NDArray[np.intp]
+    positions: Indices
     angles: Floats
     seen: Floats
     sigma: Floats
@@ -113,16 +124,16 @@ def stray(off: Floats, sigma: Floats) -> Bools:
     # The first and the last are compared with the two next to them.
     before = np.concatenate((np.linalg.norm(off[:1] - off[2:3], axis=-1), step))
     after = np.concatenate((step, np.linalg.norm(off[-1:] - off[-3:-2], axis=-1)))
-    stray: Bools = np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
-    return stray
+    return np.asarray(
+        np.minimum(before, after) > np.maximum(_OUTLIER * np.maximum(usual, sigma), _OUTLIER_PX)
+    )
 
 
 def find_outliers(off: Floats, sigma: Floats, kept: Bools) -> Bools:
     """Return the highlights (n,) that are off by far more than those ``kept`` usually are."""
     length = np.linalg.norm(off, axis=-1)
     middle = _SPREAD * float(np.median(length[kept]))
-    far: Bools = length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX)
-    return far
+    return np.asarray(length > np.maximum(_OUTLIER * np.maximum(middle, sigma), _OUTLIER_PX))
 
 
 def _slopes(residuals: Callable[[Floats], Floats], x: Floats, scale: Floats) -> Floats:
@@ -130,3 +141,79 @@ def _slopes(residuals: Callable[[Floats], Floats], x: Floats, scale: Floats) -> 
     steps = 0.01 * scale * np.eye(len(x))
     columns = [(residuals(x + e) - residuals(x - e)) / (2.0 * e.sum()) for e in steps]
     return np.stack(columns, axis=-1)
+
+
+@dataclass(frozen=True)
+class Movement:
+    """The sphere moved after position ``before`` and not later than position ``after`` (indices).
+
+    ``pixels``: by how much, x and y, in the picture; ``significance``: in standard deviations.
+    """
+
+    before: int
+    after: int
+    pixels: tuple[float, float]
+    significance: float
+
+    @property
+    def distance_px(self) -> float:
+        """Return how far, pixels."""
+        return math.hypot(*self.pixels)
+
+
+def find_movements(
+    positions: Indices, off: Floats, slopes: Floats, sigma: Floats, lower: Floats
+) -> tuple[Movement, ...]:
+    """Return the movements, in order of the positions.
+
+    Parameters
+    ----------
+    positions
+        (n,) rising indices of the light's positions with a highlight.
+    off
+        (n, 2) seen less expected, pixels, after the fit.
+    slopes
+        (n, 2, p) derivatives of ``off``; of these the first three are the sphere's centre.
+    sigma
+        (n,) standard errors, pixels.
+    lower
+        (p, p) whitens the stated numbers' errors.
+    """
+    count, parameters = len(positions), slopes.shape[-1]
+    splits: list[int] = []
+    found: dict[int, tuple[Floats, float]] = {}
+    if count < 4 * _LEAST_EACH_SIDE:
+        return ()
+    # Only what changes from one highlight to the next is noise; a movement is one such step among many.
+    noise = _SPREAD * float(np.median(np.abs(np.diff(off, axis=0)) / sigma[1:, None])) / math.sqrt(2.0)
+    weight = 1.0 / np.maximum(sigma * max(noise, 0.1), 0.02)
+    base = np.concatenate(((slopes * weight[:, None, None]).reshape(-1, parameters), _LOOSE * lower), axis=0)
+    wanted = np.concatenate((-(off * weight[:, None]).ravel(), np.zeros(parameters)))
+
+    def step(split: int) -> Floats:
+        columns = np.zeros((count, 2, 2))
+        columns[split:] = np.eye(2)
+        return np.concatenate(((columns * weight[:, None, None]).reshape(-1, 2), np.zeros((parameters, 2))))
+
+    def misfit(chosen: Sequence[int]) -> tuple[float, Floats]:
+        system = np.concatenate((base, *(step(split) for split in chosen)), axis=1)
+        answer = np.asarray(np.linalg.lstsq(system, wanted)[0], float)
+        rest = np.clip(system @ answer - wanted, -_CLIP, _CLIP)
+        return float(rest @ rest), answer[parameters:].reshape(-1, 2)
+
+    current = misfit(())[0]
+    for _ in range(_MOST):
+        tried = [s for s in range(_LEAST_EACH_SIDE, count - _LEAST_EACH_SIDE + 1) if s not in splits]
+        sums = [misfit((*splits, s))[0] for s in tried]
+        place = int(np.argmin(sums))
+        better, shifts = misfit((*splits, tried[place]))
+        significance = math.sqrt(max(current - better, 0.0))
+        if significance < _LEAST_SIGNIFICANCE or float(np.linalg.norm(shifts[-1])) < _LEAST_PX:
+            break
+        splits.append(tried[place])
+        found = {s: (shift, significance) for s, shift in zip(splits, shifts, strict=True)}
+        current = better
+    return tuple(
+        Movement(int(positions[s - 1]), int(positions[s]), (float(-x), float(-y)), significance)
+        for s, ((x, y), significance) in sorted(found.items())
+    )

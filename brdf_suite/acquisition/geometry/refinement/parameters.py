@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -49,15 +48,6 @@ class RefinedValue:
     sigma: float
     observed: float
     why: str
-
-    def to_json(self) -> dict[str, Any]:
-        """Return the fields as plain values."""
-        return dict(vars(self))
-
-    @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> RefinedValue:
-        """Return what :meth:`to_json` gave as plain values."""
-        return cls(**value)
 
 
 @dataclass(frozen=True)
@@ -160,21 +150,9 @@ def priors(geometry: RigGeometry, outline: SphereOutline | None) -> Floats:
     across = _CENTRE_PX * geometry.centre_m[2] / geometry.lens.fx
     length = math.hypot(_LENGTH_M, _LENGTH * geometry.light_distance_m)
     mount = _MOUNT * geometry.radius_m + 0.2 * _LENGTH_M
-    sigma = np.array(
-        (
-            across,
-            across,
-            _DISTANCE * geometry.centre_m[2],
-            _ANGLE_DEG,
-            length,
-            length,
-            _TILT_DEG,
-            _TILT_DEG,
-            mount,
-            mount,
-        )
-    )
-    covariance: Floats = np.diag(sigma**2)
+    away = _DISTANCE * geometry.centre_m[2]
+    sigma = (across, across, away, _ANGLE_DEG, length, length, _TILT_DEG, _TILT_DEG, mount, mount)
+    covariance: Floats = np.diag(np.array(sigma) ** 2)
     if outline is not None:
         covariance[:3, :3] = outline.covariance
     return covariance
