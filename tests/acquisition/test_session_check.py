@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.acquisition.photographs.exposure_order import check_exposures
-from brdf_suite.acquisition.reconstruction.source import FolderSource
-from brdf_suite.acquisition.session.check import check_session
+from brdf_suite.acquisition.photographs.exposure_faults import check_exposures
+from brdf_suite.acquisition.reconstruction.photographs import FolderSource
+from brdf_suite.acquisition.session.check import PositionOrder, check_session
 from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
-from brdf_suite.acquisition.session.position_order import PositionOrder
 from brdf_suite.acquisition.session.series import (
     read_calibration,
     read_mask,

@@ -5,8 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Layout, Parameterization
-from brdf_suite.acquisition.table.sums import FIELDS, TableSums, position_sums, reading_weights
+from brdf_suite.acquisition.table.sums import (
+    FIELDS,
+    LAYOUTS,
+    Layout,
+    Parameterization,
+    TableSums,
+    position_sums,
+    reading_weights,
+)
 from brdf_suite.acquisition.table.table_from_sums import (
     bin_means,
     fill_table_holes,

@@ -11,8 +11,7 @@ from brdf_lobe_visualizer.basis.part import BASIS, Basis
 from brdf_lobe_visualizer.basis.run import BasisRun
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
-from brdf_suite.fitting.basis_search.document import save_state
-from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.basis_search.document import load_search, save_state
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.pipeline.material import Material, load_document
 from brdf_suite.reflectance.designed.build import build_reflectance

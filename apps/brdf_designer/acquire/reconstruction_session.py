@@ -19,7 +19,7 @@ from brdf_qt.work.tasks import TaskRunner, Work
 from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.acquire.window import AcquireWindow
-from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.session.session import Session
 
 WORK_FILE = "reconstruction.work"

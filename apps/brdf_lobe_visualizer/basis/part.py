@@ -34,7 +34,7 @@ from brdf_suite.resources import resource, resource_root
 
 # The search is much to import for a start, and this plot is often hidden: what is of it is imported where it is used.
 if TYPE_CHECKING:
-    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.fitting.basis_search.document import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
 
 BASIS = "basis"
@@ -205,7 +205,7 @@ class Basis(Feature, QObject):
 
     def _read(self) -> None:
         """Read the search that is shown; on an error a message is shown and the old one stays."""
-        from brdf_suite.fitting.basis_search.stored import load_search
+        from brdf_suite.fitting.basis_search.document import load_search
 
         if self._source is None:
             self.search = None

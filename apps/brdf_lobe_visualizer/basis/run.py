@@ -24,7 +24,7 @@ class BasisRun(CommandProcess):
 
     def start(self) -> None:
         """Begin, or resume from what is kept."""
-        from brdf_suite.fitting.basis_search.workers import usable_cores  # much to import for a start
+        from brdf_suite.fitting.basis_search.search import usable_cores  # much to import for a start
 
         # A core is left to the windows.
         workers = max(1, usable_cores() - 1)

@@ -100,16 +100,14 @@ def png_parts(content: Content, path: PathLike) -> PngParts:
         ended = kind == b"IEND"
         at = end
     if not ended:
-        raise FileError(
-            path, f"ends within a chunk, after {len(content):,} bytes; it was not copied whole", f"byte {at}"
-        )
+        reason = f"ends within a chunk, after {len(content):,} bytes; it was not copied whole"
+        raise FileError(path, reason, f"byte {at}")
     if len(header) != 13 or not packed:
         raise FileError(path, "has no header or no pixels; it is damaged", "byte 8")
     width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", header)
     if colour not in _CHANNELS or bits not in (8, 16):
-        raise FileError(
-            path, "has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel", "IHDR"
-        )
+        reason = "has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel"
+        raise FileError(path, reason, "IHDR")
     if not 0 < width * height <= MOST_PIXELS:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read", "IHDR")
     check_made(path, width * height * _CHANNELS[colour] * bits // 8, "its pixels", "IHDR")

@@ -40,6 +40,15 @@ ENDINGS = (".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".hdr", *RAW_ENDING
 
 LARGEST_FILE = 2 << 30
 
+_MAGIC: dict[bytes, Kind] = {
+    SIGNATURE: "png",
+    b"II*\0": "tiff",
+    b"MM\0*": "tiff",
+    b"\xff\xd8\xff": "jpeg",
+    b"\x76\x2f\x31\x01": "exr",
+    b"#?": "hdr",
+}
+
 
 @dataclass(frozen=True)
 class PhotographFacts:
@@ -124,9 +133,8 @@ def _facts(content: Content, path: PathLike) -> PhotographFacts:
         return PhotographFacts(kind, *tiff_facts(path))
     if kind == "jpeg":
         jpeg = jpeg_parts(content[:], path)
-        return PhotographFacts(
-            kind, jpeg.width, jpeg.height, 8, _exposure(jpeg.exif, path) if jpeg.exif else None
-        )
+        time = _exposure(jpeg.exif, path) if jpeg.exif else None
+        return PhotographFacts(kind, jpeg.width, jpeg.height, 8, time)
     if kind == "raw":
         return PhotographFacts(kind, *raw_facts(path))
     height, width = _float_pixels(kind, path).shape[:2]
@@ -136,22 +144,11 @@ def _facts(content: Content, path: PathLike) -> PhotographFacts:
 def _kind(start: bytes, path: PathLike) -> Kind:
     if Path(path).suffix.lower() in RAW_ENDINGS:
         return "raw"
-    known: dict[bytes, Kind] = {
-        SIGNATURE: "png",
-        b"II*\0": "tiff",
-        b"MM\0*": "tiff",
-        b"\xff\xd8\xff": "jpeg",
-        b"\x76\x2f\x31\x01": "exr",
-        b"#?": "hdr",
-    }
-    for magic, kind in known.items():
+    for magic, kind in _MAGIC.items():
         if start.startswith(magic):
             return kind
-    raise FileError(
-        path,
-        "is no photograph that is read here: PNG, TIFF, JPEG, OpenEXR, Radiance or a camera's raw file",
-        "byte 0",
-    )
+    known = "PNG, TIFF, JPEG, OpenEXR, Radiance or a camera's raw file"
+    raise FileError(path, f"is no photograph that is read here: {known}", "byte 0")
 
 
 def _exposure(block: bytes, path: PathLike) -> float | None:

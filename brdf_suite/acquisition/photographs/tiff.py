@@ -90,9 +90,8 @@ def _check_layout(page: TiffPage, path: PathLike) -> None:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
     if not 1 <= channels <= _MOST_CHANNELS:
         raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
-    check_made(
-        path, width * height * channels * -(-page.bitspersample // 8), "its pixels", "field ImageWidth"
-    )
+    size = width * height * channels * -(-page.bitspersample // 8)
+    check_made(path, size, "its pixels", "field ImageWidth")
     if page.imagedepth != 1:
         raise FileError(path, f"is a volume of {page.imagedepth} pictures; a photograph is one")
     needed, size = math.prod(page.chunked), page.parent.filehandle.size
@@ -139,9 +138,8 @@ def _check_unpacked_size(page: TiffPage, path: PathLike) -> None:
         except zlib.error as error:
             raise FileError(path, f"has a strip that cannot be unpacked ({error}); it is damaged") from error
         if length == wanted + _FREE_SIZE:
-            raise FileError(
-                path, "has a strip that unpacks to more than its pixels; it is damaged", f"byte {at}"
-            )
+            reason = "has a strip that unpacks to more than its pixels; it is damaged"
+            raise FileError(path, reason, f"byte {at}")
 
 
 def _by_opencv(path: PathLike) -> NDArray[Any]:

@@ -100,14 +100,6 @@ class MergedRadiance:
         """Return (h, w) where every channel is measured, be it as dark."""
         return np.asarray(np.all((self.state == GOOD) | (self.state == DARK), axis=-1))
 
-    @property
-    def certainty(self) -> Singles:
-        """Return (h, w, channels) one over the variance, 0 where clipped or outside."""
-        usable = (self.state == GOOD) | (self.state == DARK)
-        answer = np.zeros_like(self.variance)
-        np.divide(1.0, self.variance, out=answer, where=usable & (self.variance > 0.0))
-        return answer
-
 
 def merge(
     stack: Codes | Singles,
@@ -181,11 +173,8 @@ def _merge_codes(
     size = 1 << response.bit_depth
     if response.bit_depth < 8 * stack.itemsize and int(stack.max(initial=0)) >= size:
         raise ValueRangeError("stack", f"it holds codes above the {size - 1} of {response.bit_depth} bits")
-    made = (
-        np.empty((height, width, channels), np.float32),
-        np.empty((height, width, channels), np.float32),
-        np.empty((height, width, channels), np.uint8),
-    )
+    # Each an array of its own: the variance may be dropped while the radiance is kept.
+    made = tuple(np.empty((height, width, channels), kind) for kind in (np.float32, np.float32, np.uint8))
     starts = range(0, height, _ROWS)
     pairs = np.zeros((len(starts), count - 1, 3))
     clipped = np.zeros((len(starts), count), np.int64)
@@ -221,9 +210,8 @@ def _merge_floats(stack: Singles, times: Floats, gain: Singles, allowed: Bools) 
     """Return the mean of float pictures weighted by exposure time; they have no detectable clipping."""
     if not np.all(np.isfinite(stack)):
         place = np.argwhere(~np.isfinite(stack))[0]
-        raise ValueRangeError(
-            "stack", f"exposure {place[0] + 1} is not a number at column {place[2]}, row {place[1]}"
-        )
+        reason = f"exposure {place[0] + 1} is not a number at column {place[2]}, row {place[1]}"
+        raise ValueRangeError("stack", reason)
     value = np.tensordot(np.ones(len(times), np.float32), stack, 1) / np.float32(times.sum()) / gain
     value = np.where(allowed[..., None], value, np.float32(0.0))
     none = np.zeros(len(times))

@@ -136,9 +136,8 @@ def flat_field(merged: MergedRadiance) -> Singles:
         answer[..., c] = shrunk(plane, noise, sigma)[0]
         answer[..., c] /= answer[_middle(height), _middle(width), c].mean()
     if float(answer.min()) < _LEAST:
-        raise AcquisitionError(
-            "The flat field falls to nothing within the picture; the screen does not fill it evenly."
-        )
+        reason = "the screen does not fill it evenly"
+        raise AcquisitionError(f"The flat field falls to nothing within the picture; {reason}.")
     return answer.astype(np.float32)
 
 

@@ -52,9 +52,8 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
     """Find the sphere and, where the options say so, correct it and the light."""
     angles = tuple(position.angle_deg for position in photographs.session.positions)
     shiny = highlight_positions(angles, photographs.positions) if photographs.options.refine else ()
-    union, kept = _read(
-        photographs, union_positions(angles, photographs.positions), shiny, subrange(progress, 0.0, 0.8)
-    )
+    wide = union_positions(angles, photographs.positions)
+    union, kept = _read(photographs, wide, shiny, subrange(progress, 0.0, 0.8))
     picture = np.asarray(union.picture, np.float32)
     lens = None if photographs.intrinsics is None else photographs.intrinsics.intrinsics
     irradiance, notices = _irradiance(photographs)
@@ -84,9 +83,8 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
             refinement = calibrate_geometry(outline, find, subrange(progress, 0.8, 0.9))
         except AcquisitionError as error:
             # A matt sphere has none; what the session states of the lamp is then all there is.
-            notices += (
-                f"Light and sphere could not be corrected by highlights, and stand as stated: {error}",
-            )
+            reason = "Light and sphere could not be corrected by highlights, and stand as stated"
+            notices += (f"{reason}: {error}",)
             return FoundGeometry(picture, outline, (*highlights,), None, outline.geometry, figures, notices)
         if refinement.movements:
             before = list(highlights)
@@ -111,16 +109,8 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
         notices += (format_movement_notice(refinement, names),)
     moved = "the sphere has moved and stands elsewhere here"
     left_out = {k: f"{names[k]}: {moved}" for k in refinement.moved_positions}
-    return FoundGeometry(
-        picture,
-        outline,
-        tuple(highlights),
-        refinement,
-        with_refined_white(photographs.session, refinement.geometry),
-        figures,
-        notices,
-        left_out,
-    )
+    whole = with_refined_white(photographs.session, refinement.geometry)
+    return FoundGeometry(picture, outline, (*highlights,), refinement, whole, figures, notices, left_out)
 
 
 def _where_it_stood(

@@ -1,76 +1,138 @@
-"""The photographs of a session as radiance: read position by position, corrected and merged; and its calibration."""
+"""The photographs of a session as radiance: where they come from, how they are corrected and merged."""
 
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-from typing import Any, Literal, get_args
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, Protocol
 
 import numpy as np
 
 from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
+from brdf_suite.acquisition.photographs.reading import read_photograph
 from brdf_suite.acquisition.radiance.merge import MergedRadiance, merge
 from brdf_suite.acquisition.radiance.sensor_maps import Dark, dark_model, flat_field
-from brdf_suite.acquisition.reconstruction.source import PhotographSource, Stack
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.work_file import StepClock
 from brdf_suite.acquisition.response.response import Response
-from brdf_suite.acquisition.session.series import SeriesKind
+from brdf_suite.acquisition.session.check import check_session
+from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
+from brdf_suite.acquisition.session.series import (
+    PhotographSeries,
+    SeriesKind,
+    read_calibration,
+    read_mask,
+    read_position,
+)
 from brdf_suite.acquisition.session.session import Session
-from brdf_suite.arrays import Bools
+from brdf_suite.acquisition.session.store import session_to_json
+from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import AcquisitionError, FileError, ValueRangeError
-from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
+from brdf_suite.progress import Progress
 
-ResponseChoice = Literal["auto", "linear"]
-BINS = (90, 90, 180)
+_PIECE = 1 << 20
 
 
-@dataclass(frozen=True, eq=False)
-class AcquireOptions:
-    """Choices that change the result.
+class PhotographSource(Protocol):
+    """Photographs of one session."""
 
-    Attributes
-    ----------
-    grazing_deg
-        Readings whose light or view is further from the normal are left out, degrees, 30 to less than 90.
-    refine
-        Whether highlights may correct the stated geometry.
-    response
-        ``auto``: as the session says, recovered where it says ``unknown``; ``linear``: the camera is linear.
-    mask
-        (rows, columns), True where a pixel may be used, besides the session's own masks; None: no further mask.
-    positions
-        Which positions of the session to use, rising; None: all.
-    compare
-        Whether to make the two other layouts of Figure 4 as well.
-    bins
-        Of the table along (θh, θd, φd); what renders elsewhere wants the usual 90 × 90 × 180.
-    """
+    @property
+    def session(self) -> Session:
+        """Return what the photographs show."""
 
-    grazing_deg: float = 80.0
-    refine: bool = True
-    response: ResponseChoice = "auto"
-    mask: Bools | None = None
-    positions: tuple[int, ...] | None = None
-    compare: bool = False
-    bins: tuple[int, int, int] = BINS
+    def position(self, k: int) -> PhotographSeries:
+        """Return the photographs of position ``k``; raises :class:`FileError` where there are none."""
 
-    def __post_init__(self) -> None:
-        if not 30.0 <= self.grazing_deg < 90.0:
-            raise ValueRangeError("grazing_deg", f"{self.grazing_deg:g}°; 30° to less than 90° are wanted")
-        HalfAngleGrid(*self.bins)
-        if self.response not in get_args(ResponseChoice):
-            raise ValueRangeError("response", f"{self.response!r}; auto or linear are known")
+    def series(self, kind: SeriesKind) -> PhotographSeries | None:
+        """Return the dark, white or flat-field photographs; None where the session has none."""
 
-    def to_json(self) -> dict[str, object]:
-        """Return what decides the result, for the key of a work file."""
-        mask = None
-        if self.mask is not None:
-            content = repr(self.mask.shape).encode() + np.packbits(self.mask).tobytes()
-            mask = hashlib.sha256(content).hexdigest()
-        chosen = {name: value for name, value in vars(self).items() if name != "positions"}
-        return {**chosen, "mask": mask, "bins": list(self.bins)}
+    def board(self) -> list[tuple[str, AnyArray]]:
+        """Return names and grey pictures (rows, columns) of the calibration board."""
+
+    def mask(self, k: int | None) -> Bools | None:
+        """Return which pixels (rows, columns) may be used, at one position or at all; None: all of them."""
+
+    def digest(self, k: int | None) -> str:
+        """Return a hash of what position ``k`` holds; of None: the session and all that belongs to no position."""
+
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
+        """Return what is wrong with the files, without decoding them."""
+
+
+@dataclass(frozen=True)
+class FolderSource:
+    """The photographs in a session's folder."""
+
+    folder: Path
+    session: Session
+
+    @cached_property
+    def _checked(self) -> tuple[SessionFinding, ...]:
+        return self.findings(None)
+
+    def position(self, k: int) -> PhotographSeries:
+        """Read one position; photographs that cannot be read or contradict the session are skipped and reported."""
+        for finding in self._checked:
+            if finding.severity == "position" and finding.position == k:
+                raise finding.error()
+        lost = exposures_lost(self._checked, k)
+        found = read_position(self.folder, self.session, k, leave_out=lost)
+        skipped = [one for one in self._checked if one.position == k and one.severity == "exposure"]
+        return replace(found, findings=(*skipped, *found.findings))
+
+    def series(self, kind: SeriesKind) -> PhotographSeries | None:
+        """Read a calibration series."""
+        return read_calibration(self.folder, self.session, kind)
+
+    def board(self) -> list[tuple[str, AnyArray]]:
+        """Read the board's photographs as grey pictures; those that the check found unreadable are left out."""
+        board = self.session.camera.board
+        lost = {finding.place for finding in self._checked}
+        found = []
+        for k, name in enumerate(() if board is None else board.photographs):
+            if f"camera.board.photographs[{k}]" in lost:
+                continue
+            codes = read_photograph(self.folder / name).codes
+            found.append((name, np.ascontiguousarray(codes[..., 1])))
+        return found
+
+    def mask(self, k: int | None) -> Bools | None:
+        """Read the masks."""
+        return read_mask(self.folder, self.session, k)
+
+    def digest(self, k: int | None) -> str:
+        """Hash the content of the files, and what the session says of them."""
+        session = self.session
+        found = hashlib.sha256()
+        if k is None:
+            found.update(json.dumps(session_to_json(session), sort_keys=True).encode())
+            positions = {name for position in session.positions for name in position.photographs}
+            names = [name for _, name in session.files() if name not in positions]
+        else:
+            position = session.positions[k]
+            names = [*position.photographs, *([position.mask] if position.mask else [])]
+        for name in names:
+            found.update(f"\0{name}\0".encode())
+            try:
+                with (self.folder / name).open("rb") as stream:
+                    while piece := stream.read(_PIECE):
+                        found.update(piece)
+            except OSError:
+                # A file that is missing now and there later changes the hash, which is all that is asked here.
+                found.update(b"missing")
+        return found.hexdigest()
+
+    def findings(self, progress: Progress | None) -> tuple[SessionFinding, ...]:
+        """Check the folder."""
+        found = check_session(self.folder, self.session, progress)
+        # What is read afterwards goes by it, without another look at every file.
+        self.__dict__["_checked"] = found
+        return found
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +184,7 @@ class Corrections:
 
     def merged(
         self,
-        stack: Stack,
+        stack: PhotographSeries,
         response: Response | None,
         mask: Bools | None,
         box: tuple[slice, slice] | None = None,
@@ -143,7 +205,9 @@ class Corrections:
         )
 
 
-def corrections(series: Callable[[SeriesKind], Stack | None], response: Response | None) -> Corrections:
+def corrections(
+    series: Callable[[SeriesKind], PhotographSeries | None], response: Response | None
+) -> Corrections:
     """Return dark and flat field of photographs that ``series`` reads; the same give the same, bit for bit."""
     dark_stack = series("dark")
     dark = None
@@ -205,17 +269,17 @@ class SessionPhotographs:
             raise ValueRangeError("positions", "none is asked for")
         return tuple(sorted(set(chosen)))
 
-    def stack(self, k: int) -> Stack:
+    def stack(self, k: int) -> PhotographSeries:
         """Read the photographs of position ``k``; raises FileError where none can be read."""
         with self.clock.step("read"):
             return self.source.position(k)
 
-    def series(self, kind: SeriesKind) -> Stack | None:
+    def series(self, kind: SeriesKind) -> PhotographSeries | None:
         """Read a calibration series; None where the session has none."""
         with self.clock.step("read"):
             found = self.source.series(kind)
         for finding in () if found is None else found.findings:
-            self.notice(f"{finding}.")
+            self.notice(f"{finding.path}: {finding.reason}.")
         return found
 
     def mask(self, k: int | None) -> Bools | None:
@@ -236,7 +300,7 @@ class SessionPhotographs:
             self._corrections = corrections(self.series, response)
 
     def merged_stack(
-        self, stack: Stack, k: int | None, box: tuple[slice, slice] | None = None
+        self, stack: PhotographSeries, k: int | None, box: tuple[slice, slice] | None = None
     ) -> MergedRadiance:
         """Return the radiance of photographs that were read, of the pixels in ``box`` (rows, columns) alone if given.
 
@@ -248,7 +312,7 @@ class SessionPhotographs:
         with self.clock.step("merge"):
             return self._corrections.merged(stack, self.response, mask, box)
 
-    def readable(self, k: int) -> Stack | None:
+    def readable(self, k: int) -> PhotographSeries | None:
         """Read a position; None where it cannot be read, which is reported when the table reaches it."""
         try:
             return self.stack(k)

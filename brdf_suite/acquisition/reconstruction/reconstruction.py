@@ -21,14 +21,19 @@ from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
-from brdf_suite.acquisition.radiance.merge import MergedRadiance
 from brdf_suite.acquisition.radiance.sensor_maps import black_codes
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
-from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions, Calibration, SessionPhotographs
-from brdf_suite.acquisition.reconstruction.source import FolderSource, PhotographSource, Stack
+from brdf_suite.acquisition.reconstruction.photographs import (
+    AcquireOptions,
+    Calibration,
+    FolderSource,
+    PhotographSource,
+    SessionPhotographs,
+)
 from brdf_suite.acquisition.response.fit import ResponseFit, calibrate_response
 from brdf_suite.acquisition.response.response import Response, srgb_response
 from brdf_suite.acquisition.response.samples import ResponseSamples, spread
+from brdf_suite.acquisition.session.series import PhotographSeries
 from brdf_suite.acquisition.session.store import read_session, session_path
 from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
 from brdf_suite.errors import AcquisitionError
@@ -121,7 +126,10 @@ class Acquisition(SessionPhotographs):
             report(progress, n / len(places), "reading for the response")
             stack = self.readable(k)
             if stack is None and not by_times and n == len(places) - 1:
-                stack = self._first_readable()
+                # None of those: the first one that can be read at all, or the reason of the last.
+                *others, last = chosen
+                found = (again for k in others if (again := self.readable(k)) is not None)
+                stack = next(found, None) or self.stack(last)
             if stack is None:
                 continue
             if stack.codes.dtype == np.float32:
@@ -132,12 +140,6 @@ class Acquisition(SessionPhotographs):
             by_times[times].add(stack.codes, mask)
             counts[times] += 1
         return by_times[max(by_times, key=lambda times: (counts[times], len(times)))]
-
-    def _first_readable(self) -> Stack:
-        """Return the first position that can be read; raises the last one's FileError where none can."""
-        *others, last = self.positions
-        found = (stack for k in others if (stack := self.readable(k)) is not None)
-        return next(found, None) or self.stack(last)
 
     def calibrate_intrinsics(self, progress: Progress | None = None) -> CameraCalibration | None:
         """Find the lens from the board's photographs; None where there is no board: what the session states holds."""
@@ -196,38 +198,19 @@ class Acquisition(SessionPhotographs):
         self.calibrate_geometry(subrange(progress, 0.35, 1.0))
         return self.calibration
 
-    def merged(self, k: int, progress: Progress | None = None) -> MergedRadiance:
-        """Return the radiance of position ``k``, whole picture."""
-        report(progress, 0.0, "reading")
-        stack = self.stack(k)
-        report(progress, 0.7, "merging")
-        return self.merged_stack(stack, k)
-
     def sampler(self) -> SphereSampler:
         """Return what turns radiance into readings, for the geometry and the mask that hold now."""
         return SphereSampler(self.calibration.geometry, self.mask(None), self.options.grazing_deg)
 
-    def samples(
-        self, k: int, sampler: SphereSampler | None = None, stack: Stack | None = None
-    ) -> PositionSamples:
-        """Return the readings of position ``k``.
-
-        Raises
-        ------
-        FileError
-            Its photographs cannot be read, or contradict each other; the message names one.
-        """
-        return self.checked_samples(k, sampler or self.sampler(), stack or self.stack(k))[0]
-
     def checked_samples(
-        self, k: int, sampler: SphereSampler, stack: Stack
+        self, k: int, sampler: SphereSampler, stack: PhotographSeries
     ) -> tuple[PositionSamples, tuple[str, ...]]:
         """Return the readings of photographs that were read, and what was found wrong with these.
 
         Photographs that contradict the others, by their times or their order, are left out; where the others
         contradict each other too, FileError is raised.
         """
-        findings: list[str] = list(stack.findings)
+        findings = [f"{one.path}: {one.reason}" for one in stack.findings]
         for again in (False, True):
             merged = self.merged_stack(stack, k, sampler.box)
             with self.clock.step("samples"):
@@ -240,5 +223,6 @@ class Acquisition(SessionPhotographs):
             findings += [f"{fault.name}: {fault.reason}" for fault in faults]
             if not bad:
                 break
-            stack = stack.without({fault.name for fault in bad})
+            wrong = {fault.name for fault in bad}
+            stack = stack.part([i for i, name in enumerate(stack.names) if name not in wrong])
         return found, tuple(findings)

@@ -1,21 +1,22 @@
-"""The last step of a reconstruction: position by position into the table, kept on the disk as it goes."""
+"""The last step of a reconstruction, position by position into the table, and its result: how much was measured."""
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.acquired import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.options import covered_share
 from brdf_suite.acquisition.reconstruction.photographs import Calibration
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.reconstruction.work_file import (
     CALIBRATION,
     POSITION,
@@ -23,9 +24,16 @@ from brdf_suite.acquisition.reconstruction.work_file import (
     WorkRecord,
     open_work,
 )
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.session.series import PhotographSeries
 from brdf_suite.acquisition.table.samples import SphereSampler
-from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
+from brdf_suite.acquisition.table.sums import (
+    LAYOUTS,
+    Parameterization,
+    PositionSums,
+    TableSums,
+    position_sums,
+    reading_weights,
+)
 from brdf_suite.acquisition.table.table_from_sums import (
     ParameterizedTable,
     bin_means,
@@ -36,11 +44,77 @@ from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
-Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
-"""Called after each position with how many are done, of how many, and a function that makes the table so far."""
-
 ALGORITHM = 1
 """Raised whenever the same photographs would give other sums: older work is then not taken up."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A position that gave no readings, and why (a sentence's clause that names the file)."""
+
+    position: int
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Acquired:
+    """A reconstructed table and how it came to be.
+
+    Attributes
+    ----------
+    table
+        Half-angle bins with their coverage, working space.
+    positions_done, positions_failed
+        Which positions gave readings, and which gave none.
+    resumed
+        How many of the positions were taken up from a work file.
+    readings
+        How many readings the table is made of.
+    calibration
+        Response and geometry.
+    notices
+        What the user should know, each a sentence.
+    seconds
+        Time by step: ``read`` (decoding, in the background), ``calibrate``, ``merge``, ``samples``,
+        ``table`` (readings into bins), ``finish`` (means to centres, holes).
+    compared
+        The other layouts by name, where they were asked for.
+    """
+
+    table: IsotropicTable
+    positions_done: tuple[int, ...]
+    positions_failed: tuple[LeftOut, ...]
+    resumed: int
+    readings: int
+    calibration: Calibration
+    notices: tuple[str, ...] = ()
+    seconds: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    compared: Mapping[str, ParameterizedTable] = field(default_factory=lambda: MappingProxyType({}))
+
+    def to_json(self) -> dict[str, Any]:
+        """Return what ``brdf-suite acquire --json`` prints."""
+        coverage = self.table.coverage
+        median = 0.0
+        if coverage is not None and (coverage.samples > 0.0).any():
+            median = float(np.median(coverage.deviation[coverage.samples > 0.0]))
+        return {
+            "positions": len(self.positions_done),
+            "resumed": self.resumed,
+            "left_out": [{"position": one.position, "reason": one.reason} for one in self.positions_failed],
+            "readings": self.readings,
+            "coverage": {
+                "bins": int(np.count_nonzero(self.table.measured_mask())),
+                "share_below_75_deg": covered_share(self.table, 75.0),
+                "median_deviation": median,
+            },
+            "calibration": dict(self.calibration.figures),
+            "notices": list(self.notices),
+            "seconds": {name: round(value, 3) for name, value in self.seconds.items()},
+        }
+
+
+Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
+"""Called after each position with how many are done, of how many, and a function that makes the table so far."""
 
 
 def reconstruct(
@@ -114,10 +188,8 @@ def kept_positions(acquisition: Acquisition, work: Path) -> tuple[int, ...]:
 
 def work_key(acquisition: Acquisition) -> str:
     """Return a hash of the session, the options, and the photographs that belong to no position."""
-    described = json.dumps(
-        [ALGORITHM, acquisition.options.to_json(), acquisition.source.digest(None)], sort_keys=True
-    )
-    return hashlib.sha256(described.encode()).hexdigest()
+    parts = [ALGORITHM, acquisition.options.to_json(), acquisition.source.digest(None)]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
 def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
@@ -140,10 +212,8 @@ class _Reconstruction:
         self.done = done
         self.calibration = acquisition.calibration
         self.colour = acquisition.session.camera.to_working
-        layouts = LAYOUTS if acquisition.options.compare else LAYOUTS[:1]
-        self.sums = {
-            layout: TableSums(Parameterization(layout, acquisition.options.bins)) for layout in layouts
-        }
+        layouts, bins = LAYOUTS if acquisition.options.compare else LAYOUTS[:1], acquisition.options.bins
+        self.sums = {layout: TableSums(Parameterization(layout, bins)) for layout in layouts}
         self.succeeded: list[int] = []
         self.failed: list[LeftOut] = []
         self.findings: list[str] = []
@@ -155,7 +225,7 @@ class _Reconstruction:
         sampler: SphereSampler | None = None
         # The next position is read while this one is reckoned: both take about as long.
         with ThreadPoolExecutor(1, "photographs") as pool:
-            ahead: Future[Stack] | None = None
+            ahead: Future[PhotographSeries] | None = None
             for n, k in enumerate(positions):
                 report(progress, 0.97 * n / len(positions), f"position {n + 1} of {len(positions)}")
                 record = self.done.get(k)
@@ -186,10 +256,9 @@ class _Reconstruction:
         report(progress, 0.97, "filling holes")
         with self.acquisition.clock.step("finish"):
             table = self._table()
-            compared: dict[str, ParameterizedTable] = {
-                layout: tabulate_means(bin_means(sums, self.colour))
-                for layout, sums in self.sums.items()
-                if layout != "half-angle"
+            others: dict[str, TableSums] = {k: sums for k, sums in self.sums.items() if k != "half-angle"}
+            compared = {
+                layout: tabulate_means(bin_means(sums, self.colour)) for layout, sums in others.items()
             }
         return Acquired(
             table,
@@ -212,7 +281,7 @@ class _Reconstruction:
         }
         self._take(k, position, record.values["readings"], record.values["findings"])
 
-    def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
+    def _add_new(self, k: int, stack: PhotographSeries, sampler: SphereSampler) -> None:
         found, findings = self.acquisition.checked_samples(k, sampler, stack)
         position: dict[Any, PositionSums] = {}
         with self.acquisition.clock.step("table"):

@@ -1,4 +1,4 @@
-"""Response of one channel by Gauss-Newton steps on Robertson's energy, with all radiances eliminated."""
+"""Noise and response of one channel, by Gauss-Newton steps on Robertson's energy with all radiances eliminated."""
 
 from __future__ import annotations
 

@@ -87,9 +87,7 @@ def calibrate_response(
     AcquisitionError
         Too few pixels have two usable exposures; or photographs contradict the curve that is taken as known.
     """
-    dark = np.broadcast_to(
-        samples.black() if black is None else np.asarray(black, float), (samples.channels,)
-    )
+    dark = samples.black() if black is None else np.broadcast_to(np.asarray(black, float), samples.channels)
     if known is None and linear:
         known = linear_response(samples.bit_depth, samples.channels, dark)
     if known is not None:
@@ -111,10 +109,8 @@ def calibrate_response(
     straight = all(each.linear_rms <= LINEAR_RMS for each in found) if known is None else known.linear
     if straight and known is None:
         line = linear_response(samples.bit_depth, samples.channels, dark).exposure
-        found = [
-            known_channel(samples.codes(c), samples, float(dark[c]), int(highest[c]), line[c])
-            for c in range(samples.channels)
-        ]
+        ends = zip(dark.tolist(), highest.tolist(), line, strict=True)
+        found = [known_channel(samples.codes(c), samples, *end) for c, end in enumerate(ends)]
     curves, low = np.stack([each.curve for each in found]), np.array([each.low for each in found])
     read, shot = np.array([(each.read, each.shot) for each in found]).T
     response = Response(samples.bit_depth, curves, dark, low, highest, read, shot, straight)

@@ -70,9 +70,8 @@ class Response:
             reason = f"the shape is {exposure.shape}; expected a row of codes"
             raise ValueRangeError("response.exposure", reason)
         if not np.all(np.isfinite(exposure)) or np.any(np.diff(exposure, axis=1) < 0.0):
-            raise ValueRangeError(
-                "response.exposure", "exposures must be finite and must not fall as codes grow"
-            )
+            reason = "exposures must be finite and must not fall as codes grow"
+            raise ValueRangeError("response.exposure", reason)
         object.__setattr__(self, "exposure", exposure)
         for name in _PER_CHANNEL:
             value = np.array(getattr(self, name), np.int64 if name in ("lowest", "highest") else float)

@@ -47,8 +47,5 @@ class SessionFinding:
 
 def exposures_lost(findings: tuple[SessionFinding, ...], position: int) -> frozenset[int]:
     """Return the indices of the exposures that are left out of a position."""
-    return frozenset(
-        f.exposure
-        for f in findings
-        if f.severity == "exposure" and f.position == position and f.exposure is not None
-    )
+    own = [f.exposure for f in findings if f.severity == "exposure" and f.position == position]
+    return frozenset(exposure for exposure in own if exposure is not None)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from brdf_suite.acquisition.photographs.exposure_order import check_exposures
+from brdf_suite.acquisition.photographs.exposure_faults import check_exposures
 from brdf_suite.acquisition.photographs.reading import Photograph, read_photograph
 from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.session import Session
@@ -29,9 +29,11 @@ class PhotographSeries:
     Attributes
     ----------
     codes
-        (e, h, w, 3) uint8, uint16 or float32.
-    exposures_s, names, exposures
-        Of each: the time, the file as the session names it, and its index among those asked for.
+        (e, h, w, 3) uint8, uint16, or float32 for photographs that are linear already.
+    exposures_s, names
+        Of each: the time, and the file as the session names it.
+    exposures
+        Of each: its index among those asked for; empty where these are all.
     findings
         What could not be read, and is not among them.
     """
@@ -39,8 +41,18 @@ class PhotographSeries:
     codes: AnyArray
     exposures_s: tuple[float, ...]
     names: tuple[str, ...]
-    exposures: tuple[int, ...]
+    exposures: tuple[int, ...] = ()
     findings: tuple[SessionFinding, ...] = ()
+
+    def part(self, kept: list[int]) -> PhotographSeries:
+        """Return the photographs at the places ``kept``."""
+        return PhotographSeries(
+            self.codes[kept],
+            tuple(self.exposures_s[i] for i in kept),
+            tuple(self.names[i] for i in kept),
+            tuple(self.exposures[i] for i in kept if self.exposures),
+            self.findings,
+        )
 
 
 def read_position(
@@ -57,24 +69,12 @@ def read_position(
         None of them can be read, or they are in no order that could be right.
     """
     names = session.positions[position].photographs
+    bits, place = session.camera.bit_depth, f"positions[{position}].photographs"
     series = read_series(
-        folder,
-        names,
-        session.exposures_s,
-        session.camera.bit_depth,
-        place=f"positions[{position}].photographs",
-        position=position,
-        leave_out=leave_out,
+        folder, names, session.exposures_s, bits, place=place, position=position, leave_out=leave_out
     )
-    found = check_exposures(
-        series.codes,
-        series.exposures_s,
-        series.names,
-        session.camera.bit_depth,
-        folder=folder,
-        position=position,
-        exposures=series.exposures,
-    )
+    shown = (series.codes, series.exposures_s, series.names, bits)
+    found = check_exposures(*shown, folder=folder, position=position, exposures=series.exposures)
     for finding in found:
         if finding.severity == "position":
             raise finding.error()
@@ -84,13 +84,7 @@ def read_position(
     kept = [i for i, exposure in enumerate(series.exposures) if exposure not in dropped]
     if not kept:
         raise found[0].error()
-    return PhotographSeries(
-        series.codes[kept],
-        tuple(series.exposures_s[i] for i in kept),
-        tuple(series.names[i] for i in kept),
-        tuple(series.exposures[i] for i in kept),
-        (*series.findings, *found),
-    )
+    return replace(series.part(kept), findings=(*series.findings, *found))
 
 
 def read_calibration(folder: PathLike, session: Session, kind: SeriesKind) -> PhotographSeries | None:

@@ -90,7 +90,9 @@ def _session(folder: Path) -> tuple[Session, list[str]]:
     """Return the session that a folder's files show, and notes on what was taken from where."""
     notes: list[str] = []
     groups = _groups(folder)
-    special = {word: _taken(groups, word) for word in _SPECIAL}
+    # The folder named after a word is no position.
+    found = {word: next((name for name in groups if name.lower().startswith(word)), "") for word in _SPECIAL}
+    special = {word: groups.pop(name, []) for word, name in found.items()}
     positions = {name: files for name, files in groups.items() if files}
     if not positions:
         return _example(folder)
@@ -117,8 +119,8 @@ def _session(folder: Path) -> tuple[Session, list[str]]:
         board = Board(9, 6, 0.02, names(special["board"]))
     for word in ("white", "dark"):
         if special[word] and len(special[word]) != count:
-            found = f"{word}: {len(special[word])} photographs for {count} exposures are left out"
-            notes.append(f"{found}; expected one for each")
+            lost = f"{word}: {len(special[word])} photographs for {count} exposures are left out"
+            notes.append(f"{lost}; expected one for each")
             special[word] = []
     if special["white"]:
         asked = "a region that shows nothing but the white"
@@ -151,10 +153,8 @@ def _groups(folder: Path) -> dict[str, list[Path]]:
         if file.suffix.lower() in ENDINGS and file.is_file() and not file.name.startswith("."):
             groups.setdefault(file.parent.name, []).append(file)
     if not groups and any(f.suffix.lower() in ENDINGS and f.stem != "mask" for f in folder.iterdir()):
-        reason = (
-            "has its photographs beside each other; put those of each position of the lamp into a folder "
-        )
-        raise FileError(folder, f"{reason}of their own")
+        advice = "put those of each position of the lamp into a folder of their own"
+        raise FileError(folder, f"has its photographs beside each other; {advice}")
     return groups
 
 
@@ -162,14 +162,6 @@ def _natural(file: Path) -> list[tuple[int, float, str]]:
     """Return a sort key with 2 before 10."""
     parts = re.split(r"(\d+)", file.as_posix())
     return [(0, float(part), "") if part.isdigit() else (1, 0.0, part.lower()) for part in parts]
-
-
-def _taken(groups: dict[str, list[Path]], word: str) -> list[Path]:
-    """Take the folder named after a word out of the groups."""
-    for name in list(groups):
-        if name.lower().startswith(word):
-            return groups.pop(name)
-    return []
 
 
 def _by_time(files: list[Path]) -> list[Path]:

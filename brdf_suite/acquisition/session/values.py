@@ -69,10 +69,8 @@ def set_times(owner: object) -> None:
     times = tuple(SECONDS.check(item, f"{place}[{i}]") for i, item in enumerate(value))
     for i, (before, time) in enumerate(itertools.pairwise(times), 1):
         if time <= before:
-            reason = (
-                f"{time:g} s comes after {before:g} s; list the exposures from the shortest to the longest"
-            )
-            raise ValueRangeError(f"{place}[{i}]", reason)
+            order = "list the exposures from the shortest to the longest"
+            raise ValueRangeError(f"{place}[{i}]", f"{time:g} s comes after {before:g} s; {order}")
     object.__setattr__(owner, place, times)
 
 

@@ -19,17 +19,7 @@ from brdf_suite.acquisition.session.session import (
     Sphere,
     WhiteReference,
 )
-from brdf_suite.acquisition.session.values import Matrix, Point
-from brdf_suite.acquisition.simulator.calibration_pictures import (
-    BOARD_COLUMNS,
-    BOARD_PICTURES,
-    BOARD_ROWS,
-    TILE_REFLECTANCE,
-    board_picture,
-    board_square_m,
-    tile_picture,
-    tile_region,
-)
+from brdf_suite.acquisition.session.values import Point
 from brdf_suite.acquisition.simulator.optics import (
     HOUSING_RADIUS_M,
     POST_RADIUS_M,
@@ -38,7 +28,17 @@ from brdf_suite.acquisition.simulator.optics import (
     profile_table,
     tilt_camera,
 )
-from brdf_suite.acquisition.simulator.picture import SimulatedScene
+from brdf_suite.acquisition.simulator.picture import (
+    BOARD_COLUMNS,
+    BOARD_PICTURES,
+    BOARD_ROWS,
+    TILE_REFLECTANCE,
+    SimulatedScene,
+    board_picture,
+    board_square_m,
+    tile_picture,
+    tile_region,
+)
 from brdf_suite.acquisition.simulator.sensor import Sensor, response
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
 from brdf_suite.arrays import Codes, Floats, Singles
@@ -90,7 +90,10 @@ class Simulator:
         def series(stem: str, count: int = len(exposures)) -> tuple[str, ...]:
             return tuple(f"{stem}/{k:02d}{ending}" for k in range(count))
 
-        board = white = stated = None
+        board = white = stated = matrix = None
+        if settings.colour_matrix:
+            red, green, blue = np.linalg.inv(_FROM_WORKING)
+            matrix = (_three(red), _three(green), _three(blue))
         if settings.board:
             square = board_square_m(self.optics, settings)
             board = Board(BOARD_COLUMNS, BOARD_ROWS, square, series("board", BOARD_PICTURES))
@@ -105,7 +108,7 @@ class Simulator:
             settings.bit_depth,
             "unknown" if settings.curve == "film" else settings.curve,
             math.degrees(_tilt(settings)),
-            self._stated_matrix(),
+            matrix,
             None if settings.board else self.optics.lens,
             board,
         )
@@ -200,12 +203,6 @@ class Simulator:
 
     def _irradiance(self) -> Floats:
         return np.asarray(self._strength * self.sensor.unit_rgb())
-
-    def _stated_matrix(self) -> Matrix | None:
-        if not self.settings.colour_matrix:
-            return None
-        first, second, third = np.linalg.inv(_FROM_WORKING)
-        return _three(first), _three(second), _three(third)
 
     def _lamp(self, degrees: float) -> SimulatedLamp:
         return self._unit_lamp(degrees + self.settings.light_offset_deg)

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.table.parameterization import Parameterization
-from brdf_suite.acquisition.table.sums import GEOMETRIC_ERROR, TableSums
+from brdf_suite.acquisition.table.sums import GEOMETRIC_ERROR, Parameterization, TableSums
 from brdf_suite.arrays import AnyArray, Bools, Floats, Indices, Singles
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.progress import Progress, report

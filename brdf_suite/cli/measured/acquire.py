@@ -7,10 +7,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from brdf_suite.acquisition.reconstruction.acquired import Acquired
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
-from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+from brdf_suite.acquisition.reconstruction.table import Acquired
 from brdf_suite.cli.measured import acquire_simulate
 from brdf_suite.cli.output import print_json, progress_bar
 from brdf_suite.errors import SuiteError

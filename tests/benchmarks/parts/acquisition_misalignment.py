@@ -10,7 +10,7 @@ import numpy as np
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.acquisition.reconstruction.photographs import AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
 from brdf_suite.acquisition.reconstruction.table import reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings

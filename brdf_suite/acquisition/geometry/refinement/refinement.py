@@ -1,6 +1,6 @@
 """Joint robust least-squares fit of sphere, turntable and light to the highlights at all angles.
 
-Ten numbers place everything (:mod:`brdf_suite.acquisition.geometry.refinement.parameters` says what the photographs
+Ten numbers place everything (:mod:`brdf_suite.acquisition.geometry.refinement.fit` says what the photographs
 determine of each). For each the session's statement, or the outline's, counts as one measurement with its own
 uncertainty; each highlight gives two, its place in pixels. All are met in the sense of least squares, with Huber's
 weights for the highlights (:mod:`brdf_suite.acquisition.geometry.refinement.fit`). So a number that no highlight
@@ -21,14 +21,17 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.refinement.fit import (
+    PARAMETERS,
     HighlightSeries,
     Movement,
+    RefinedValue,
+    apply,
     find_movements,
     find_outliers,
     fit_rig,
+    priors,
     stray,
 )
-from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, RefinedValue, apply, priors
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit

@@ -94,7 +94,9 @@ def circle(count: int) -> Floats:
 
 def lit_share(geometry: RigGeometry, union: PhotographUnion, azimuths: Floats) -> Floats:
     """Return the largest cosine (n,) of the light at the outline's azimuths (n,) over the union's positions."""
-    normals = _outline_normals(geometry, azimuths)
+    rays = lens_rays(geometry.lens, geometry.outline(azimuths))
+    distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
+    normals = unit(distance * rays - geometry.centre)
     points = geometry.centre + geometry.radius_m * normals
     lights = geometry.light(np.array(geometry.angles_deg)[list(union.positions)])
     cosines = np.einsum("nki,ni->nk", unit(lights[None] - points[:, None]), normals)
@@ -109,25 +111,15 @@ def find_edge(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None 
     sectors = _sectors(union, geometry, mask, count)
     lit = lit_share(geometry, union, azimuths) > LEAST_LIT
     chosen = [(int(k), *sectors[k]) for k in np.flatnonzero(lit) if len(sectors[k][0]) >= _LEAST_PIXELS]
-    blur = _blur(chosen[:: max(1, len(chosen) // _BLUR_SECTORS)])
+    # The blur with which some sectors fit best, in the median.
+    some = chosen[:: max(1, len(chosen) // _BLUR_SECTORS)]
+    misfits = [np.median([_offset(s, value, blur)[2] for _, s, value in some] or [0.0]) for blur in _BLURS]
+    blur = _BLURS[int(np.argmin(misfits))]
     found = [(azimuths[k], *_offset(s, value, blur)[:2]) for k, s, value in chosen]
     kept = [row for row in found if abs(row[1]) < _REACH and row[2] < _MOST_SIGMA]
     at, offset, sigma = np.array(kept).reshape(-1, 3).T
     pixels = geometry.outline(at) + offset[:, None] * _inward(geometry, at)
     return Edge(pixels, sigma, blur)
-
-
-def _blur(sectors: list[tuple[int, Floats, Floats]]) -> float:
-    """Return the blur with which sectors fit best, in the median."""
-    misfits = [np.median([_offset(s, value, blur)[2] for _, s, value in sectors] or [0.0]) for blur in _BLURS]
-    return _BLURS[int(np.argmin(misfits))]
-
-
-def _outline_normals(geometry: RigGeometry, azimuths: Floats) -> Floats:
-    """Return the sphere's normals (n, 3) where the outline is."""
-    rays = lens_rays(geometry.lens, geometry.outline(azimuths))
-    distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
-    return unit(distance * rays - geometry.centre)
 
 
 def _inward(geometry: RigGeometry, azimuths: Floats) -> Floats:

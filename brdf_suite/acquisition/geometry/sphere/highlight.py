@@ -220,12 +220,8 @@ class _Window:
         off = np.linalg.norm(normals - middle, axis=-1)
         from_middle = self.pixels[spot] - weight @ self.pixels[spot]
         narrow = float(np.linalg.eigvalsh(from_middle.T @ (weight[:, None] * from_middle))[0])
-        return _Spot(
-            middle,
-            math.sqrt(float(weight @ (off * off))),
-            int(np.count_nonzero(spot)),
-            math.sqrt(1.0 + 12.0 * max(narrow, 0.0)),
-        )
+        wide, across = math.sqrt(float(weight @ (off * off))), math.sqrt(1.0 + 12.0 * max(narrow, 0.0))
+        return _Spot(middle, wide, int(np.count_nonzero(spot)), across)
 
 
 @dataclass(frozen=True)

@@ -134,11 +134,8 @@ class RigGeometry:
         """Return where the light stands (..., 3), metres, at angles (...) of the turntable, degrees."""
         side, up, front = self.rig_axes
         angle = np.radians(np.asarray(angles_deg, float) + self.angle_offset_deg)[..., None]
-        return np.asarray(
-            self.axis_point
-            + self.light_height_m * up
-            + self.light_distance_m * (np.sin(angle) * side + np.cos(angle) * front)
-        )
+        level = self.light_distance_m * (np.sin(angle) * side + np.cos(angle) * front)
+        return np.asarray(self.axis_point + self.light_height_m * up + level)
 
     def highlight_normals(self, lights: npt.ArrayLike) -> tuple[Floats, Bools]:
         """Return the normals (..., 3) at which lights (..., 3) are mirrored to the camera, and which are seen."""
