@@ -17,7 +17,7 @@ from brdf_suite.processes import child_command
 CHECKOUT = Path(__file__).resolve().parent.parent
 SOURCES = sorted([*(CHECKOUT / "brdf_suite").rglob("*.py"), *(CHECKOUT / "apps").rglob("*.py")])
 STARTS = CHECKOUT / "brdf_suite" / "processes.py"
-POOL = CHECKOUT / "brdf_suite" / "fitting" / "basis_search" / "workers.py"
+POOL = CHECKOUT / "brdf_suite" / "fitting" / "basis_search" / "search.py"
 HOSTILE = (
     "random",
     "json",
@@ -122,7 +122,7 @@ def test_no_file_of_the_working_folder_runs_in_a_child_of_a_child(hostile: Path)
 
 POOL_SCRIPT = """
 from brdf_suite.fitting.basis_search.database import load_database
-from brdf_suite.fitting.basis_search.workers import Workers
+from brdf_suite.fitting.basis_search.search import Workers
 
 def report(done):
     pass

@@ -49,7 +49,6 @@ LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/preview/scene.py": "30 ms, on a thread",
     "apps/brdf_viewer/traced/engines.py": "Mitsuba is optional, and the process that traces must live to report it",
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
-    "brdf_suite/fitting/lobes/angles/future_chain.py": "concurrent.futures loads logging: as background.py",
     "brdf_suite/fitting/lobes/background.py": "concurrent.futures loads logging, and a program may start without a fit",
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
     "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",

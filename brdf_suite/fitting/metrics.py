@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 
@@ -18,14 +17,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Lab
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
-
-
-class Evaluable(Protocol):
-    """Anything with ``eval(wi, wo)``: f_r in 1/sr without the cosine, ``(..., 3)``."""
-
-    def eval(self, wi: Floats, wo: Floats) -> Floats:
-        """Return f_r."""
-        ...
+from brdf_suite.reflectance.protocol import Reflectance
 
 
 @dataclass(frozen=True)
@@ -74,7 +66,7 @@ def as_rgb_tuple(row: Floats) -> tuple[float, float, float]:
 
 
 def aspecular_lab(
-    reflectance: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+    reflectance: Reflectance, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
 ) -> Floats:
     """Return the L*a*b* (D65, 10°) ``(k, 3)`` that an instrument reads at aspecular angles, in degrees."""
     wi = illumination(illumination_deg)
@@ -83,17 +75,14 @@ def aspecular_lab(
 
 
 def aspecular_delta_e(
-    target: Evaluable, fit: Evaluable, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
+    target: Reflectance, fit: Reflectance, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
 ) -> Floats:
     """Return ΔE00 ``(k,)`` between target and fit at aspecular angles, in degrees."""
-    return delta_e_2000(
-        aspecular_lab(target, aspecular_deg, illumination_deg),
-        aspecular_lab(fit, aspecular_deg, illumination_deg),
-    )
+    return delta_e_2000(*(aspecular_lab(one, aspecular_deg, illumination_deg) for one in (target, fit)))
 
 
 def error_figures(
-    target: Evaluable, fit: Evaluable, wi: Floats, wo: Floats, solid_angle: Floats
+    target: Reflectance, fit: Reflectance, wi: Floats, wo: Floats, solid_angle: Floats
 ) -> ErrorFigures:
     """Return the errors over directions ``wi``, ``wo`` ``(k, 3)``, weights ``solid_angle`` ``(k,)`` in sr.
 
@@ -113,7 +102,7 @@ def error_figures(
     )
 
 
-def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None = None) -> Floats:
+def directional_reflectance(reflectance: Reflectance, samples: CoatSamples | None = None) -> Floats:
     """Return ``(3,)`` what a coat reflects of a constant environment, seen at 45° (``∫ f_r·(N·L) dω``).
 
     The integral is over rings around the mirror direction, within 90° of it: meant for a coat, and finer than
@@ -121,5 +110,4 @@ def directional_reflectance(reflectance: Evaluable, samples: CoatSamples | None 
     """
     rings = samples or CoatSamples(first_ring_rad=2e-4, log_step=0.08, azimuths=24)
     values = reflectance.eval(rings.lights, rings.view) * rings.cosines[..., None]
-    result: Floats = rings.solid_angle @ values.mean(axis=1)
-    return result
+    return np.asarray(rings.solid_angle @ values.mean(axis=1))

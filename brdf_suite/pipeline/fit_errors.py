@@ -17,7 +17,6 @@ from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.lobes.basis import LobeBasis
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
 from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, fit_undivided, scattered_values
 from brdf_suite.fitting.lobes.measured_samples import (
     PLANE_GAMMAS_DEG,
@@ -26,7 +25,7 @@ from brdf_suite.fitting.lobes.measured_samples import (
     used_samples,
     views_with_light_at_minus_x,
 )
-from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.fitting.lobes.weights import LobeWeights, RaisedWeights
 from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, as_rgb_tuple, error_figures
 from brdf_suite.geometry.directions import (
     angle_between,

@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.simulator.curves import response
+from brdf_suite.acquisition.simulator.sensor import response
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 

@@ -20,12 +20,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LogNorm
 
-from brdf_suite.acquisition.reconstruction.coverage import coverage_map, deviation_map, within
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions, coverage_map, deviation_map, within
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import reconstruct
+from brdf_suite.acquisition.reconstruction.table import Acquired, reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
+from brdf_suite.acquisition.table.sums import LAYOUTS, Parameterization
 from brdf_suite.acquisition.table.table_from_sums import ParameterizedTable
 from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

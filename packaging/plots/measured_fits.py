@@ -23,8 +23,8 @@ from PIL import Image
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.documents.view import Camera, View
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
 from brdf_suite.fitting.lobes.measured import fit_undivided
+from brdf_suite.fitting.lobes.weights import RaisedWeights
 from brdf_suite.fitting.metrics import HeldOut
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.output.still import render_to_file

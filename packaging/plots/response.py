@@ -18,8 +18,8 @@ import numpy as np
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 
-from brdf_suite.acquisition.radiance.dark_frame import black_codes, dark_model
 from brdf_suite.acquisition.radiance.merge import GOOD, merge
+from brdf_suite.acquisition.radiance.sensor_maps import black_codes, dark_model
 from brdf_suite.acquisition.response.fit import calibrate_response
 from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings

@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.radiance.dark_frame import black_codes, dark_model
-from brdf_suite.acquisition.radiance.flat_field import flat_field
 from brdf_suite.acquisition.radiance.merge import merge
-from brdf_suite.acquisition.radiance.noise_shrinking import shrunk
+from brdf_suite.acquisition.radiance.sensor_maps import black_codes, dark_model, flat_field, shrunk
 from brdf_suite.acquisition.response.response import linear_response
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 

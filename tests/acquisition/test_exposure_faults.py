@@ -8,7 +8,6 @@ import pytest
 from brdf_suite.acquisition.photographs.exposure_faults import (
     ExposureFault,
     exposure_faults,
-    raise_fatal,
     time_errors,
 )
 from brdf_suite.acquisition.radiance.merge import merge
@@ -34,7 +33,6 @@ def faults_of(stack: np.ndarray, times: np.ndarray = TIMES) -> list[ExposureFaul
 
 def test_a_good_series_has_none() -> None:
     assert faults_of(shoot()) == []
-    raise_fatal([])
 
 
 @pytest.mark.parametrize(("a", "b"), [(3, 4), (0, 1), (10, 11), (2, 7)])
@@ -48,7 +46,7 @@ def test_exchanged_photographs_are_named_together(a: int, b: int) -> None:
     assert NAMES[b] in named
     assert "exchanged" in named
     with pytest.raises(FileError, match="exchanged"):
-        raise_fatal(faults)
+        raise faults[0].error()
 
 
 def test_a_wrong_time_is_named_with_the_true_one() -> None:

@@ -8,10 +8,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.geometry.board_corners import find_corners
-from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration, calibrate_intrinsics
+from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration, calibrate_intrinsics, find_corners
 from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
-from brdf_suite.acquisition.session.camera import Lens
+from brdf_suite.acquisition.session.session import Lens
 from brdf_suite.errors import AcquisitionError, Cancelled, MissingExtraError, ValueRangeError
 
 cv2 = pytest.importorskip("cv2")

@@ -1,12 +1,14 @@
 """The camera's model, there and back, and against OpenCV's."""
 
+from dataclasses import asdict
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
-from brdf_suite.acquisition.session.camera import Lens
+from brdf_suite.acquisition.session.session import Lens
 from brdf_suite.errors import ValueRangeError
 
 _SMALL = st.floats(-0.15, 0.15)
@@ -35,7 +37,7 @@ def test_distortion_is_that_of_opencv() -> None:
 
 def test_a_lens_is_read_back_from_its_numbers() -> None:
     lens = Lens(1000.0, 1001.0, 320.0, 240.0, k1=0.1, p2=0.002)
-    assert Lens(**lens.to_json()) == lens
+    assert Lens(**asdict(lens)) == lens
 
 
 def test_numbers_that_are_none_are_refused() -> None:

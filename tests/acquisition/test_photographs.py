@@ -19,8 +19,8 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from brdf_suite.acquisition.photographs import tiff as tiff_pixels
-from brdf_suite.acquisition.photographs.reading import exif_time, photograph_facts, read_photograph
-from brdf_suite.acquisition.simulator.writing import exif, write_photograph
+from brdf_suite.acquisition.photographs.reading import photograph_facts, read_photograph
+from brdf_suite.acquisition.simulator.folder import exif, write_photograph
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.exr.image import write_exr
 from brdf_suite.files.images.png import write_png
@@ -39,7 +39,7 @@ def test_codes_and_time_come_back(tmp_path: Path, ending: str, codes: np.ndarray
     np.testing.assert_array_equal(found.codes, codes)
     assert found.codes.dtype == codes.dtype
     assert (found.facts.width, found.facts.height, found.facts.bits) == (7, 11, 8 * codes.itemsize)
-    assert exif_time(path) == pytest.approx(0.0125, rel=1e-6)
+    assert photograph_facts(path).exposure_s == pytest.approx(0.0125, rel=1e-6)
 
 
 def test_filtered_pngs_of_others_are_read(tmp_path: Path) -> None:
@@ -180,7 +180,9 @@ def test_times_in_the_exif_folder_of_a_tiff(tmp_path: Path) -> None:
         reported = Image.Exif()
         reported[0x8769] = tags
         Image.fromarray(CODES_8).save(path, exif=reported.tobytes())
-        assert exif_time(path) == (None if expected is None else pytest.approx(expected, rel=1e-6))
+        assert photograph_facts(path).exposure_s == (
+            None if expected is None else pytest.approx(expected, rel=1e-6)
+        )
 
 
 def test_a_strip_that_unpacks_to_more_than_its_pixels_is_reported(
@@ -364,7 +366,7 @@ def test_a_damaged_exif_block_is_no_reason_to_refuse_the_picture(tmp_path: Path)
         picture, "JPEG", exif=b"Exif\0\0II*\0\xff\xff\xff\xff"
     )
     path.write_bytes(picture.getvalue())
-    assert exif_time(path) is None
+    assert photograph_facts(path).exposure_s is None
 
 
 @given(kind=st.sampled_from(["png", "tif", "jpg", "hdr"]), data=st.data())

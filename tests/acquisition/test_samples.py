@@ -6,8 +6,13 @@ import numpy as np
 import pytest
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels
-from brdf_suite.acquisition.geometry.sphere.nominal_geometry import in_rig, nominal_geometry
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple, unit
+from brdf_suite.acquisition.geometry.sphere.placement import (
+    RigGeometry,
+    in_rig,
+    nominal_geometry,
+    triple,
+    unit,
+)
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.session.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import (
     Board,
     FlatField,
+    Lens,
     Light,
     Position,
     Session,
@@ -150,7 +150,6 @@ def test_a_folder_without_a_session_says_how_to_get_one(tmp_path: Path) -> None:
         read_session(tmp_path / "absent")
 
 
-def test_positions_are_taken_by_index() -> None:
-    assert _session().with_positions((1,)).positions[0].angle_deg == 1.5
+def test_a_session_has_positions() -> None:
     with pytest.raises(ValueRangeError, match="positions"):
         replace(_session(), positions=())

@@ -10,23 +10,20 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from brdf_suite.acquisition.photographs.exposure_order import check_exposures
-from brdf_suite.acquisition.reconstruction.source import FolderSource
-from brdf_suite.acquisition.session.check import check_session
-from brdf_suite.acquisition.session.finding import exposures_lost, positions_lost, raise_fatal
-from brdf_suite.acquisition.session.position_order import PositionOrder
+from brdf_suite.acquisition.photographs.exposure_faults import check_exposures
+from brdf_suite.acquisition.reconstruction.photographs import FolderSource
+from brdf_suite.acquisition.session.check import PositionOrder, check_session
+from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
 from brdf_suite.acquisition.session.series import (
-    read_dark,
-    read_flat_field,
+    read_calibration,
     read_mask,
     read_position,
-    read_white,
 )
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
-from brdf_suite.acquisition.simulator.writing import write_photograph
+from brdf_suite.acquisition.simulator.folder import write_photograph
 from brdf_suite.errors import Cancelled, FileError
 from brdf_suite.files.images.exr.image import write_exr
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -75,7 +72,7 @@ def test_a_whole_folder_has_no_findings_and_gives_what_was_simulated(made: Path,
     assert session == rig.session
     assert check_session(made, session) == ()
     np.testing.assert_array_equal(read_position(made, session, 2).codes, rig.position(2))
-    series = [read_dark(made, session), read_white(made, session), read_flat_field(made, session)]
+    series = [read_calibration(made, session, kind) for kind in ("dark", "white", "flat_field")]
     for found, expected in zip(series, (rig.dark(), rig.white(), rig.flat_field()), strict=True):
         assert found is not None
         np.testing.assert_array_equal(found.codes, expected)
@@ -97,7 +94,7 @@ def test_what_is_missing_or_cut_off_is_named_and_the_rest_is_kept(folder: Path, 
     assert "not copied whole" in findings[1].reason
     assert str(findings[1].error()).startswith(str(half))
     assert exposures_lost(findings, 3) == {5}
-    assert positions_lost(findings) == frozenset()
+    assert _positions_lost(findings) == set()
     kept = read_position(folder, read_session(folder), 1)
     assert kept.exposures == (0, 1, 3, 4, 5)
     np.testing.assert_array_equal(kept.codes, rig.position(1)[[0, 1, 3, 4, 5]])
@@ -106,17 +103,21 @@ def test_what_is_missing_or_cut_off_is_named_and_the_rest_is_kept(folder: Path, 
     assert again.findings == ()
 
 
+def _positions_lost(findings: tuple[SessionFinding, ...]) -> set[int | None]:
+    return {finding.position for finding in findings if finding.severity == "position"}
+
+
 def test_a_position_of_which_nothing_is_left_is_lost(folder: Path) -> None:
     shutil.rmtree(folder / "light_0002")
     findings = _check(folder)
-    assert positions_lost(findings) == {2}
+    assert _positions_lost(findings) == {2}
     (reported,) = findings
     assert reported.reason == "is missing; none of the 6 photographs at 75° can be used"
-    raise_fatal(findings)  # the others are kept
+    assert reported.severity == "position"  # the others are kept
     for k in (0, 1, 3, 4):
         shutil.rmtree(folder / f"light_{k:04d}")
     with pytest.raises(FileError, match="none of its photographs"):
-        raise_fatal(_check(folder))
+        raise next(finding for finding in _check(folder) if finding.severity == "fatal").error()
     with pytest.raises(FileError, match="is missing"):
         read_position(folder, read_session(folder), 0)
 
@@ -193,7 +194,7 @@ def test_exchanged_positions_are_found_in_the_folder(folder: Path) -> None:
     findings = _check(folder)
     assert findings
     assert {f.severity for f in findings} == {"position"}
-    assert positions_lost(findings) <= {1, 2, 3}
+    assert _positions_lost(findings) <= {1, 2, 3}
     assert "the highlight at column" in findings[0].reason
     assert check_session(folder, read_session(folder), pictures=False) == ()
 

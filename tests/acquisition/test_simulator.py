@@ -239,13 +239,13 @@ def test_settings_out_of_range_are_named() -> None:
 
 def test_it_shares_no_code_with_the_reconstruction() -> None:
     asked = (
-        "import sys, brdf_suite.acquisition.simulator, brdf_suite.acquisition.simulator.noise\n"
+        "import sys, brdf_suite.acquisition.simulator, brdf_suite.acquisition.simulator.sensor\n"
         "print(*(m for m in sys.modules if m.startswith('brdf_suite.acquisition.')))"
     )
     found = subprocess.run([sys.executable, "-c", asked], check=True, capture_output=True, text=True).stdout
     inside = {name.removeprefix("brdf_suite.acquisition.") for name in found.split()}
     others = {name for name in inside if name.split(".")[0] != "simulator"}
-    assert others == {"session", "session.session", "session.camera", "session.values", "session.store"}
+    assert others == {"session", "session.session", "session.values", "session.store"}
 
 
 def test_the_reconstruction_knows_no_simulator() -> None:

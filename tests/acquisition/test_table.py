@@ -5,10 +5,21 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.acquisition.table.hole_filling import fill_table_holes
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Layout, Parameterization
-from brdf_suite.acquisition.table.sums import FIELDS, TableSums, position_sums, reading_weights
-from brdf_suite.acquisition.table.table_from_sums import bin_means, half_angle_table, tabulate_means
+from brdf_suite.acquisition.table.sums import (
+    FIELDS,
+    LAYOUTS,
+    Layout,
+    Parameterization,
+    TableSums,
+    position_sums,
+    reading_weights,
+)
+from brdf_suite.acquisition.table.table_from_sums import (
+    bin_means,
+    fill_table_holes,
+    half_angle_table,
+    tabulate_means,
+)
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

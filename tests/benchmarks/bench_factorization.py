@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import resource
+from dataclasses import asdict
 from pathlib import Path
 from statistics import median
 from time import perf_counter
@@ -10,11 +11,10 @@ from time import perf_counter
 import numpy as np
 
 from brdf_suite.cli.tools.bench import load_module
-from brdf_suite.fitting.homomorphic.accuracy import accuracy
-from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints
-from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
+from brdf_suite.fitting.homomorphic.factorization import Factorization, accuracy, normalize_maps
 from brdf_suite.fitting.homomorphic.factorize import BIAS, average_samples, factorize
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
+from brdf_suite.fitting.homomorphic.solve import MapLayout, constraints
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, parse_factors
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
@@ -74,14 +74,14 @@ def run(progress: Progress | None = None) -> dict[str, float]:
     ):
         found = factorize(samples.wi, samples.wo, samples.values, resolution=resolution, solver=solver)
         near = accuracy(samples.values, found.product.eval(samples.wi, samples.wo))
-        rows[name] = {"compression": round(compression(found.product, len(samples)), 1), **near.to_json()}
+        rows[name] = {"compression": round(compression(found.product, len(samples)), 1), **asdict(near)}
         figures[key] = near.snr_db
         if key == "snr_db":
             TABLES["textures"] = _textures(found.product, samples)
             TABLES["mean"] = _mean(samples, resolution)
     figures["snr_gap_db"] = figures["snr_db"] - figures["snr_iterative_db"]
     near = accuracy(samples.values, naive(samples, 16))
-    rows["averaged projection, 16×16"] = {"compression": round(len(samples) / 512, 1), **near.to_json()}
+    rows["averaged projection, 16×16"] = {"compression": round(len(samples) / 512, 1), **asdict(near)}
     figures["snr_naive_db"] = near.snr_db
     TABLES["table_1"] = rows
     TABLES["singular_values"] = _singular(samples)
@@ -116,7 +116,7 @@ def _mean(samples: FactorizationSamples, resolution: int) -> dict[str, object]:
         found = factorize(samples.wi, samples.wo, samples.values, resolution=resolution, keep_mean=keep)
         rows[name] = {
             "alpha_times": found.mean_correction.tolist(),
-            **accuracy(samples.values, found.product.eval(samples.wi, samples.wo)).to_json(),
+            **asdict(accuracy(samples.values, found.product.eval(samples.wi, samples.wo))),
         }
     return rows
 
@@ -130,7 +130,7 @@ def _singular(samples: FactorizationSamples) -> dict[str, object]:
         rows[f"{terms}"] = {
             "negative": float((found < 0.0).mean()),
             "compression": round(len(samples) / (terms * (32 * 32 + 16 * 16)), 1),
-            **accuracy(samples.values, found).to_json(),
+            **asdict(accuracy(samples.values, found)),
         }
     return rows
 

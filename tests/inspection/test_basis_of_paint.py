@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import Cancelled
-from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.basis_search.document import load_search
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.inspection.basis_of_paint import errors_over_count
 from brdf_suite.pipeline.material import load_document

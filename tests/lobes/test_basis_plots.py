@@ -10,8 +10,7 @@ import pytest
 from brdf_lobe_visualizer.basis.part import BASIS, Basis, BasisRun
 from brdf_lobe_visualizer.subjects.subjects import PlottedMaterial
 
-from brdf_suite.fitting.basis_search.document import save_state
-from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.basis_search.document import load_search, save_state
 from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.pipeline.material import Material, load_document
 from brdf_suite.reflectance.designed.build import build_reflectance

@@ -8,8 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.source import SeriesKind, Stack
 from brdf_suite.acquisition.session.finding import SessionFinding
+from brdf_suite.acquisition.session.series import PhotographSeries, SeriesKind
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.acquisition.simulator import Simulator
 from brdf_suite.arrays import AnyArray, Bools
@@ -27,23 +27,25 @@ class SimulatorSource:
         """Return the session that the reconstruction gets."""
         return self.simulator.session
 
-    def position(self, k: int) -> Stack:
+    def position(self, k: int) -> PhotographSeries:
         """Take the photographs of one position."""
         codes = self.simulator.position(k)
-        return Stack(codes, np.array(self.session.exposures_s), self.session.positions[k].photographs)
+        return PhotographSeries(codes, self.session.exposures_s, self.session.positions[k].photographs)
 
-    def series(self, kind: SeriesKind) -> Stack | None:
+    def series(self, kind: SeriesKind) -> PhotographSeries | None:
         """Take a calibration series."""
-        session, every = self.session, np.array(self.session.exposures_s)
+        session, every = self.session, self.session.exposures_s
         if kind == "dark":
-            return Stack(self.simulator.dark(), every, session.dark) if session.dark else None
+            return PhotographSeries(self.simulator.dark(), every, session.dark) if session.dark else None
         if kind == "white":
             given = session.white
-            return None if given is None else Stack(self.simulator.white(), every, given.photographs)
+            return (
+                None if given is None else PhotographSeries(self.simulator.white(), every, given.photographs)
+            )
         flat = session.flat_field
         if flat is None:
             return None
-        return Stack(self.simulator.flat_field(), np.array(flat.exposures_s or every), flat.photographs)
+        return PhotographSeries(self.simulator.flat_field(), flat.exposures_s or every, flat.photographs)
 
     def board(self) -> list[tuple[str, AnyArray]]:
         """Take the board's photographs."""

@@ -34,7 +34,7 @@ from brdf_suite.fitting.lobes.basis import STORED_NAME
 from brdf_suite.resources import resource, resource_root
 
 if TYPE_CHECKING:
-    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.fitting.basis_search.document import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
 
 
@@ -52,7 +52,7 @@ class BasisRun(CommandProcess):
 
     def start(self) -> None:
         """Begin, or resume from what is kept."""
-        from brdf_suite.fitting.basis_search.workers import usable_cores  # much to import for a start
+        from brdf_suite.fitting.basis_search.search import usable_cores  # much to import for a start
 
         # A core is left to the windows.
         workers = max(1, usable_cores() - 1)
@@ -219,7 +219,7 @@ class Basis(Feature, QObject):
 
     def _read(self) -> None:
         """Read the search that is shown; on an error a message is shown and the old one stays."""
-        from brdf_suite.fitting.basis_search.stored import load_search
+        from brdf_suite.fitting.basis_search.document import load_search
 
         if self._source is None:
             self.search = None

@@ -15,7 +15,7 @@ from brdf_lobe_visualizer.cuts.lines import Line
 from brdf_lobe_visualizer.subjects.subjects import DASHES, PlottedMaterial, Srgb
 
 if TYPE_CHECKING:  # much to import for a start
-    from brdf_suite.fitting.basis_search.stored import StoredSearch
+    from brdf_suite.fitting.basis_search.document import StoredSearch
     from brdf_suite.inspection.basis_of_paint import ErrorsOverCount
 
 MOST_LOBES = 11

@@ -14,7 +14,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.session.camera import Lens
+from brdf_suite.acquisition.session.session import Lens
 from brdf_suite.arrays import Floats
 
 _STEPS = 12
@@ -39,18 +39,13 @@ def lens_rays(lens: Lens, pixels: npt.ArrayLike) -> Floats:
     if any((lens.k1, lens.k2, lens.p1, lens.p2, lens.k3)):
         for _ in range(_STEPS):
             value, (aa, ab, ba, bb) = _distorted(lens, plane)
-            error = value - aim
-            determinant = aa * bb - ab * ba
-            step = np.stack(
-                (bb * error[..., 0] - ab * error[..., 1], aa * error[..., 1] - ba * error[..., 0]),
-                axis=-1,
-            )
-            plane -= step / determinant[..., None]
+            off_a, off_b = np.moveaxis(value - aim, -1, 0)
+            step = np.stack((bb * off_a - ab * off_b, aa * off_b - ba * off_a), axis=-1)
+            plane -= step / (aa * bb - ab * ba)[..., None]
             if not np.any(np.abs(step) > _CLOSE):
                 break
     rays = np.concatenate((plane, np.ones((*plane.shape[:-1], 1))), axis=-1)
-    unit: Floats = rays / np.linalg.norm(rays, axis=-1, keepdims=True)
-    return unit
+    return np.asarray(rays / np.linalg.norm(rays, axis=-1, keepdims=True))
 
 
 def _distorted(lens: Lens, plane: Floats) -> tuple[Floats, tuple[Floats, Floats, Floats, Floats]]:
@@ -59,17 +54,9 @@ def _distorted(lens: Lens, plane: Floats) -> tuple[Floats, tuple[Floats, Floats,
     s = a * a + b * b
     radial = 1.0 + s * (lens.k1 + s * (lens.k2 + s * lens.k3))
     slope = 2.0 * (lens.k1 + s * (2.0 * lens.k2 + s * 3.0 * lens.k3))  # of the radial factor, over a or b
-    value = np.stack(
-        (
-            a * radial + 2.0 * lens.p1 * a * b + lens.p2 * (s + 2.0 * a * a),
-            b * radial + lens.p1 * (s + 2.0 * b * b) + 2.0 * lens.p2 * a * b,
-        ),
-        axis=-1,
-    )
+    moved_a = a * radial + 2.0 * lens.p1 * a * b + lens.p2 * (s + 2.0 * a * a)
+    moved_b = b * radial + lens.p1 * (s + 2.0 * b * b) + 2.0 * lens.p2 * a * b
+    aa = radial + a * a * slope + 2.0 * lens.p1 * b + 6.0 * lens.p2 * a
+    bb = radial + b * b * slope + 6.0 * lens.p1 * b + 2.0 * lens.p2 * a
     mixed = a * b * slope + 2.0 * lens.p1 * a + 2.0 * lens.p2 * b
-    return value, (
-        radial + a * a * slope + 2.0 * lens.p1 * b + 6.0 * lens.p2 * a,
-        mixed,
-        mixed,
-        radial + b * b * slope + 6.0 * lens.p1 * b + 2.0 * lens.p2 * a,
-    )
+    return np.stack((moved_a, moved_b), axis=-1), (aa, mixed, mixed, bb)

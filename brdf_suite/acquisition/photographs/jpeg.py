@@ -65,6 +65,5 @@ def jpeg_pixels(content: bytes, path: PathLike) -> NDArray[np.uint8]:
     parts = jpeg_parts(content, path)
     if parts.exif_at:
         # Pillow would warn of a damaged block, which does not matter to the pixels.
-        end = parts.exif_at + len(_EXIF)
-        content = content[: parts.exif_at] + b"Left\0\0" + content[end:]
+        content = content[: parts.exif_at] + b"Left\0\0" + content[parts.exif_at + len(_EXIF) :]
     return read_rgb(path, ("JPEG",), content=content, most_bytes=MOST_OWN_BYTES)

@@ -15,16 +15,51 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.acquisition.photographs.png_filters import unfilter
+from brdf_suite.compilation import Array, compiled
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import check_made
-
-Content = bytes | mmap.mmap
-"""Of a file: as bytes, or mapped, so that only what is asked for is read."""
 
 SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _CHANNELS = {0: 1, 2: 3, 4: 2, 6: 4}
 MOST_PIXELS = 1 << 28
+
+
+@compiled
+def unfilter(rows: Array, filters: Array, step: int) -> None:
+    """Turn filtered ``rows`` (h, bytes) uint8 into plain ones in place; ``step`` is the bytes of a pixel.
+
+    Compiled, since each byte depends on earlier ones, so that numpy cannot vectorise it.
+    """
+    height, width = rows.shape
+    for y in range(height):
+        kind = filters[y]
+        if kind == 0:
+            continue
+        for x in range(width):
+            left = int(rows[y, x - step]) if x >= step else 0
+            above = int(rows[y - 1, x]) if y > 0 else 0
+            if kind == 1:
+                guess = left
+            elif kind == 2:
+                guess = above
+            elif kind == 3:
+                guess = (left + above) >> 1
+            else:
+                corner = int(rows[y - 1, x - step]) if x >= step and y > 0 else 0
+                # Paeth: whichever of the three lies nearest to left + above - corner.
+                by_left, by_above = abs(above - corner), abs(left - corner)
+                by_corner = abs(left + above - 2 * corner)
+                if by_left <= by_above and by_left <= by_corner:
+                    guess = left
+                elif by_above <= by_corner:
+                    guess = above
+                else:
+                    guess = corner
+            rows[y, x] = (int(rows[y, x]) + guess) & 255
+
+
+Content = bytes | mmap.mmap
+"""Of a file: as bytes, or mapped, so that only what is asked for is read."""
 
 
 @dataclass(frozen=True)
@@ -65,16 +100,14 @@ def png_parts(content: Content, path: PathLike) -> PngParts:
         ended = kind == b"IEND"
         at = end
     if not ended:
-        raise FileError(
-            path, f"ends within a chunk, after {len(content):,} bytes; it was not copied whole", f"byte {at}"
-        )
+        reason = f"ends within a chunk, after {len(content):,} bytes; it was not copied whole"
+        raise FileError(path, reason, f"byte {at}")
     if len(header) != 13 or not packed:
         raise FileError(path, "has no header or no pixels; it is damaged", "byte 8")
     width, height, bits, colour, _, _, interlace = struct.unpack(">IIBBBBB", header)
     if colour not in _CHANNELS or bits not in (8, 16):
-        raise FileError(
-            path, "has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel", "IHDR"
-        )
+        reason = "has a palette or fewer than 8 bits; a photograph has 8 or 16 bits a channel"
+        raise FileError(path, reason, "IHDR")
     if not 0 < width * height <= MOST_PIXELS:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read", "IHDR")
     check_made(path, width * height * _CHANNELS[colour] * bits // 8, "its pixels", "IHDR")

@@ -7,6 +7,7 @@ Nothing is converted: codes are those of the file, and of three equal channels w
 from __future__ import annotations
 
 import mmap
+import os
 import stat
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,20 +20,34 @@ from numpy.typing import NDArray
 
 from brdf_suite.acquisition.photographs.jpeg import jpeg_parts, jpeg_pixels
 from brdf_suite.acquisition.photographs.png import SIGNATURE, Content, png_parts, png_pixels
-from brdf_suite.acquisition.photographs.raw import RAW_ENDINGS, raw_facts, raw_pixels
-from brdf_suite.acquisition.photographs.tiff import tiff_facts, tiff_pixels
-from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
-from brdf_suite.errors import FileError, PathLike
+from brdf_suite.acquisition.photographs.tiff import first_page, read_exposure, tiff_facts, tiff_pixels
+from brdf_suite.errors import ExtraError, FileError, PathLike
+from brdf_suite.extras import import_extra
 from brdf_suite.files.bounded_reading import within_memory
 from brdf_suite.files.images.exr.image import read_exr
 from brdf_suite.files.images.radiance import read_radiance
 
 Kind = Literal["png", "tiff", "jpeg", "exr", "hdr", "raw"]
 
+RAW_ENDINGS = (
+    *(".dng", ".nef", ".cr2", ".cr3", ".crw", ".arw", ".raf"),
+    *(".orf", ".rw2", ".pef", ".srw", ".iiq", ".3fr"),
+)
+"""Of camera files, which are known by their names alone: most begin as TIFF. LibRaw reads them, by rawpy."""
+
 ENDINGS = (".png", ".tif", ".tiff", ".jpg", ".jpeg", ".exr", ".hdr", *RAW_ENDINGS)
 """Of files that can be photographs."""
 
 LARGEST_FILE = 2 << 30
+
+_MAGIC: dict[bytes, Kind] = {
+    SIGNATURE: "png",
+    b"II*\0": "tiff",
+    b"MM\0*": "tiff",
+    b"\xff\xd8\xff": "jpeg",
+    b"\x76\x2f\x31\x01": "exr",
+    b"#?": "hdr",
+}
 
 
 @dataclass(frozen=True)
@@ -87,11 +102,6 @@ def read_photograph(path: PathLike) -> Photograph:
     return Photograph(_three_channels(codes, path), facts)
 
 
-def exif_time(path: PathLike) -> float | None:
-    """Return the exposure time in seconds stored in a photograph; errors as :func:`photograph_facts`."""
-    return photograph_facts(path).exposure_s
-
-
 @contextmanager
 def _opened(path: PathLike) -> Iterator[Content]:
     """Yield a file's content; of what is not asked for, nothing is read."""
@@ -123,9 +133,8 @@ def _facts(content: Content, path: PathLike) -> PhotographFacts:
         return PhotographFacts(kind, *tiff_facts(path))
     if kind == "jpeg":
         jpeg = jpeg_parts(content[:], path)
-        return PhotographFacts(
-            kind, jpeg.width, jpeg.height, 8, _exposure(jpeg.exif, path) if jpeg.exif else None
-        )
+        time = _exposure(jpeg.exif, path) if jpeg.exif else None
+        return PhotographFacts(kind, jpeg.width, jpeg.height, 8, time)
     if kind == "raw":
         return PhotographFacts(kind, *raw_facts(path))
     height, width = _float_pixels(kind, path).shape[:2]
@@ -135,26 +144,15 @@ def _facts(content: Content, path: PathLike) -> PhotographFacts:
 def _kind(start: bytes, path: PathLike) -> Kind:
     if Path(path).suffix.lower() in RAW_ENDINGS:
         return "raw"
-    known: dict[bytes, Kind] = {
-        SIGNATURE: "png",
-        b"II*\0": "tiff",
-        b"MM\0*": "tiff",
-        b"\xff\xd8\xff": "jpeg",
-        b"\x76\x2f\x31\x01": "exr",
-        b"#?": "hdr",
-    }
-    for magic, kind in known.items():
+    for magic, kind in _MAGIC.items():
         if start.startswith(magic):
             return kind
-    raise FileError(
-        path,
-        "is no photograph that is read here: PNG, TIFF, JPEG, OpenEXR, Radiance or a camera's raw file",
-        "byte 0",
-    )
+    known = "PNG, TIFF, JPEG, OpenEXR, Radiance or a camera's raw file"
+    raise FileError(path, f"is no photograph that is read here: {known}", "byte 0")
 
 
 def _exposure(block: bytes, path: PathLike) -> float | None:
-    """Return the time in an EXIF block; None for a damaged block, as the pixels do not depend on it."""
+    """Return the time in an EXIF block; None for a damaged one, as the pixels do not depend on it."""
     try:
         with first_page(block, path) as page:
             return read_exposure(page)
@@ -179,3 +177,53 @@ def _three_channels(codes: NDArray[Any], path: PathLike) -> NDArray[Any]:
     if channels not in (3, 4):
         raise FileError(path, f"has {channels} channels; expected grey or red, green, blue")
     return np.ascontiguousarray(codes[..., :3])
+
+
+@contextmanager
+def _opened_raw(path: PathLike) -> Iterator[tuple[Any, Any]]:
+    """Yield the module and the opened file; whatever LibRaw says becomes :class:`FileError`."""
+    try:
+        rawpy = import_extra(
+            "rawpy", purpose="a camera's raw file", instead="a TIFF of 16 bits needs nothing more"
+        )
+    except ExtraError as error:
+        raise FileError(path, error.reason) from error
+    try:
+        with rawpy.imread(os.fspath(path)) as raw:
+            yield rawpy, raw
+    except rawpy.LibRawError as error:
+        detail = error.args[0] if error.args else ""
+        text = detail.decode("utf-8", "replace") if isinstance(detail, bytes) else str(detail)
+        raise FileError(path, f"cannot be read as a raw file ({text or type(error).__name__})") from error
+
+
+def raw_facts(path: PathLike) -> tuple[int, int, int, float | None]:
+    """Return width, height, bits and exposure time of the picture; unpacks its data to detect truncation."""
+    with _opened_raw(path) as (_, raw):
+        if not raw.raw_image_visible.size:
+            raise FileError(path, "holds no picture")
+        seconds = float(raw.other.shutter_speed)
+        return int(raw.sizes.iwidth), int(raw.sizes.iheight), 16, seconds if seconds > 0.0 else None
+
+
+def raw_pixels(path: PathLike) -> NDArray[np.uint16]:
+    """Return (h, w, 3) uint16, linear: demosaiced and black taken off, in the sensor's own channels.
+
+    Neither white balance nor brightening nor a curve is applied, and the scale is that of full saturation, so that
+    photographs of one camera can be compared. Fine detail is interpolated as LibRaw's AHD does.
+    """
+    with _opened_raw(path) as (rawpy, raw):
+        pixels = raw.postprocess(
+            gamma=(1.0, 1.0),
+            no_auto_bright=True,
+            output_bps=16,
+            use_camera_wb=False,
+            use_auto_wb=False,
+            user_wb=[1.0, 1.0, 1.0, 1.0],
+            output_color=rawpy.ColorSpace.raw,
+            highlight_mode=rawpy.HighlightMode.Clip,
+            user_flip=0,
+            no_auto_scale=False,
+            adjust_maximum_thr=0.0,
+        )
+    return np.asarray(pixels, np.uint16)

@@ -1,27 +1,29 @@
 """TIFF reader by tifffile: 8 or 16 bits or floats, grey or RGB, strips or tiles, plain or deflated.
 
-Other packings (LZW, JPEG in TIFF) are left to OpenCV where it is installed. What tifffile lets pass is asked for
-here: strips that reach beyond the file's end or hold less than their pixels, and sizes that no memory holds.
+EXIF blocks are TIFF without pixels (CIPA DC-008). Other packings (LZW, JPEG in TIFF) are left to OpenCV where it is
+installed. What tifffile lets pass is asked for here: strips that reach beyond the file's end or hold less than their
+pixels, and sizes that no memory holds.
 """
 
 from __future__ import annotations
 
+import logging
 import math
+import os
 import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from tifffile import TiffFile, TiffPage
 
-from brdf_suite.acquisition.photographs.tiff_pages import first_page, read_exposure
 from brdf_suite.errors import ExtraError, FileError, PathLike
 from brdf_suite.extras import import_extra
 from brdf_suite.files.bounded_reading import check_made
-
-if TYPE_CHECKING:
-    from tifffile import TiffPage
-
 
 MOST_PIXELS = 1 << 28
 _MOST_CHANNELS = 5
@@ -34,6 +36,7 @@ _DEFLATE_RATIO = 1032
 """That deflate packs at most to 1."""
 _FREE_SIZE = 1 << 28
 """Bytes that a strip may unpack to without a look at what it does."""
+_EXPOSURE_TIME, _SHUTTER_SPEED, _EXIF = 33434, 37377, 34665
 
 
 def tiff_facts(path: PathLike) -> tuple[int, int, int | None, float | None]:
@@ -87,9 +90,8 @@ def _check_layout(page: TiffPage, path: PathLike) -> None:
         raise FileError(path, f"is {width} × {height} pixels; up to {MOST_PIXELS:,} are read")
     if not 1 <= channels <= _MOST_CHANNELS:
         raise FileError(path, f"has {channels} channels; up to {_MOST_CHANNELS} are read")
-    check_made(
-        path, width * height * channels * -(-page.bitspersample // 8), "its pixels", "field ImageWidth"
-    )
+    size = width * height * channels * -(-page.bitspersample // 8)
+    check_made(path, size, "its pixels", "field ImageWidth")
     if page.imagedepth != 1:
         raise FileError(path, f"is a volume of {page.imagedepth} pictures; a photograph is one")
     needed, size = math.prod(page.chunked), page.parent.filehandle.size
@@ -131,15 +133,13 @@ def _check_unpacked_size(page: TiffPage, path: PathLike) -> None:
             continue
         page.parent.filehandle.seek(at)
         try:
-            length = len(
-                zlib.decompressobj().decompress(page.parent.filehandle.read(count), wanted + _FREE_SIZE)
-            )
+            packed = page.parent.filehandle.read(count)
+            length = len(zlib.decompressobj().decompress(packed, wanted + _FREE_SIZE))
         except zlib.error as error:
             raise FileError(path, f"has a strip that cannot be unpacked ({error}); it is damaged") from error
         if length == wanted + _FREE_SIZE:
-            raise FileError(
-                path, "has a strip that unpacks to more than its pixels; it is damaged", f"byte {at}"
-            )
+            reason = "has a strip that unpacks to more than its pixels; it is damaged"
+            raise FileError(path, reason, f"byte {at}")
 
 
 def _by_opencv(path: PathLike) -> NDArray[Any]:
@@ -160,5 +160,56 @@ def _by_opencv(path: PathLike) -> NDArray[Any]:
         cv2.utils.logging.setLogLevel(level)
     if pixels is None:
         raise FileError(path, "is a TIFF that cannot be unpacked; write it without compression")
-    coloured: NDArray[Any] = pixels[..., None] if pixels.ndim == 2 else pixels[..., 2::-1]
-    return coloured
+    return np.asarray(pixels[..., None] if pixels.ndim == 2 else pixels[..., 2::-1])
+
+
+# What tifffile misses in a file goes to its log: damage, which the error reports once, and every field that
+# an EXIF block, being no image, has not. A session of thousands of photographs would fill the programs' logs with it.
+logging.getLogger("tifffile").setLevel(logging.CRITICAL)
+
+
+@contextmanager
+def first_page(source: PathLike | bytes, path: PathLike) -> Iterator[TiffPage]:
+    """Yield the first page of the file, or block of bytes, ``source``; ``path`` is what errors name.
+
+    Whatever goes wrong in the ``with`` block is taken as damage of the file.
+
+    Raises
+    ------
+    FileError
+        It is no TIFF, damaged, or cut off.
+    """
+    opened = BytesIO(source) if isinstance(source, bytes) else os.fspath(source)
+    try:
+        # By its name alone tifffile would take a file as NDPI, whose offsets are read otherwise.
+        with TiffFile(opened, is_ndpi=False) as tiff:
+            try:
+                page = tiff.pages.first
+            except IndexError as error:
+                reason = "ends before its fields do; it was not copied whole"
+                raise FileError(path, reason, "byte 4") from error
+            yield page
+    except FileError:
+        raise
+    except Exception as error:
+        # A parser of many dialects meets damage anywhere: as a key, a type, a division, a size of memory.
+        raise FileError(path, f"is a damaged TIFF; its fields contradict each other ({error})") from error
+
+
+def read_exposure(page: TiffPage) -> float | None:
+    """Return the exposure time in seconds that a page or its EXIF folder names, or None where they name none."""
+    folder = page.tags.valueof(_EXIF)
+    named: dict[str, Any] = folder if isinstance(folder, dict) else {}
+    time = _number(page.tags.valueof(_EXPOSURE_TIME, default=named.get("ExposureTime")))
+    if time is not None and time > 0.0:
+        return time
+    speed = _number(page.tags.valueof(_SHUTTER_SPEED, default=named.get("ShutterSpeedValue")))
+    # The shutter's speed is the logarithm to base 2 of 1 over the time.
+    return None if speed is None else 2.0 ** -min(max(speed, -40.0), 40.0)
+
+
+def _number(value: object) -> float | None:
+    """Return the value of a rational, stored as a pair by tifffile, or a plain number; None for anything else."""
+    if isinstance(value, tuple) and len(value) == 2 and all(isinstance(part, int) for part in value):
+        return value[0] / value[1] if value[1] else None
+    return float(value) if isinstance(value, int | float) and abs(value) < 1e30 else None

@@ -8,8 +8,8 @@ Of exposures near saturation, those are taken whose *predicted* exposure stays t
 
 from __future__ import annotations
 
+import math
 import os
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import cast
@@ -17,20 +17,47 @@ from typing import cast
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.radiance import merge_kernels as compiled_merge
-from brdf_suite.acquisition.radiance.dark_frame import Dark
 from brdf_suite.acquisition.response.response import Response
-from brdf_suite.arrays import Codes, Floats, Singles
+from brdf_suite.arrays import Bools, Codes, Floats, Singles
+from brdf_suite.compilation import Array, compiled
 from brdf_suite.errors import ValueRangeError
 
 OUTSIDE, GOOD, DARK, CLIPPED = 0, 1, 2, 3
 """States of a pixel: not in the mask; measured; below its noise in all exposures; clipped in all exposures."""
 
 _DARK_SIGNAL = 3.0
+# Squared: how many standard deviations a predicted exposure must stay below saturation.
+_ROOM = 9.0
+_CLEAR = 225.0  # squared: how many times its noise an exposure must be to inform the exposure times
+_EVERY = 5  # of the pixels are used for the exposure times: a logarithm takes longer than all else
 _ROWS = 32
 # Float pictures carry no information on their noise: assume a thousandth of the signal.
 _FLOAT_NOISE = 1e-3
 _FEWEST_PAIRS = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Dark:
+    """Exposure without light: ``offset + rate·t``.
+
+    Attributes
+    ----------
+    offset
+        (h, w, channels) float32, exposure.
+    rate
+        (h, w, channels) float32, exposure per second.
+    hot
+        (h, w) whether a pixel's current stands out far from that of its neighbours.
+    """
+
+    offset: Singles
+    rate: Singles
+    hot: Bools
+
+    def cropped(self, rows: slice, columns: slice) -> Dark:
+        """Return the dark frame of a part of the picture."""
+        offset, rate, hot = self.offset[rows, columns], self.rate[rows, columns], self.hot[rows, columns]
+        return Dark(np.ascontiguousarray(offset), np.ascontiguousarray(rate), np.ascontiguousarray(hot))
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,22 +91,14 @@ class MergedRadiance:
     dark_share: Floats
 
     @property
-    def saturated(self) -> npt.NDArray[np.bool_]:
+    def saturated(self) -> Bools:
         """Return (h, w) where any channel is clipped in all exposures."""
         return np.asarray(np.any(self.state == CLIPPED, axis=-1))
 
     @property
-    def good(self) -> npt.NDArray[np.bool_]:
+    def good(self) -> Bools:
         """Return (h, w) where every channel is measured, be it as dark."""
         return np.asarray(np.all((self.state == GOOD) | (self.state == DARK), axis=-1))
-
-    @property
-    def certainty(self) -> Singles:
-        """Return (h, w, channels) one over the variance, 0 where clipped or outside."""
-        usable = (self.state == GOOD) | (self.state == DARK)
-        answer = np.zeros_like(self.variance)
-        np.divide(1.0, self.variance, out=answer, where=usable & (self.variance > 0.0))
-        return answer
 
 
 def merge(
@@ -88,7 +107,7 @@ def merge(
     response: Response | None = None,
     *,
     dark: Dark | None = None,
-    flat: npt.NDArray[np.float32] | None = None,
+    flat: Singles | None = None,
     mask: npt.ArrayLike | None = None,
     threads: int | None = None,
 ) -> MergedRadiance:
@@ -122,114 +141,77 @@ def merge(
     _, height, width, channels = stack.shape
     allowed = np.ones((1, 1), bool) if mask is None else np.ascontiguousarray(mask, bool)
     gain = np.ones((1, 1, channels), np.float32) if flat is None else np.ascontiguousarray(flat, np.float32)
-    _fits("mask", allowed, (height, width), mask is not None)
-    _fits("flat", gain, (height, width, channels), flat is not None)
+    if mask is not None:
+        _fits("mask", allowed, (height, width))
+    if flat is not None:
+        _fits("flat", gain, (height, width, channels))
     if np.issubdtype(stack.dtype, np.floating):
-        return _merge_floats(
-            np.asarray(stack, np.float32), times, gain, np.broadcast_to(allowed, (height, width))
-        )
+        floats = np.asarray(stack, np.float32)
+        return _merge_floats(floats, times, gain, np.broadcast_to(allowed, (height, width)))
     if response is None:
         raise ValueRangeError("response", "photographs of whole codes need the response of their camera")
     if response.channels != channels:
         raise ValueRangeError("response", f"it has {response.channels} channels, the photographs {channels}")
-    nothing = np.zeros((1, 1, channels), np.float32)
-    offset = nothing if dark is None else dark.offset
-    rate = nothing if dark is None else dark.rate
-    _fits("dark", offset, (height, width, channels), dark is not None)
+    if dark is not None:
+        _fits("dark", dark.offset, (height, width, channels))
     if stack.dtype not in (np.uint8, np.uint16):
         raise ValueRangeError("stack", f"expected codes of 8 or 16 bits or floats, not {stack.dtype}")
     codes = cast(Codes, np.ascontiguousarray(stack))
-    return _merge_codes(codes, times, response, offset, rate, gain, allowed, threads)
+    return _merge_codes(codes, times, response, dark, gain, allowed, threads)
 
 
 def _merge_codes(
     stack: Codes,
     times: Floats,
     response: Response,
-    offset: Singles,
-    rate: Singles,
+    dark: Dark | None,
     gain: Singles,
-    allowed: npt.NDArray[np.bool_],
+    allowed: Bools,
     threads: int | None,
 ) -> MergedRadiance:
     count, height, width, channels = stack.shape
     size = 1 << response.bit_depth
     if response.bit_depth < 8 * stack.itemsize and int(stack.max(initial=0)) >= size:
         raise ValueRangeError("stack", f"it holds codes above the {size - 1} of {response.bit_depth} bits")
-    radiance = np.empty((height, width, channels), np.float32)
-    variance = np.empty_like(radiance)
-    state = np.empty((height, width, channels), np.uint8)
+    # Each an array of its own: the variance may be dropped while the radiance is kept.
+    made = tuple(np.empty((height, width, channels), kind) for kind in (np.float32, np.float32, np.uint8))
     starts = range(0, height, _ROWS)
     pairs = np.zeros((len(starts), count - 1, 3))
     clipped = np.zeros((len(starts), count), np.int64)
-    dark = np.zeros((len(starts), count + 1), np.int64)
-    table = response.exposure.astype(np.float32)
-    rounding = response.rounding_variance().astype(np.float32)
-    top = response.exposure[np.arange(channels), response.highest].astype(np.float32)
+    unlit = np.zeros((len(starts), count + 1), np.int64)
+    noise = (response.rounding_variance(), response.read, response.shot)
+    camera = (*(part.astype(np.float32) for part in (response.exposure, *noise)), response.highest)
+    nothing = np.zeros((1, 1, channels), np.float32)
+    offset, rate = (nothing, nothing) if dark is None else (dark.offset, dark.rate)
+    times = times.astype(np.float32)
 
     def rows(k: int) -> None:
-        compiled_merge.merge_rows(
-            stack,
-            times.astype(np.float32),
-            table,
-            rounding,
-            response.read.astype(np.float32),
-            response.shot.astype(np.float32),
-            response.highest,
-            top,
-            offset,
-            rate,
-            gain,
-            allowed,
-            starts[k],
-            min(height, starts[k] + _ROWS),
-            _DARK_SIGNAL,
-            radiance,
-            variance,
-            state,
-            pairs[k],
-            clipped[k],
-            dark[k],
-        )
+        end = min(height, starts[k] + _ROWS)
+        sums = (pairs[k], clipped[k], unlit[k])
+        merge_rows(stack, times, camera, (offset, rate, gain, allowed), starts[k], end, made, sums)
 
-    _each(rows, len(starts), threads)
+    # The kernel holds no lock of the interpreter, so that threads share the rows.
+    with ThreadPoolExecutor(threads or min(4, os.cpu_count() or 1)) as pool:
+        list(pool.map(rows, range(len(starts))))
     every = pairs.sum(axis=0)
     known = every[:, 0] >= _FEWEST_PAIRS
     amount = np.where(known, every[:, 0], 1.0)
-    pixels = max(1, int(dark[:, count].sum()))
+    pixels = max(1, int(unlit[:, count].sum()))
     return MergedRadiance(
-        radiance,
-        variance,
-        state,
+        *made,
         np.where(known, every[:, 1] / amount, np.nan),
         np.where(known, every[:, 2] / amount, 0.0),
         clipped.sum(axis=0) / pixels,
-        dark[:, :count].sum(axis=0) / pixels,
+        unlit[:, :count].sum(axis=0) / pixels,
     )
 
 
-def _each(work: Callable[[int], None], count: int, threads: int | None) -> None:
-    """Call ``work`` for 0 … count - 1: the kernel holds no lock of the interpreter, so that threads share the rows."""
-    if threads is None:
-        threads = min(4, os.cpu_count() or 1)
-    if threads <= 1 or count <= 1:
-        for k in range(count):
-            work(k)
-        return
-    with ThreadPoolExecutor(threads) as pool:
-        for _ in pool.map(work, range(count)):
-            pass
-
-
-def _merge_floats(
-    stack: Singles, times: Floats, gain: Singles, allowed: npt.NDArray[np.bool_]
-) -> MergedRadiance:
+def _merge_floats(stack: Singles, times: Floats, gain: Singles, allowed: Bools) -> MergedRadiance:
     """Return the mean of float pictures weighted by exposure time; they have no detectable clipping."""
     if not np.all(np.isfinite(stack)):
         place = np.argwhere(~np.isfinite(stack))[0]
-        raise ValueRangeError(
-            "stack", f"exposure {place[0] + 1} is not a number at column {place[2]}, row {place[1]}"
-        )
+        reason = f"exposure {place[0] + 1} is not a number at column {place[2]}, row {place[1]}"
+        raise ValueRangeError("stack", reason)
     value = np.tensordot(np.ones(len(times), np.float32), stack, 1) / np.float32(times.sum()) / gain
     value = np.where(allowed[..., None], value, np.float32(0.0))
     none = np.zeros(len(times))
@@ -244,6 +226,134 @@ def _merge_floats(
     )
 
 
-def _fits(name: str, array: npt.NDArray[np.generic], shape: tuple[int, ...], given: bool) -> None:
-    if given and array.shape != shape:
+def _fits(name: str, array: npt.NDArray[np.generic], shape: tuple[int, ...]) -> None:
+    if array.shape != shape:
         raise ValueRangeError(name, f"the shape is {array.shape}, the pictures' is {shape}")
+
+
+@compiled
+def merge_rows(
+    stack: Array, times: Array, camera: Array, maps: Array, first: int, end: int, made: Array, sums: Array
+) -> None:
+    """Merge rows ``first`` … ``end - 1`` of ``stack`` (n, h, w, channels) of codes, row by row to stay in cache.
+
+    ``camera``: exposure and variance by rounding of a code (channels, codes); of each channel the standard deviation
+    of reading, the variance over exposure, and the last code that is not clipped. ``maps``: offset and rate of the
+    dark frame and the flat field (1 or h, 1 or w, channels), and what may be used (1 or h, 1 or w). ``made`` is
+    filled: radiance, variance and state (h, w, channels). ``sums`` are added to, for these rows: (n - 1, 3) of the
+    logarithm of the ratio of exposures next to each other (count, sum, how many fell), (n,) clipped and (n + 1,) dark
+    pixels of each exposure, and in the last place all.
+    """
+    table, rounding, read, shot, highest = camera
+    offset, rate, flat, mask = maps
+    radiance, variance, state = made
+    pairs, clipped, dark = sums
+    exposures, _, width, channels = stack.shape
+    sum_z = np.zeros((width, channels), np.float32)
+    sum_t = np.zeros((width, channels), np.float32)
+    sum_w = np.zeros((width, channels), np.float32)
+    sum_wz = np.zeros((width, channels), np.float32)
+    columns = np.zeros(width, np.int64)
+    for row in range(first, end):
+        dark_row = row if offset.shape[0] > 1 else 0
+        flat_row = row if flat.shape[0] > 1 else 0
+        mask_row = row if mask.shape[0] > 1 else 0
+        used = 0
+        for x in range(width):
+            if mask[mask_row, x if mask.shape[1] > 1 else 0]:
+                columns[used] = x
+                used += 1
+        for x in range(width):
+            for c in range(channels):
+                sum_z[x, c] = sum_t[x, c] = sum_w[x, c] = sum_wz[x, c] = 0.0
+                radiance[row, x, c] = 0.0
+                variance[row, x, c] = 0.0
+                state[row, x, c] = OUTSIDE
+        # What all exposures that are not clipped say together: a first guess, free of the noise of weights.
+        for i in range(exposures):
+            t = times[i]
+            for c in range(channels):
+                black = _DARK_SIGNAL * read[c]
+                limit = highest[c]
+                above = 0
+                below = 0
+                for k in range(used):
+                    x = columns[k]
+                    y = stack[i, row, x, c]
+                    if y <= limit:
+                        z = table[c, y] - offset[dark_row, x if offset.shape[1] > 1 else 0, c]
+                        sum_z[x, c] += z
+                        sum_t[x, c] += t
+                        below += z < black
+                    else:
+                        above += 1
+                clipped[i] += above
+                dark[i] += below
+        dark[exposures] += used * channels
+        for k in range(used):
+            for c in range(channels):
+                x = columns[k]
+                if sum_t[x, c] > 0.0:
+                    sum_z[x, c] /= sum_t[x, c]
+        # Weights from the guess, not from each code: a code that noise made small would weigh more, and bend the mean.
+        for i in range(exposures):
+            t = times[i]
+            for c in range(channels):
+                limit = highest[c]
+                square = read[c] * read[c]
+                for k in range(used):
+                    x = columns[k]
+                    y = stack[i, row, x, c]
+                    if y <= limit:
+                        expected = max(t * sum_z[x, c], np.float32(0.0))
+                        noise = square + shot[c] * expected + rounding[c, y]
+                        # Predicted within its noise of saturation, only the low ones of such codes would be taken.
+                        room = table[c, limit] - expected
+                        if room > 0.0 and room * room > _ROOM * noise:
+                            z = table[c, y] - offset[dark_row, x if offset.shape[1] > 1 else 0, c]
+                            weight = t / noise
+                            sum_w[x, c] += weight * t
+                            sum_wz[x, c] += weight * z
+        for k in range(used):
+            x = columns[k]
+            for c in range(channels):
+                if sum_w[x, c] > 0.0:
+                    value = sum_wz[x, c] / sum_w[x, c]
+                    spread = np.float32(1.0) / sum_w[x, c]
+                    state[row, x, c] = GOOD
+                else:
+                    # The shortest exposure is within its noise of saturation, or clipped as all are.
+                    y = stack[0, row, x, c]
+                    z = table[c, y] - offset[dark_row, x if offset.shape[1] > 1 else 0, c]
+                    value = z / times[0]
+                    noise = read[c] * read[c] + shot[c] * max(z, np.float32(0.0)) + rounding[c, y]
+                    spread = noise / (times[0] * times[0])
+                    state[row, x, c] = GOOD if y <= highest[c] else CLIPPED
+                value -= rate[dark_row, x if rate.shape[1] > 1 else 0, c]
+                if state[row, x, c] == GOOD and value < _DARK_SIGNAL * math.sqrt(spread):
+                    state[row, x, c] = DARK
+                gain = flat[flat_row, x if flat.shape[1] > 1 else 0, c]
+                radiance[row, x, c] = value / gain
+                variance[row, x, c] = spread / (gain * gain)
+        for k in range(row % _EVERY, used, _EVERY):
+            x = columns[k]
+            for c in range(channels):
+                black = offset[dark_row, x if offset.shape[1] > 1 else 0, c]
+                _add_pairs(stack[:, row, x, c], c, camera, black, pairs)
+
+
+@compiled
+def _add_pairs(codes: Array, c: int, camera: Array, offset: float, pairs: Array) -> None:
+    table, rounding, read, shot, highest = camera
+    before = -1.0
+    for i in range(len(codes)):
+        y = codes[i]
+        z = table[c, y] - offset
+        noise = read[c] * read[c] + shot[c] * max(z, 0.0) + rounding[c, y]
+        clear = y <= highest[c] and z > 0.0 and z * z > _CLEAR * noise
+        if clear and before > 0.0:
+            pairs[i - 1, 0] += 1.0
+            pairs[i - 1, 1] += math.log(z / before)
+            if z < before:
+                pairs[i - 1, 2] += 1.0
+        before = z if clear else -1.0

@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.sphere.nominal_geometry import in_rig
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, in_rig, triple
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import AcquisitionError
 
@@ -45,9 +44,8 @@ def irradiance_from_white(
         raise AcquisitionError("The session names no white reference.")
     seen = np.asarray(radiance, float)
     if seen.shape != (3,) or not np.all(np.isfinite(seen) & (seen > 0.0)):
-        raise AcquisitionError(
-            f"The white reference ({white.photographs[0]} …) is dark where it should show the white: check its region."
-        )
+        dark = f"The white reference ({white.photographs[0]} …) is dark where it should show the white"
+        raise AcquisitionError(f"{dark}: check its region.")
     lamp = np.array(session.light_m(float(white.angle_deg)))
     if geometry is not None:
         lamp = np.array(in_rig(geometry, geometry.light(white.angle_deg)))

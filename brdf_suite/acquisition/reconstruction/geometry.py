@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -14,18 +14,15 @@ from brdf_suite.acquisition.geometry.refinement.refinement import (
     calibrate_geometry,
     format_movement_notice,
 )
-from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
+from brdf_suite.acquisition.geometry.sphere.edge import PhotographUnion
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight, find_highlight
-from brdf_suite.acquisition.geometry.sphere.nominal_geometry import nominal_geometry
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline, find_outline
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, nominal_geometry
+from brdf_suite.acquisition.radiance.merge import MergedRadiance
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-    from brdf_suite.acquisition.radiance.merge import MergedRadiance
 
 HIGHLIGHT_STEP_DEG = 5.0
 """Between the positions whose highlights are looked for: 36 of 180 determine the geometry as well as all."""
@@ -55,10 +52,8 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
     """Find the sphere and, where the options say so, correct it and the light."""
     angles = tuple(position.angle_deg for position in photographs.session.positions)
     shiny = highlight_positions(angles, photographs.positions) if photographs.options.refine else ()
-    union, kept = _read(
-        photographs, union_positions(angles, photographs.positions), shiny, subrange(progress, 0.0, 0.8)
-    )
-    left_out: dict[int, str] = {}
+    wide = union_positions(angles, photographs.positions)
+    union, kept = _read(photographs, wide, shiny, subrange(progress, 0.0, 0.8))
     picture = np.asarray(union.picture, np.float32)
     lens = None if photographs.intrinsics is None else photographs.intrinsics.intrinsics
     irradiance, notices = _irradiance(photographs)
@@ -72,29 +67,25 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
             merged = kept.get(k)
             if merged is None and (stack := photographs.readable(k)) is not None:
                 merged = photographs.merged_stack(stack, k)
-            if merged is None:
-                continue
-            clipped = merged.saturated
-            seen = find_highlight(merged.radiance, tried, k, merged.good | clipped, clipped)
-            if seen is not None:
-                highlights.append(seen)
+            if merged is not None:
+                clipped = merged.saturated
+                seen = find_highlight(merged.radiance, tried, k, merged.good | clipped, clipped)
+                if seen is not None:
+                    highlights.append(seen)
         return list(highlights)
 
     with photographs.clock.step("calibrate"):
         outline = find_outline(union, geometry, photographs.mask(None))
         figures: dict[str, Any] = {"outline_rms_px": outline.rms_px}
         if not photographs.options.refine:
-            return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices, left_out)
+            return FoundGeometry(picture, outline, (), None, outline.geometry, figures, notices)
         try:
             refinement = calibrate_geometry(outline, find, subrange(progress, 0.8, 0.9))
         except AcquisitionError as error:
             # A matt sphere has none; what the session states of the lamp is then all there is.
-            notices += (
-                f"Light and sphere could not be corrected by highlights, and stand as stated: {error}",
-            )
-            return FoundGeometry(
-                picture, outline, tuple(highlights), None, outline.geometry, figures, notices, left_out
-            )
+            reason = "Light and sphere could not be corrected by highlights, and stand as stated"
+            notices += (f"{reason}: {error}",)
+            return FoundGeometry(picture, outline, (*highlights,), None, outline.geometry, figures, notices)
         if refinement.movements:
             before = list(highlights)
             try:
@@ -103,9 +94,8 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
                 )
             except AcquisitionError as error:
                 highlights[:] = before
-                notices += (
-                    f"The sphere's outline is that of all positions, before and after it moved: {error}",
-                )
+                reason = "The sphere's outline is that of all positions, before and after it moved"
+                notices += (f"{reason}: {error}",)
             else:
                 picture = np.asarray(union.picture, np.float32)
                 figures["outline_rms_px"] = outline.rms_px
@@ -114,20 +104,13 @@ def find_geometry(photographs: SessionPhotographs, progress: Progress | None = N
         "highlight_rms_px": refinement.rms_px,
         "highlight_rms_deg": refinement.rms_deg,
     }
-    notices += _movements(photographs, refinement)
-    for k in refinement.moved_positions:
-        name = photographs.session.positions[k].photographs[0]
-        left_out.setdefault(k, f"{name}: the sphere has moved and stands elsewhere here")
-    return FoundGeometry(
-        picture,
-        outline,
-        tuple(highlights),
-        refinement,
-        with_refined_white(photographs.session, refinement.geometry),
-        figures,
-        notices,
-        left_out,
-    )
+    names = [position.photographs[0] for position in photographs.session.positions]
+    if refinement.movements:
+        notices += (format_movement_notice(refinement, names),)
+    moved = "the sphere has moved and stands elsewhere here"
+    left_out = {k: f"{names[k]}: {moved}" for k in refinement.moved_positions}
+    whole = with_refined_white(photographs.session, refinement.geometry)
+    return FoundGeometry(picture, outline, (*highlights,), refinement, whole, figures, notices, left_out)
 
 
 def _where_it_stood(
@@ -190,19 +173,8 @@ def _irradiance(photographs: SessionPhotographs) -> tuple[tuple[float, float, fl
     merged = photographs.merged_stack(white, None, (slice(top, top + height), slice(left, left + width)))
     if not merged.good.any():
         raise AcquisitionError(f"The white reference ({white.names[0]} …) is saturated in all exposures.")
-    return irradiance_from_white(
-        photographs.session, merged.radiance[merged.good].mean(axis=0, dtype=np.float64)
-    ), ()
-
-
-def _movements(photographs: SessionPhotographs, refinement: Refinement) -> tuple[str, ...]:
-    if not refinement.movements:
-        return ()
-    return (
-        format_movement_notice(
-            refinement, [position.photographs[0] for position in photographs.session.positions]
-        ),
-    )
+    seen = merged.radiance[merged.good].mean(axis=0, dtype=np.float64)
+    return irradiance_from_white(photographs.session, seen), ()
 
 
 def highlight_positions(angles_deg: tuple[float, ...], chosen: tuple[int, ...]) -> tuple[int, ...]:

@@ -1,24 +1,20 @@
-"""What a user chooses of a reconstruction, and what it gives."""
+"""Choices of a reconstruction, and how much of its table was measured: what is shown before and after it.
+
+Light to import, unlike the steps between.
+"""
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from dataclasses import dataclass
+from typing import Literal, get_args
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.coverage import covered_share
-from brdf_suite.arrays import Bools
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
-
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.reconstruction.calibration import Calibration
-    from brdf_suite.acquisition.table.table_from_sums import ParameterizedTable
 
 ResponseChoice = Literal["auto", "linear"]
 BINS = (90, 90, 180)
@@ -63,80 +59,48 @@ class AcquireOptions:
 
     def to_json(self) -> dict[str, object]:
         """Return what decides the result, for the key of a work file."""
-        mask = self.mask
-        digest = (
-            None if mask is None else hashlib.sha256(repr(mask.shape).encode() + np.packbits(mask).tobytes())
-        )
-        return {
-            "grazing_deg": self.grazing_deg,
-            "refine": self.refine,
-            "response": self.response,
-            "mask": None if digest is None else digest.hexdigest(),
-            "compare": self.compare,
-            "bins": list(self.bins),
-        }
+        mask = None
+        if self.mask is not None:
+            content = repr(self.mask.shape).encode() + np.packbits(self.mask).tobytes()
+            mask = hashlib.sha256(content).hexdigest()
+        chosen = {name: value for name, value in vars(self).items() if name != "positions"}
+        return {**chosen, "mask": mask, "bins": list(self.bins)}
 
 
-@dataclass(frozen=True)
-class LeftOut:
-    """A position that gave no readings, and why (a sentence's clause that names the file)."""
+def within(table: IsotropicTable, limit_deg: float = 90.0) -> np.ndarray:
+    """Return (θh, θd, φd) bool: bins whose centre has light and view within ``limit_deg`` of the normal."""
+    theta_h, theta_d, phi_d = table.grid.centres()
+    along = np.outer(np.cos(theta_h), np.cos(theta_d)).astype(np.float32)
+    across = np.outer(np.sin(theta_h), np.sin(theta_d)).astype(np.float32)
+    # z of the two directions is cos θh cos θd ∓ sin θh sin θd cos φd.
+    lowest = along[:, :, None] - across[:, :, None] * np.abs(np.cos(phi_d)).astype(np.float32)
+    return np.asarray(lowest > max(0.0, float(np.cos(np.radians(limit_deg)))))
 
-    position: int
-    reason: str
+
+def covered_share(table: IsotropicTable, limit_deg: float = 90.0) -> float:
+    """Return which share of those bins was measured, 0 to 1."""
+    there = within(table, limit_deg)
+    return float(np.count_nonzero(~np.asarray(table.holes)[there])) / max(1, int(np.count_nonzero(there)))
 
 
-@dataclass(frozen=True, eq=False)
-class Acquired:
-    """A reconstructed table and how it came to be.
+def coverage_map(table: IsotropicTable, limit_deg: float = 90.0) -> Floats:
+    """Return (θd, θh): the share of the bins of φd that was measured, 0 to 1; NaN where none is above the horizon.
 
-    Attributes
-    ----------
-    table
-        Half-angle bins with their coverage, working space.
-    positions_done, positions_failed
-        Which positions gave readings, and which gave none.
-    resumed
-        How many of the positions were taken up from a work file.
-    readings
-        How many readings the table is made of.
-    calibration
-        Response and geometry.
-    notices
-        What the user should know, each a sentence.
-    seconds
-        Time by step: ``read`` (decoding, in the background), ``calibrate``, ``merge``, ``samples``,
-        ``table`` (readings into bins), ``finish`` (means to centres, holes).
-    compared
-        The other layouts by name, where they were asked for.
+    ``limit_deg`` as in :func:`within`.
     """
+    there = within(table, limit_deg)
+    known = there & ~np.asarray(table.holes)
+    count = there.sum(axis=2)
+    share = np.where(count > 0, known.sum(axis=2) / np.maximum(count, 1), np.nan)
+    return np.asarray(share.T, float)
 
-    table: IsotropicTable
-    positions_done: tuple[int, ...]
-    positions_failed: tuple[LeftOut, ...]
-    resumed: int
-    readings: int
-    calibration: Calibration
-    notices: tuple[str, ...] = ()
-    seconds: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
-    compared: Mapping[str, ParameterizedTable] = field(default_factory=lambda: MappingProxyType({}))
 
-    def to_json(self) -> dict[str, Any]:
-        """Return what ``brdf-suite acquire --json`` prints."""
-        coverage = self.table.coverage
-        median = 0.0
-        if coverage is not None and (coverage.samples > 0.0).any():
-            median = float(np.median(coverage.deviation[coverage.samples > 0.0]))
-        return {
-            "positions": len(self.positions_done),
-            "resumed": self.resumed,
-            "left_out": [{"position": one.position, "reason": one.reason} for one in self.positions_failed],
-            "readings": self.readings,
-            "coverage": {
-                "bins": int(np.count_nonzero(self.table.measured_mask())),
-                "share_below_75_deg": covered_share(self.table, 75.0),
-                "median_deviation": median,
-            },
-            "calibration": self.calibration.summary(),
-            "notices": list(self.notices),
-            "seconds": {name: round(value, 3) for name, value in self.seconds.items()},
-        }
+def deviation_map(table: IsotropicTable) -> Floats:
+    """Return (θd, θh): the median relative standard error over φd of what was measured; NaN where nothing was."""
+    if table.coverage is None:
+        return np.full(table.values.shape[1::-1], np.nan)
+    found = np.full(table.values.shape[:2], np.nan)
+    samples, deviation = table.coverage.samples, table.coverage.deviation
+    for h, d in np.argwhere((samples > 0.0).any(axis=2)):
+        found[h, d] = np.median(deviation[h, d][samples[h, d] > 0.0])
+    return found.T

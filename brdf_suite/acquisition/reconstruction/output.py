@@ -6,9 +6,13 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_suite.acquisition.reconstruction.options import Acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import kept_calibration, kept_positions, reconstruct
+from brdf_suite.acquisition.reconstruction.table import (
+    Acquired,
+    kept_calibration,
+    kept_positions,
+    reconstruct,
+)
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.files.measured.merl import write_merl
@@ -46,7 +50,13 @@ def acquire(
     work = work_path(output)
     calibration = None if restart else kept_calibration(acquisition, work)
     if calibration is None:
-        _check_files(acquisition, progress)
+        # What nothing can be made of is refused, and warnings are kept for the user.
+        report(progress, 0.0, "checking the files")
+        for finding in acquisition.source.findings(None):
+            if finding.severity == "fatal":
+                raise finding.error()
+            if finding.severity == "warning":
+                acquisition.notice(f"{finding.path}: {finding.reason}.")
         acquisition.calibrate(subrange(progress, 0.0, 0.25))
     else:
         acquisition.take_calibration(calibration)
@@ -54,16 +64,6 @@ def acquire(
     write_acquired(found, output, overwrite=overwrite)
     work.unlink()
     return found
-
-
-def _check_files(acquisition: Acquisition, progress: Progress | None) -> None:
-    """Refuse what nothing can be made of, and keep the warnings for the user."""
-    report(progress, 0.0, "checking the files")
-    for finding in acquisition.check(None):
-        if finding.severity == "fatal":
-            raise finding.error()
-        if finding.severity == "warning":
-            acquisition.notice(f"{finding.path}: {finding.reason}.")
 
 
 def acquire_partial(
@@ -99,9 +99,8 @@ def acquire_partial(
 def check_output(output: Path, overwrite: bool = False) -> None:
     """Raise :class:`FileError` where ``output`` could not be written in the end."""
     if output.suffix.lower() not in WRITERS:
-        raise FileError(
-            output, f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
-        )
+        reason = f"a table goes into one of {', '.join(WRITERS)}; give it one of these endings"
+        raise FileError(output, reason)
     if output.exists() and not overwrite:
         raise FileError(output, "exists already and is left as it is; choose another name, or --overwrite")
     if not output.parent.is_dir():
@@ -114,15 +113,11 @@ def write_acquired(found: Acquired, output: Path, *, overwrite: bool = False) ->
     return WRITERS[output.suffix.lower()](found.table, output)
 
 
-def _write_own(table: IsotropicTable, path: Path) -> tuple[str, ...]:
-    return write_brdftable(table, path)
-
-
 def _write_merl(table: IsotropicTable, path: Path) -> tuple[str, ...]:
     return (*write_merl(table, path), "coverage and uncertainty are not held by this format")
 
 
 WRITERS: dict[str, Callable[[IsotropicTable, Path], tuple[str, ...]]] = {
-    ".brdftable": _write_own,
+    ".brdftable": write_brdftable,
     ".binary": _write_merl,
 }

@@ -7,34 +7,40 @@ deterministic: resumed after a crash, a table comes out the same to the last bit
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration, calibrate_intrinsics
+from brdf_suite.acquisition.geometry.refinement.refinement import Refinement
+from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
+from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
-from brdf_suite.acquisition.reconstruction.calibration import Calibration
+from brdf_suite.acquisition.radiance.sensor_maps import black_codes
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
-from brdf_suite.acquisition.reconstruction.options import AcquireOptions
-from brdf_suite.acquisition.reconstruction.photographs import SessionPhotographs
-from brdf_suite.acquisition.reconstruction.response import find_response
-from brdf_suite.acquisition.reconstruction.source import FolderSource, PhotographSource, Stack
+from brdf_suite.acquisition.reconstruction.photographs import (
+    AcquireOptions,
+    Calibration,
+    FolderSource,
+    PhotographSource,
+    SessionPhotographs,
+)
+from brdf_suite.acquisition.response.fit import ResponseFit, calibrate_response
+from brdf_suite.acquisition.response.response import Response, srgb_response
+from brdf_suite.acquisition.response.samples import ResponseSamples, spread
+from brdf_suite.acquisition.session.series import PhotographSeries
 from brdf_suite.acquisition.session.store import read_session, session_path
 from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report, subrange
 
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.geometry.refinement.refinement import Refinement
-    from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
-    from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
-    from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
-    from brdf_suite.acquisition.radiance.merge import MergedRadiance
-    from brdf_suite.acquisition.response.fit import ResponseFit
-    from brdf_suite.acquisition.response.response import Response
+RESPONSE_POSITIONS = 8
+"""Spread over the arc; each holds millions of pixels, and all codes are seen in a few."""
 
 
 class Acquisition(SessionPhotographs):
@@ -83,11 +89,57 @@ class Acquisition(SessionPhotographs):
             No photograph can be read.
         """
         self.response_fit = None
-        found = find_response(self, progress)
-        self.response_fit = found.fit
-        self._figures |= found.figures
-        self.set_response(found.response)
+        camera = self.session.camera
+        kind = "linear" if self.options.response == "linear" else camera.response
+        dark = self.series("dark")
+        samples = self._response_samples(subrange(progress, 0.0, 0.6))
+        if samples is None:
+            self._figures["response"] = "photographs are linear (float files)"
+            self.set_response(None)
+            return None
+        with self.clock.step("calibrate"):
+            fit = calibrate_response(
+                samples,
+                None if dark is None else black_codes(dark.codes),
+                linear=kind == "linear",
+                known=srgb_response(camera.bit_depth) if kind == "srgb" else None,
+                progress=subrange(progress, 0.6, 1.0),
+            )
+        self.response_fit = fit
+        found = "linear" if fit.response.linear else "recovered"
+        self._figures |= {
+            "response": "sRGB, as the session states" if kind == "srgb" else found,
+            "response_pixels": int(fit.pixels.min()),
+            "largest_time_error": float(np.abs(np.expm1(fit.time_residuals)).max()),
+        }
+        self.set_response(fit.response)
         return self.response
+
+    def _response_samples(self, progress: Progress | None) -> ResponseSamples | None:
+        """Return pixels of some positions, those that have the same photographs; None for float files."""
+        chosen, mask = self.positions, self.mask(None)
+        places = [chosen[place] for place in spread(len(chosen), RESPONSE_POSITIONS)]
+        # Codes of one exposure stand in one column, so positions that lack different photographs may not be mixed.
+        by_times: dict[tuple[float, ...], ResponseSamples] = {}
+        counts: Counter[tuple[float, ...]] = Counter()
+        for n, k in enumerate(places):
+            report(progress, n / len(places), "reading for the response")
+            stack = self.readable(k)
+            if stack is None and not by_times and n == len(places) - 1:
+                # None of those: the first one that can be read at all, or the reason of the last.
+                *others, last = chosen
+                found = (again for k in others if (again := self.readable(k)) is not None)
+                stack = next(found, None) or self.stack(last)
+            if stack is None:
+                continue
+            if stack.codes.dtype == np.float32:
+                return None
+            times = tuple(float(time) for time in stack.exposures_s)
+            if times not in by_times:
+                by_times[times] = ResponseSamples(times, self.session.camera.bit_depth)
+            by_times[times].add(stack.codes, mask)
+            counts[times] += 1
+        return by_times[max(by_times, key=lambda times: (counts[times], len(times)))]
 
     def calibrate_intrinsics(self, progress: Progress | None = None) -> CameraCalibration | None:
         """Find the lens from the board's photographs; None where there is no board: what the session states holds."""
@@ -97,9 +149,8 @@ class Acquisition(SessionPhotographs):
         with self.clock.step("read"):
             pictures = self.source.board()
         with self.clock.step("calibrate"):
-            self.intrinsics = calibrate_intrinsics(
-                pictures, board.columns, board.rows, board.square_m, progress
-            )
+            size = (board.columns, board.rows, board.square_m)
+            self.intrinsics = calibrate_intrinsics(pictures, *size, progress)
         for name, reason in self.intrinsics.left_out:
             self.notice(f"{name}: {reason}.")
         self._figures["lens_rms_px"] = self.intrinsics.rms_px
@@ -121,10 +172,6 @@ class Acquisition(SessionPhotographs):
         for sentence in found.notices:
             self.notice(sentence)
         return self.geometry
-
-    def set_geometry(self, geometry: RigGeometry) -> None:
-        """Take a geometry that was corrected by hand."""
-        self.geometry = geometry
 
     @property
     def calibration(self) -> Calibration:
@@ -151,38 +198,19 @@ class Acquisition(SessionPhotographs):
         self.calibrate_geometry(subrange(progress, 0.35, 1.0))
         return self.calibration
 
-    def merged(self, k: int, progress: Progress | None = None) -> MergedRadiance:
-        """Return the radiance of position ``k``, whole picture."""
-        report(progress, 0.0, "reading")
-        stack = self.stack(k)
-        report(progress, 0.7, "merging")
-        return self.merged_stack(stack, k)
-
     def sampler(self) -> SphereSampler:
         """Return what turns radiance into readings, for the geometry and the mask that hold now."""
         return SphereSampler(self.calibration.geometry, self.mask(None), self.options.grazing_deg)
 
-    def samples(
-        self, k: int, sampler: SphereSampler | None = None, stack: Stack | None = None
-    ) -> PositionSamples:
-        """Return the readings of position ``k``.
-
-        Raises
-        ------
-        FileError
-            Its photographs cannot be read, or contradict each other; the message names one.
-        """
-        return self.checked_samples(k, sampler or self.sampler(), stack or self.stack(k))[0]
-
     def checked_samples(
-        self, k: int, sampler: SphereSampler, stack: Stack
+        self, k: int, sampler: SphereSampler, stack: PhotographSeries
     ) -> tuple[PositionSamples, tuple[str, ...]]:
         """Return the readings of photographs that were read, and what was found wrong with these.
 
         Photographs that contradict the others, by their times or their order, are left out; where the others
         contradict each other too, FileError is raised.
         """
-        findings: list[str] = list(stack.findings)
+        findings = [f"{one.path}: {one.reason}" for one in stack.findings]
         for again in (False, True):
             merged = self.merged_stack(stack, k, sampler.box)
             with self.clock.step("samples"):
@@ -195,5 +223,6 @@ class Acquisition(SessionPhotographs):
             findings += [f"{fault.name}: {fault.reason}" for fault in faults]
             if not bad:
                 break
-            stack = stack.without({fault.name for fault in bad})
+            wrong = {fault.name for fault in bad}
+            stack = stack.part([i for i, name in enumerate(stack.names) if name not in wrong])
         return found, tuple(findings)

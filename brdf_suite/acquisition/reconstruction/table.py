@@ -1,22 +1,22 @@
-"""The last step of a reconstruction: position by position into the table, kept on the disk as it goes."""
+"""The last step of a reconstruction, position by position into the table, and its result: how much was measured."""
 
 from __future__ import annotations
 
 import contextlib
 import hashlib
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.calibration import Calibration
-from brdf_suite.acquisition.reconstruction.options import Acquired, LeftOut
+from brdf_suite.acquisition.reconstruction.options import covered_share
+from brdf_suite.acquisition.reconstruction.photographs import Calibration
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.source import Stack
 from brdf_suite.acquisition.reconstruction.work_file import (
     CALIBRATION,
     POSITION,
@@ -24,8 +24,16 @@ from brdf_suite.acquisition.reconstruction.work_file import (
     WorkRecord,
     open_work,
 )
-from brdf_suite.acquisition.table.parameterization import LAYOUTS, Parameterization
-from brdf_suite.acquisition.table.sums import PositionSums, TableSums, position_sums, reading_weights
+from brdf_suite.acquisition.session.series import PhotographSeries
+from brdf_suite.acquisition.table.samples import SphereSampler
+from brdf_suite.acquisition.table.sums import (
+    LAYOUTS,
+    Parameterization,
+    PositionSums,
+    TableSums,
+    position_sums,
+    reading_weights,
+)
 from brdf_suite.acquisition.table.table_from_sums import (
     ParameterizedTable,
     bin_means,
@@ -36,14 +44,77 @@ from brdf_suite.errors import AcquisitionError, FileError
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
 
-if TYPE_CHECKING:
-    from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
+ALGORITHM = 1
+"""Raised whenever the same photographs would give other sums: older work is then not taken up."""
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A position that gave no readings, and why (a sentence's clause that names the file)."""
+
+    position: int
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Acquired:
+    """A reconstructed table and how it came to be.
+
+    Attributes
+    ----------
+    table
+        Half-angle bins with their coverage, working space.
+    positions_done, positions_failed
+        Which positions gave readings, and which gave none.
+    resumed
+        How many of the positions were taken up from a work file.
+    readings
+        How many readings the table is made of.
+    calibration
+        Response and geometry.
+    notices
+        What the user should know, each a sentence.
+    seconds
+        Time by step: ``read`` (decoding, in the background), ``calibrate``, ``merge``, ``samples``,
+        ``table`` (readings into bins), ``finish`` (means to centres, holes).
+    compared
+        The other layouts by name, where they were asked for.
+    """
+
+    table: IsotropicTable
+    positions_done: tuple[int, ...]
+    positions_failed: tuple[LeftOut, ...]
+    resumed: int
+    readings: int
+    calibration: Calibration
+    notices: tuple[str, ...] = ()
+    seconds: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    compared: Mapping[str, ParameterizedTable] = field(default_factory=lambda: MappingProxyType({}))
+
+    def to_json(self) -> dict[str, Any]:
+        """Return what ``brdf-suite acquire --json`` prints."""
+        coverage = self.table.coverage
+        median = 0.0
+        if coverage is not None and (coverage.samples > 0.0).any():
+            median = float(np.median(coverage.deviation[coverage.samples > 0.0]))
+        return {
+            "positions": len(self.positions_done),
+            "resumed": self.resumed,
+            "left_out": [{"position": one.position, "reason": one.reason} for one in self.positions_failed],
+            "readings": self.readings,
+            "coverage": {
+                "bins": int(np.count_nonzero(self.table.measured_mask())),
+                "share_below_75_deg": covered_share(self.table, 75.0),
+                "median_deviation": median,
+            },
+            "calibration": dict(self.calibration.figures),
+            "notices": list(self.notices),
+            "seconds": {name: round(value, 3) for name, value in self.seconds.items()},
+        }
+
 
 Partial = Callable[[int, int, Callable[[], IsotropicTable]], None]
 """Called after each position with how many are done, of how many, and a function that makes the table so far."""
-
-ALGORITHM = 1
-"""Raised whenever the same photographs would give other sums: older work is then not taken up."""
 
 
 def reconstruct(
@@ -75,7 +146,7 @@ def reconstruct(
     FileError
         ``work`` belongs to other photographs, is in use, or cannot be written.
     """
-    with _opened(work) as kept:
+    with contextlib.nullcontext() if work is None else open_work(work) as kept:
         key = work_key(acquisition)
         done: dict[int, WorkRecord] = {}
         if kept is not None:
@@ -117,16 +188,8 @@ def kept_positions(acquisition: Acquisition, work: Path) -> tuple[int, ...]:
 
 def work_key(acquisition: Acquisition) -> str:
     """Return a hash of the session, the options, and the photographs that belong to no position."""
-    described = json.dumps(
-        [ALGORITHM, acquisition.options.to_json(), acquisition.source.digest(None)], sort_keys=True
-    )
-    return hashlib.sha256(described.encode()).hexdigest()
-
-
-@contextmanager
-def _opened(work: Path | None) -> Iterator[WorkFile | None]:
-    with contextlib.nullcontext() if work is None else open_work(work) as kept:
-        yield kept
+    parts = [ALGORITHM, acquisition.options.to_json(), acquisition.source.digest(None)]
+    return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
 
 def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
@@ -135,11 +198,8 @@ def _taken_up(kept: WorkFile, key: str) -> dict[int, WorkRecord]:
         return {}
     first = kept.records[0]
     if first.tag != CALIBRATION or first.values.get("key") != key:
-        raise FileError(
-            kept.path,
-            "belongs to a reconstruction of other photographs or with other options; "
-            "go on with those, or begin anew (--restart)",
-        )
+        reason = "belongs to a reconstruction of other photographs or with other options; "
+        raise FileError(kept.path, f"{reason}go on with those, or begin anew (--restart)")
     return {record.values["position"]: record for record in kept.records if record.tag == POSITION}
 
 
@@ -151,10 +211,9 @@ class _Reconstruction:
         self.kept = kept
         self.done = done
         self.calibration = acquisition.calibration
-        layouts = LAYOUTS if acquisition.options.compare else LAYOUTS[:1]
-        self.sums = {
-            layout: TableSums(Parameterization(layout, acquisition.options.bins)) for layout in layouts
-        }
+        self.colour = acquisition.session.camera.to_working
+        layouts, bins = LAYOUTS if acquisition.options.compare else LAYOUTS[:1], acquisition.options.bins
+        self.sums = {layout: TableSums(Parameterization(layout, bins)) for layout in layouts}
         self.succeeded: list[int] = []
         self.failed: list[LeftOut] = []
         self.findings: list[str] = []
@@ -166,10 +225,12 @@ class _Reconstruction:
         sampler: SphereSampler | None = None
         # The next position is read while this one is reckoned: both take about as long.
         with ThreadPoolExecutor(1, "photographs") as pool:
-            ahead: Future[Stack] | None = None
+            ahead: Future[PhotographSeries] | None = None
             for n, k in enumerate(positions):
                 report(progress, 0.97 * n / len(positions), f"position {n + 1} of {len(positions)}")
-                record = self._still_valid(k)
+                record = self.done.get(k)
+                if record is not None and record.values["digest"] != self.acquisition.source.digest(k):
+                    record = None
                 if k in self.calibration.left_out:
                     self.failed.append(LeftOut(k, self.calibration.left_out[k]))
                 elif record is not None:
@@ -181,10 +242,8 @@ class _Reconstruction:
                     sampler = sampler or self.acquisition.sampler()
                     try:
                         stack = reading.result()
-                        if following is not None and following not in {
-                            *self.done,
-                            *self.calibration.left_out,
-                        }:
+                        known = {*self.done, *self.calibration.left_out}
+                        if following is not None and following not in known:
                             ahead = pool.submit(self.acquisition.stack, following)
                         self._add_new(k, stack, sampler)
                     except FileError as error:
@@ -197,10 +256,9 @@ class _Reconstruction:
         report(progress, 0.97, "filling holes")
         with self.acquisition.clock.step("finish"):
             table = self._table()
-            compared: dict[str, ParameterizedTable] = {
-                layout: tabulate_means(bin_means(sums, self._colour()))
-                for layout, sums in self.sums.items()
-                if layout != "half-angle"
+            others: dict[str, TableSums] = {k: sums for k, sums in self.sums.items() if k != "half-angle"}
+            compared = {
+                layout: tabulate_means(bin_means(sums, self.colour)) for layout, sums in others.items()
             }
         return Acquired(
             table,
@@ -214,38 +272,30 @@ class _Reconstruction:
             compared,
         )
 
-    def _still_valid(self, k: int) -> WorkRecord | None:
-        record = self.done.get(k)
-        if record is None or record.values["digest"] != self.acquisition.source.digest(k):
-            return None
-        return record
-
     def _add_kept(self, k: int, record: WorkRecord) -> None:
-        if self.kept is None:
-            raise RuntimeError("a record without its file")
+        assert self.kept is not None
         arrays = self.kept.arrays(record)
         self.resumed += 1
-        self._take(
-            k,
-            {
-                layout: PositionSums(arrays[f"{layout} places"], arrays[f"{layout} sums"])
-                for layout in self.sums
-            },
-            record.values["readings"],
-            record.values["findings"],
-        )
+        position = {
+            layout: PositionSums(arrays[f"{layout} places"], arrays[f"{layout} sums"]) for layout in self.sums
+        }
+        self._take(k, position, record.values["readings"], record.values["findings"])
 
-    def _add_new(self, k: int, stack: Stack, sampler: SphereSampler) -> None:
+    def _add_new(self, k: int, stack: PhotographSeries, sampler: SphereSampler) -> None:
         found, findings = self.acquisition.checked_samples(k, sampler, stack)
+        position: dict[Any, PositionSums] = {}
         with self.acquisition.clock.step("table"):
-            position = {
-                layout: self._binned(found, sums.parameterization) for layout, sums in self.sums.items()
-            }
-        readings = int(sum(sums.sums[:, 0].sum(dtype=np.float64) for sums in list(position.values())[:1]))
+            weights = reading_weights(found.wi, found.wo, found.value, found.variance) * found.weight
+            wi, wo = found.wi.astype(np.float64), found.wo.astype(np.float64)
+            for layout, sums in self.sums.items():
+                places = sums.parameterization.index_of(wi, wo)
+                binned = position_sums(sums.parameterization, places, found.value, weights, found.variance)
+                position[layout] = binned
+        readings = int(next(iter(position.values())).sums[:, 0].sum(dtype=np.float64))
         if self.kept is not None:
             arrays: dict[str, Any] = {}
-            for layout, sums in position.items():
-                arrays |= {f"{layout} places": sums.places, f"{layout} sums": sums.sums}
+            for layout, binned in position.items():
+                arrays |= {f"{layout} places": binned.places, f"{layout} sums": binned.sums}
             values = {
                 "position": k,
                 "digest": self.acquisition.source.digest(k),
@@ -262,18 +312,9 @@ class _Reconstruction:
         self.readings += readings
         self.findings += [f"{finding}." for finding in findings]
 
-    @staticmethod
-    def _binned(found: PositionSamples, parameterization: Parameterization) -> PositionSums:
-        weights = reading_weights(found.wi, found.wo, found.value, found.variance) * found.weight
-        places = parameterization.index_of(found.wi.astype(np.float64), found.wo.astype(np.float64))
-        return position_sums(parameterization, places, found.value, weights, found.variance)
-
-    def _colour(self) -> Any:
-        return self.acquisition.session.camera.to_working
-
     def _table_so_far(self) -> IsotropicTable:
         # Without the rounds of centring: this one is for a plot while the work goes on.
-        return half_angle_table(bin_means(self.sums["half-angle"], self._colour(), centre=False))
+        return half_angle_table(bin_means(self.sums["half-angle"], self.colour, centre=False))
 
     def _table(self) -> IsotropicTable:
         session = self.acquisition.session
@@ -289,5 +330,5 @@ class _Reconstruction:
             "notes": (*self.calibration.notices, *self.findings, *(one.reason for one in self.failed)),
             **{f"calibration_{name}": value for name, value in self.calibration.figures.items()},
         }
-        means = bin_means(self.sums["half-angle"], self._colour())
+        means = bin_means(self.sums["half-angle"], self.colour)
         return half_angle_table(means, session.name, facts)

@@ -49,7 +49,19 @@ class WorkFile:
         self._stream = stream
         self.path = path
         self.records: list[WorkRecord] = []
-        self._read()
+        # The whole records are listed; what follows them is cut off.
+        start, end = stream.read(len(LAYOUT.magic)), 0
+        if start and not LAYOUT.magic.startswith(start):
+            raise FileError(path, "is no work file of a reconstruction and is left as it is", "byte 0")
+        size = stream.seek(0, os.SEEK_END)
+        with contextlib.suppress(FileError):
+            while end < size:
+                stream.seek(end)
+                header, _ = read_next(LAYOUT, path, stream, size)
+                length = stream.tell() - end
+                self.records.append(WorkRecord(header["tag"], header["values"], end, length))
+                end += length
+        stream.truncate(end)
 
     def arrays(self, record: WorkRecord) -> dict[str, AnyArray]:
         """Return the arrays of a record, by name.
@@ -95,21 +107,6 @@ class WorkFile:
         except OSError as error:
             raise FileError(self.path, f"cannot be written: {error.strerror or error}") from error
         self.records = []
-
-    def _read(self) -> None:
-        """List the whole records and cut off what follows them."""
-        start, end = self._stream.read(len(LAYOUT.magic)), 0
-        if start and not LAYOUT.magic.startswith(start):
-            raise FileError(self.path, "is no work file of a reconstruction and is left as it is", "byte 0")
-        size = self._stream.seek(0, os.SEEK_END)
-        with contextlib.suppress(FileError):
-            while end < size:
-                self._stream.seek(end)
-                header, _ = read_next(LAYOUT, self.path, self._stream, size)
-                length = self._stream.tell() - end
-                self.records.append(WorkRecord(header["tag"], header["values"], end, length))
-                end += length
-        self._stream.truncate(end)
 
 
 @contextmanager

@@ -2,7 +2,7 @@
 
 The energy Σ w(y_ij)·(g(y_ij) - t_i x_j)² weighs each code by one over the variance of its exposure, which is measured
 from the photographs themselves. Robertson, Borman and Stevenson (2003) minimize it by turns, one free value for each
-code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.curve`) and the radiances x_j are
+code; here g is a smooth curve (:mod:`brdf_suite.acquisition.response.channel`) and the radiances x_j are
 eliminated, so that Gauss-Newton steps take both at once. OpenCV's ``CalibrateRobertson`` takes 8 bits only, and its
 free values are noisy where codes are rare; docs/method/acquisition.md has the figures of both.
 """
@@ -14,11 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.response.channel import fit_channel, known_channel
-from brdf_suite.acquisition.response.noise import time_residuals
+from brdf_suite.acquisition.response.channel import fit_channel, known_channel, time_residuals
 from brdf_suite.acquisition.response.response import Response, linear_response
 from brdf_suite.acquisition.response.samples import ResponseSamples
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, subrange
 
@@ -54,7 +53,7 @@ class ResponseFit:
     response: Response
     linear_rms: Floats
     time_residuals: Floats
-    pixels: npt.NDArray[np.int64]
+    pixels: Integers
     iterations: int
 
 
@@ -88,9 +87,7 @@ def calibrate_response(
     AcquisitionError
         Too few pixels have two usable exposures; or photographs contradict the curve that is taken as known.
     """
-    dark = (
-        samples.black() if black is None else np.broadcast_to(np.asarray(black, float), (samples.channels,))
-    )
+    dark = samples.black() if black is None else np.broadcast_to(np.asarray(black, float), samples.channels)
     if known is None and linear:
         known = linear_response(samples.bit_depth, samples.channels, dark)
     if known is not None:
@@ -99,35 +96,24 @@ def calibrate_response(
     smoothness = needed_smoothness(samples.times) if smoothness is None else smoothness
     found = []
     for c in range(samples.channels):
-        step = subrange(progress, c / samples.channels, (c + 1) / samples.channels)
         codes = samples.codes(c)
         if len(codes) < _FEWEST:
-            raise AcquisitionError(
-                f"Channel {c} has only {len(codes)} pixels with two exposures that are neither black nor clipped;"
-                " the response of the camera cannot be recovered from them."
-            )
+            few = f"Channel {c} has only {len(codes)} pixels with two exposures that are neither black nor clipped"
+            raise AcquisitionError(f"{few}; the response of the camera cannot be recovered from them.")
         place = (float(dark[c]), int(highest[c]))
         if known is not None:
             found.append(known_channel(codes, samples, *place, known.exposure[c]))
         else:
+            step = subrange(progress, c / samples.channels, (c + 1) / samples.channels)
             found.append(fit_channel(codes, samples, *place, smoothness, step))
     straight = all(each.linear_rms <= LINEAR_RMS for each in found) if known is None else known.linear
     if straight and known is None:
         line = linear_response(samples.bit_depth, samples.channels, dark).exposure
-        found = [
-            known_channel(samples.codes(c), samples, float(dark[c]), int(highest[c]), line[c])
-            for c in range(samples.channels)
-        ]
-    response = Response(
-        samples.bit_depth,
-        np.stack([each.curve for each in found]),
-        dark,
-        np.array([each.low for each in found]),
-        highest,
-        np.array([each.read for each in found]),
-        np.array([each.shot for each in found]),
-        straight,
-    )
+        ends = zip(dark.tolist(), highest.tolist(), line, strict=True)
+        found = [known_channel(samples.codes(c), samples, *end) for c, end in enumerate(ends)]
+    curves, low = np.stack([each.curve for each in found]), np.array([each.low for each in found])
+    read, shot = np.array([(each.read, each.shot) for each in found]).T
+    response = Response(samples.bit_depth, curves, dark, low, highest, read, shot, straight)
     return ResponseFit(
         response,
         np.array([each.linear_rms for each in found]),

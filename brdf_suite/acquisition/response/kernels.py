@@ -48,23 +48,20 @@ def add_equations(
     times: Array,
     curve: Array,
     weight: Array,
-    first: Array,
-    basis: Array,
-    low: float,
-    step: float,
-    grid_weight: Array,
-    grid_first: Array,
-    grid_basis: Array,
+    spline: Array,
+    grid: Array,
     least: float,
-    matrix: Array,
-    right: Array,
+    sums: Array,
 ) -> None:
-    """Add pixels ``codes`` (p, n) to the equations ``matrix`` (k, k) θ = ``right`` (k,) of a step g → g·(1 + Bθ).
+    """Add pixels ``codes`` (p, n) to the equations ``sums`` (k, k) θ = (k,) of a step g → g·(1 + Bθ).
 
-    ``curve`` and ``weight`` (codes,) are g and one over its variance, ``first`` (codes,) the first of four splines at
-    a code and ``basis`` (codes, 4) their values; the same at exposures exp(low + k·step) in ``grid_…``. A prediction
-    takes part where it is at least ``least`` times its own standard deviation.
+    ``curve`` and ``weight`` (codes,) are g and one over its variance, ``spline`` the first (codes,) of four splines at
+    a code and their values (codes, 4). ``grid``: low, step, and at exposures exp(low + k·step) the weights, the first
+    splines and their values. A prediction takes part where it is at least ``least`` times its own standard deviation.
     """
+    first, basis = spline
+    low, step, grid_weight, grid_first, grid_basis = grid
+    matrix, right = sums
     count, exposures = codes.shape
     size = right.shape[0]
     time_row = np.zeros(size)

@@ -14,11 +14,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Integers
 from brdf_suite.errors import ValueRangeError
 
 MIDDLE_EXPOSURE = 0.5
@@ -29,6 +30,7 @@ _TOP_MARGIN = 0.01
 _READ = 4e-4
 _SHOT = 5e-5
 _SRGB_KNEE = 0.04045
+_PER_CHANNEL = ("black", "lowest", "highest", "read", "shot")
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,8 +57,8 @@ class Response:
     bit_depth: int
     exposure: Floats
     black: Floats
-    lowest: npt.NDArray[np.int64]
-    highest: npt.NDArray[np.int64]
+    lowest: Integers
+    highest: Integers
     read: Floats
     shot: Floats
     linear: bool
@@ -65,22 +67,14 @@ class Response:
         check_bit_depth(self.bit_depth)
         exposure = np.asarray(self.exposure, float)
         if exposure.ndim != 2 or exposure.shape[1] != 1 << self.bit_depth:
-            raise ValueRangeError(
-                "response.exposure", f"the shape is {exposure.shape}; expected a row of codes"
-            )
+            reason = f"the shape is {exposure.shape}; expected a row of codes"
+            raise ValueRangeError("response.exposure", reason)
         if not np.all(np.isfinite(exposure)) or np.any(np.diff(exposure, axis=1) < 0.0):
-            raise ValueRangeError(
-                "response.exposure", "exposures must be finite and must not fall as codes grow"
-            )
+            reason = "exposures must be finite and must not fall as codes grow"
+            raise ValueRangeError("response.exposure", reason)
         object.__setattr__(self, "exposure", exposure)
-        for name, kind in (
-            ("black", float),
-            ("lowest", np.int64),
-            ("highest", np.int64),
-            ("read", float),
-            ("shot", float),
-        ):
-            value = np.array(getattr(self, name), kind)
+        for name in _PER_CHANNEL:
+            value = np.array(getattr(self, name), np.int64 if name in ("lowest", "highest") else float)
             if value.shape != exposure.shape[:1] or not np.all(np.isfinite(value)) or np.any(value < 0):
                 raise ValueRangeError(f"response.{name}", "one finite number of 0 or more for each channel")
             object.__setattr__(self, name, value)
@@ -99,12 +93,8 @@ class Response:
 
     def to_json(self) -> dict[str, object]:
         """Return plain values from which :meth:`from_json` makes the same response."""
-        return {
-            "bit_depth": self.bit_depth,
-            "linear": self.linear,
-            "exposure": self.exposure.tolist(),
-            **{name: getattr(self, name).tolist() for name in ("black", "lowest", "highest", "read", "shot")},
-        }
+        arrays = {name: getattr(self, name).tolist() for name in ("exposure", *_PER_CHANNEL)}
+        return {"bit_depth": self.bit_depth, "linear": self.linear, **arrays}
 
     @classmethod
     def from_json(cls, values: Mapping[str, object]) -> Response:
@@ -118,22 +108,13 @@ class Response:
         bit_depth = values.get("bit_depth")
         if not isinstance(bit_depth, int):
             raise ValueRangeError("response.bit_depth", "expected a whole number")
-        arrays: dict[str, Floats] = {}
-        for name in ("exposure", "black", "lowest", "highest", "read", "shot"):
+        arrays: dict[str, Any] = {}
+        for name in ("exposure", *_PER_CHANNEL):
             try:
                 arrays[name] = np.asarray(values[name], float)
             except (KeyError, TypeError, ValueError) as error:
                 raise ValueRangeError(f"response.{name}", "expected numbers for each channel") from error
-        return cls(
-            bit_depth,
-            arrays["exposure"],
-            arrays["black"],
-            arrays["lowest"].astype(np.int64),
-            arrays["highest"].astype(np.int64),
-            arrays["read"],
-            arrays["shot"],
-            bool(values.get("linear", False)),
-        )
+        return cls(bit_depth, **arrays, linear=bool(values.get("linear", False)))
 
 
 def check_bit_depth(bit_depth: int) -> None:
@@ -164,16 +145,10 @@ def linear_response(
     dark = np.broadcast_to(np.asarray(black, float), (channels,))
     codes = np.arange(1 << bit_depth)
     exposure = (codes - dark[:, None]) * (MIDDLE_EXPOSURE / (middle_code(bit_depth) - dark[:, None]))
-    return Response(
-        bit_depth,
-        exposure,
-        dark,
-        np.minimum(np.ceil(dark).astype(np.int64), codes[-1]),
-        _highest(bit_depth, channels, highest),
-        np.broadcast_to(np.asarray(read, float), (channels,)),
-        np.broadcast_to(np.asarray(shot, float), (channels,)),
-        True,
-    )
+    lowest = np.minimum(np.ceil(dark).astype(np.int64), codes[-1])
+    top = default_highest(bit_depth) if highest is None else highest
+    each = (np.broadcast_to(value, (channels,)) for value in (top, read, shot))
+    return Response(bit_depth, exposure, dark, lowest, *each, linear=True)
 
 
 def srgb_response(bit_depth: int, channels: int = 3) -> Response:
@@ -182,25 +157,11 @@ def srgb_response(bit_depth: int, channels: int = 3) -> Response:
     value = np.arange(1 << bit_depth) / ((1 << bit_depth) - 1.0)
     light = np.where(value <= _SRGB_KNEE, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
     light *= MIDDLE_EXPOSURE / light[middle_code(bit_depth)]
-    full = np.full(channels, 1.0)
-    return Response(
-        bit_depth,
-        np.tile(light, (channels, 1)),
-        0.0 * full,
-        np.ones(channels, np.int64),
-        _highest(bit_depth, channels, None),
-        _READ * full,
-        _SHOT * full,
-        False,
-    )
+    each = (np.full(channels, value) for value in (0.0, 1, default_highest(bit_depth), _READ, _SHOT))
+    return Response(bit_depth, np.tile(light, (channels, 1)), *each, linear=False)
 
 
 def default_highest(bit_depth: int, largest: int | None = None) -> int:
     """Return the last code that does not count as clipped, a margin for noise below the ``largest``."""
     top = (1 << bit_depth) - 1 if largest is None else largest
     return top - max(2, math.ceil(_TOP_MARGIN * top))
-
-
-def _highest(bit_depth: int, channels: int, highest: npt.ArrayLike | None) -> npt.NDArray[np.int64]:
-    chosen = default_highest(bit_depth) if highest is None else highest
-    return np.broadcast_to(np.asarray(chosen, np.int64), (channels,))

@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.acquisition.response.response import check_bit_depth, default_highest
+from brdf_suite.arrays import Codes, Floats, Integers
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 
 PIXELS = 240_000
@@ -54,17 +55,14 @@ class ResponseSamples:
         self._top = np.zeros((channels, 1 << bit_depth), np.int64)
         self._random = np.random.default_rng(_SEED)
 
-    def add(
-        self, stack: npt.NDArray[np.uint8] | npt.NDArray[np.uint16], mask: npt.ArrayLike | None = None
-    ) -> None:
+    def add(self, stack: Codes, mask: npt.ArrayLike | None = None) -> None:
         """Add the photographs of one position: (n, h, w, channels) codes, shortest exposure first.
 
         ``mask`` (h, w) is True where pixels may be used.
         """
         if stack.ndim != 4 or stack.shape[0] != len(self.times) or stack.shape[3] != self.channels:
-            raise ValueRangeError(
-                "stack", f"the shape is {stack.shape}, not ({len(self.times)}, h, w, {self.channels})"
-            )
+            reason = f"the shape is {stack.shape}, not ({len(self.times)}, h, w, {self.channels})"
+            raise ValueRangeError("stack", reason)
         if stack.dtype not in (np.uint8, np.uint16):
             raise ValueRangeError("stack", f"expected codes, not {stack.dtype}")
         chosen = None if mask is None else np.flatnonzero(np.asarray(mask, bool))
@@ -76,7 +74,7 @@ class ResponseSamples:
         """Return the kept pixels of a channel, (p, n)."""
         return np.ascontiguousarray(np.concatenate(self._kept[channel]))
 
-    def black(self) -> npt.NDArray[np.float64]:
+    def black(self) -> Floats:
         """Return (channels,) the code without light: the median of the shortest exposure where the longest is dark.
 
         Where no pixel is so dark it is 0.
@@ -88,7 +86,7 @@ class ResponseSamples:
                 found[c] = float(np.searchsorted(total, 0.5 * total[-1]))
         return found
 
-    def highest(self) -> npt.NDArray[np.int64]:
+    def highest(self) -> Integers:
         """Return (channels,) the last code below saturation, whose own level is where the largest codes pile up."""
         found = np.empty(self.channels, np.int64)
         for c in range(self.channels):
@@ -103,15 +101,14 @@ class ResponseSamples:
                     found[c] = below
         return found
 
-    def _add_channel(self, c: int, codes: npt.NDArray[np.uint8] | npt.NDArray[np.uint16]) -> None:
+    def _add_channel(self, c: int, codes: Codes) -> None:
         full = (1 << self.bit_depth) - 1
         if codes.size == 0:
             return
         largest = int(codes.max())
         if largest > full:
-            raise AcquisitionError(
-                f"A photograph holds the code {largest}, above the {full} of {self.bit_depth} bits."
-            )
+            bits = f"the {full} of {self.bit_depth} bits"
+            raise AcquisitionError(f"A photograph holds the code {largest}, above {bits}.")
         self.largest[c] = max(self.largest[c], largest)
         self._top[c] += np.bincount(codes[-1], minlength=full + 1)
         dark = codes[-1] < _UNLIT_SHARE * full

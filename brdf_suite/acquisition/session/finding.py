@@ -45,22 +45,7 @@ class SessionFinding:
         return {name: value for name, value in vars(self).items() if value not in (None, "")}
 
 
-def positions_lost(findings: tuple[SessionFinding, ...]) -> frozenset[int]:
-    """Return the indices of the positions that are left out."""
-    return frozenset(f.position for f in findings if f.severity == "position" and f.position is not None)
-
-
 def exposures_lost(findings: tuple[SessionFinding, ...], position: int) -> frozenset[int]:
     """Return the indices of the exposures that are left out of a position."""
-    return frozenset(
-        f.exposure
-        for f in findings
-        if f.severity == "exposure" and f.position == position and f.exposure is not None
-    )
-
-
-def raise_fatal(findings: tuple[SessionFinding, ...]) -> None:
-    """Raise the first fatal finding as :class:`FileError`."""
-    for finding in findings:
-        if finding.severity == "fatal":
-            raise finding.error()
+    own = [f.exposure for f in findings if f.severity == "exposure" and f.position == position]
+    return frozenset(exposure for exposure in own if exposure is not None)

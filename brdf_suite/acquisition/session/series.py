@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_suite.acquisition.photographs.exposure_order import check_exposures
+from brdf_suite.acquisition.photographs.exposure_faults import check_exposures
 from brdf_suite.acquisition.photographs.reading import Photograph, read_photograph
 from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.arrays import AnyArray, Bools
 from brdf_suite.errors import FileError, PathLike
+
+SeriesKind = Literal["dark", "white", "flat_field"]
 
 MASK_FILE = "mask.png"
 """Taken as the session's mask where the session names none and the folder holds it."""
@@ -27,18 +29,30 @@ class PhotographSeries:
     Attributes
     ----------
     codes
-        (e, h, w, 3) uint8, uint16 or float32.
-    exposures_s, names, exposures
-        Of each: the time, the file as the session names it, and its index among those asked for.
+        (e, h, w, 3) uint8, uint16, or float32 for photographs that are linear already.
+    exposures_s, names
+        Of each: the time, and the file as the session names it.
+    exposures
+        Of each: its index among those asked for; empty where these are all.
     findings
         What could not be read, and is not among them.
     """
 
-    codes: NDArray[Any]
+    codes: AnyArray
     exposures_s: tuple[float, ...]
     names: tuple[str, ...]
-    exposures: tuple[int, ...]
+    exposures: tuple[int, ...] = ()
     findings: tuple[SessionFinding, ...] = ()
+
+    def part(self, kept: list[int]) -> PhotographSeries:
+        """Return the photographs at the places ``kept``."""
+        return PhotographSeries(
+            self.codes[kept],
+            tuple(self.exposures_s[i] for i in kept),
+            tuple(self.names[i] for i in kept),
+            tuple(self.exposures[i] for i in kept if self.exposures),
+            self.findings,
+        )
 
 
 def read_position(
@@ -55,70 +69,32 @@ def read_position(
         None of them can be read, or they are in no order that could be right.
     """
     names = session.positions[position].photographs
+    bits, place = session.camera.bit_depth, f"positions[{position}].photographs"
     series = read_series(
-        folder,
-        names,
-        session.exposures_s,
-        session.camera.bit_depth,
-        place=f"positions[{position}].photographs",
-        position=position,
-        leave_out=leave_out,
+        folder, names, session.exposures_s, bits, place=place, position=position, leave_out=leave_out
     )
-    found = check_exposures(
-        series.codes,
-        series.exposures_s,
-        series.names,
-        session.camera.bit_depth,
-        folder=folder,
-        position=position,
-        exposures=series.exposures,
-    )
+    shown = (series.codes, series.exposures_s, series.names, bits)
+    found = check_exposures(*shown, folder=folder, position=position, exposures=series.exposures)
     for finding in found:
         if finding.severity == "position":
             raise finding.error()
-    return _without(series, found) if found else series
-
-
-def _without(series: PhotographSeries, found: tuple[SessionFinding, ...]) -> PhotographSeries:
-    """Return the series less the exposures that have findings."""
+    if not found:
+        return series
     dropped = {finding.exposure for finding in found}
     kept = [i for i, exposure in enumerate(series.exposures) if exposure not in dropped]
     if not kept:
         raise found[0].error()
-    return PhotographSeries(
-        series.codes[kept],
-        tuple(series.exposures_s[i] for i in kept),
-        tuple(series.names[i] for i in kept),
-        tuple(series.exposures[i] for i in kept),
-        (*series.findings, *found),
-    )
+    return replace(series.part(kept), findings=(*series.findings, *found))
 
 
-def read_dark(folder: PathLike, session: Session) -> PhotographSeries | None:
-    """Read the dark frames, or return None where the session names none; errors as :func:`read_position`."""
-    if not session.dark:
-        return None
-    return read_series(folder, session.dark, session.exposures_s, session.camera.bit_depth, place="dark")
-
-
-def read_white(folder: PathLike, session: Session) -> PhotographSeries | None:
-    """Read the white reference, or return None where the session has none; errors as :func:`read_position`."""
-    white = session.white
-    if white is None:
-        return None
-    times = white.exposures_s or session.exposures_s
-    return read_series(folder, white.photographs, times, session.camera.bit_depth, place="white.photographs")
-
-
-def read_flat_field(folder: PathLike, session: Session) -> PhotographSeries | None:
-    """Read the flat field, or return None where the session has none; errors as :func:`read_position`."""
-    flat = session.flat_field
-    if flat is None:
-        return None
-    times = flat.exposures_s or session.exposures_s
-    return read_series(
-        folder, flat.photographs, times, session.camera.bit_depth, place="flat_field.photographs"
-    )
+def read_calibration(folder: PathLike, session: Session, kind: SeriesKind) -> PhotographSeries | None:
+    """Read a calibration's photographs; None where the session names none. Errors as :func:`read_position`."""
+    part = session.white if kind == "white" else session.flat_field
+    names, times, place = session.dark, session.exposures_s, "dark"
+    if kind != "dark":
+        names, place = () if part is None else part.photographs, f"{kind}.photographs"
+        times = (part and part.exposures_s) or times
+    return read_series(folder, names, times, session.camera.bit_depth, place=place) if names else None
 
 
 def read_series(
@@ -132,7 +108,7 @@ def read_series(
     leave_out: Collection[int] = (),
 ) -> PhotographSeries:
     """Read files of a folder, one for each time; errors and findings as :func:`read_position`."""
-    stack: NDArray[Any] | None = None
+    stack: AnyArray | None = None
     kept: list[int] = []
     findings: list[SessionFinding] = []
     wanted = [k for k in range(len(names)) if k not in leave_out]
@@ -165,26 +141,22 @@ def read_series(
     )
 
 
-def check_codes(photograph: Photograph, bit_depth: int, path: PathLike) -> NDArray[Any]:
+def check_codes(photograph: Photograph, bit_depth: int, path: PathLike) -> AnyArray:
     """Return a photograph's codes where they fit the session's depth; :class:`FileError` where they do not."""
     codes, bits = photograph.codes, photograph.facts.bits
     if bits is None:
         return codes
     if bits < bit_depth:
-        raise FileError(
-            path, f"has {bits} bits a channel, and session.json says {bit_depth}; correct camera.bit_depth"
-        )
+        reason = f"has {bits} bits a channel, and session.json says {bit_depth}; correct camera.bit_depth"
+        raise FileError(path, reason)
     highest = int(codes.max())
     if highest >= 1 << bit_depth:
-        raise FileError(
-            path,
-            f"holds the code {highest:,}, beyond the {(1 << bit_depth) - 1:,} of {bit_depth} bits; "
-            "correct camera.bit_depth in session.json",
-        )
+        reason = f"holds the code {highest:,}, beyond the {(1 << bit_depth) - 1:,} of {bit_depth} bits; "
+        raise FileError(path, f"{reason}correct camera.bit_depth in session.json")
     return codes
 
 
-def read_mask(folder: PathLike, session: Session, position: int | None = None) -> NDArray[np.bool_] | None:
+def read_mask(folder: PathLike, session: Session, position: int | None = None) -> Bools | None:
     """Return the pixels (h, w) that may be used, or None where all may be.
 
     The session's mask, or ``mask.png`` where it names none, together with the position's own; white is used.
@@ -197,7 +169,7 @@ def read_mask(folder: PathLike, session: Session, position: int | None = None) -
     names = [session.mask or (MASK_FILE if (Path(folder) / MASK_FILE).is_file() else None)]
     if position is not None:
         names.append(session.positions[position].mask)
-    used: NDArray[np.bool_] | None = None
+    used: Bools | None = None
     for name in names:
         if name is None:
             continue
@@ -211,7 +183,7 @@ def read_mask(folder: PathLike, session: Session, position: int | None = None) -
     return used
 
 
-def _size(picture: NDArray[Any]) -> str:
+def _size(picture: AnyArray) -> str:
     height, width = picture.shape[:2]
     depth = {"uint8": ", 8 bits", "uint16": ", 16 bits", "float32": ", floats"}.get(str(picture.dtype), "")
     return f"{width} × {height} pixels{depth}"

@@ -12,48 +12,126 @@ Values only, each checked as it is made: a bad one raises :class:`ValueRangeErro
 
 from __future__ import annotations
 
+import itertools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from typing import Literal, get_args
 
-from brdf_suite.acquisition.session.camera import RESPONSES, Board, Lens, ResponseKind, SessionCamera
 from brdf_suite.acquisition.session.values import (
     PARAMETERS,
+    Matrix,
     Point,
     Rgb,
     check_name,
-    check_series,
-    check_times,
     check_whole,
     refuse_twice,
+    set_series,
+    set_times,
     set_vector,
 )
-from brdf_suite.documents.parameter import check_text, describe, set_number
+from brdf_suite.documents.parameter import check_choice, check_numbers, check_text, describe, set_number
 from brdf_suite.errors import ValueRangeError
 
-__all__ = [
-    "FORMAT",
-    "MOST_EXPOSURES",
-    "MOST_POSITIONS",
-    "PARAMETERS",
-    "RESPONSES",
-    "SESSION_FILE",
-    "Board",
-    "FlatField",
-    "Lens",
-    "Light",
-    "Position",
-    "ResponseKind",
-    "Session",
-    "SessionCamera",
-    "Sphere",
-    "WhiteReference",
-]
+ResponseKind = Literal["unknown", "linear", "srgb"]
+RESPONSES: tuple[str, ...] = get_args(ResponseKind)
 
+_MOST_BOARDS = 500
+# A matrix between camera and working space keeps white; what does not is one for another purpose.
+_WHITE_KEPT = 0.02
 FORMAT = "brdf-suite acquisition session"
 SESSION_FILE = "session.json"
-
 MOST_POSITIONS = 3600
-MOST_EXPOSURES = 64
+
+
+@dataclass(frozen=True)
+class Lens:
+    """A camera as OpenCV describes it: focal lengths and principal point in pixels, and the lens's distortion.
+
+    Pixel (column 0, row 0) has its middle at (0, 0); x grows to the right and y downwards.
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+    k1: float = 0.0
+    k2: float = 0.0
+    p1: float = 0.0
+    p2: float = 0.0
+    k3: float = 0.0
+
+    def __post_init__(self) -> None:
+        set_number(self, PARAMETERS["focal"], "fx", "fy")
+        set_number(self, PARAMETERS["principal"], "cx", "cy")
+        set_number(self, PARAMETERS["distortion"], "k1", "k2", "p1", "p2", "k3")
+
+
+@dataclass(frozen=True)
+class Board:
+    """A chessboard photographed for the intrinsics: inner corners across and down, and the side of a square."""
+
+    columns: int
+    rows: int
+    square_m: float
+    photographs: tuple[str, ...]
+
+    def __post_init__(self) -> None:
+        for name in ("columns", "rows"):
+            check_whole(getattr(self, name), name, 3, 100)
+        set_number(self, PARAMETERS["board.square_m"], "square_m")
+        set_series(self, most=_MOST_BOARDS)
+
+
+@dataclass(frozen=True)
+class SessionCamera:
+    """The camera of a session: its position, and the meaning of its codes.
+
+    Attributes
+    ----------
+    distance_m, height_m
+        Of its centre of projection: level distance to the turntable's axis, and height above the sphere's centre.
+    bit_depth
+        8 to 16: codes are 0 … 2^bits - 1 as they stand in the file. Float pictures know none.
+    response
+        ``unknown``: the curve is recovered from the exposures; ``linear``; or ``srgb``, the curve of IEC 61966-2-1.
+    tilt_deg
+        Of the optical axis, positive upwards.
+    to_working
+        (3, 3) from the channels' reflectance to linear Rec. 2020; rows sum to 1. ``None``: the channels are taken so.
+    intrinsics, board
+        Known values, or photographs of a board to recover them from; with neither, the focal length follows from the
+        outline of the sphere and the distance.
+    """
+
+    distance_m: float
+    height_m: float = 0.0
+    bit_depth: int = 12
+    response: ResponseKind = "unknown"
+    tilt_deg: float = 0.0
+    to_working: Matrix | None = None
+    intrinsics: Lens | None = None
+    board: Board | None = None
+
+    def __post_init__(self) -> None:
+        set_number(self, PARAMETERS["camera.distance_m"], "distance_m")
+        set_number(self, PARAMETERS["height_m"], "height_m")
+        set_number(self, PARAMETERS["tilt_deg"], "tilt_deg")
+        check_whole(self.bit_depth, "bit_depth", 8, 16)
+        check_choice(self.response, "response", RESPONSES)
+        if self.to_working is not None:
+            if not isinstance(self.to_working, (tuple, list)) or len(self.to_working) != 3:
+                reason = f"expected three rows of three numbers, not {describe(self.to_working)}"
+                raise ValueRangeError("to_working", reason)
+            places = [f"to_working[{i}]" for i in range(3)]
+            rows = [
+                check_numbers(row, place, PARAMETERS["matrix"], 3)
+                for row, place in zip(self.to_working, places, strict=True)
+            ]
+            for row, place in zip(rows, places, strict=True):
+                if abs(sum(row) - 1.0) > _WHITE_KEPT:
+                    reason = f"the row sums to {sum(row):g}, not to 1, so that white would change"
+                    raise ValueRangeError(place, reason)
+            object.__setattr__(self, "to_working", tuple(rows))
 
 
 @dataclass(frozen=True)
@@ -103,9 +181,6 @@ class Light:
         set_number(self, PARAMETERS["width_m"], "housing_radius_m", "post_radius_m")
         if self.irradiance_rgb is not None:
             set_vector(self, PARAMETERS["irradiance"], "irradiance_rgb")
-        self._set_profile()
-
-    def _set_profile(self) -> None:
         if not isinstance(self.profile, (tuple, list)):
             raise ValueRangeError("profile", f"expected a list of pairs, not {describe(self.profile)}")
         pairs: list[tuple[float, float]] = []
@@ -148,8 +223,7 @@ class WhiteReference:
     exposures_s: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
-        object.__setattr__(self, "photographs", files)
+        set_series(self)
         if not isinstance(self.region, (tuple, list)) or len(self.region) != 4:
             raise ValueRangeError("region", f"expected left, top, width, height, not {describe(self.region)}")
         lowest = (0, 0, 1, 1)
@@ -161,7 +235,7 @@ class WhiteReference:
         set_vector(self, PARAMETERS["normal"], "normal")
         if math.hypot(*self.normal) < 1e-9:
             raise ValueRangeError("normal", "a vector of length 0 has no direction")
-        object.__setattr__(self, "exposures_s", check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES))
+        set_times(self)
 
 
 @dataclass(frozen=True)
@@ -172,9 +246,8 @@ class FlatField:
     exposures_s: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
-        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
-        object.__setattr__(self, "photographs", files)
-        object.__setattr__(self, "exposures_s", check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES))
+        set_series(self)
+        set_times(self)
 
 
 @dataclass(frozen=True)
@@ -190,8 +263,7 @@ class Position:
 
     def __post_init__(self) -> None:
         set_number(self, PARAMETERS["angle_deg"], "angle_deg")
-        files = check_series(self.photographs, "photographs", 1, MOST_EXPOSURES)
-        object.__setattr__(self, "photographs", files)
+        set_series(self)
         if self.mask is not None:
             check_name(self.mask, "mask")
 
@@ -229,35 +301,32 @@ class Session:
         check_text(self.name, "name", longest=200, lines=False, empty=False)
         check_text(self.notes, "notes", longest=100_000, lines=True, empty=True)
         check_text(self.date, "date", longest=100, lines=False, empty=True)
-        times = check_times(self.exposures_s, "exposures_s", MOST_EXPOSURES)
-        if not times:
+        set_times(self)
+        if not self.exposures_s:
             raise ValueRangeError("exposures_s", "the list is empty")
-        object.__setattr__(self, "exposures_s", times)
-        object.__setattr__(self, "dark", check_series(self.dark, "dark", 0, MOST_EXPOSURES))
+        set_series(self, "dark", 0)
         if self.mask is not None:
             check_name(self.mask, "mask")
         self._check_positions()
         self._check_counts()
-        self._check_light()
+        if self.camera.distance_m <= self.sphere.radius_m:
+            raise ValueRangeError("camera.distance_m", "the camera would stand inside the sphere")
+        if math.hypot(self.light.distance_m, self.light.height_m) <= self.sphere.radius_m:
+            raise ValueRangeError("light.distance_m", "the lamp would stand inside the sphere")
         refuse_twice(self.files())
 
     def _check_positions(self) -> None:
-        if not isinstance(self.positions, (tuple, list)) or not all(
-            isinstance(item, Position) for item in self.positions
-        ):
-            raise ValueRangeError(
-                "positions", f"expected a list of positions, not {describe(self.positions)}"
-            )
+        is_list = isinstance(self.positions, (tuple, list))
+        if not is_list or not all(isinstance(item, Position) for item in self.positions):
+            reason = f"expected a list of positions, not {describe(self.positions)}"
+            raise ValueRangeError("positions", reason)
         object.__setattr__(self, "positions", tuple(self.positions))
         if not 1 <= len(self.positions) <= MOST_POSITIONS:
             raise ValueRangeError("positions", f"expected 1 to {MOST_POSITIONS}, found {len(self.positions)}")
-        for i in range(1, len(self.positions)):
-            here, before = self.positions[i].angle_deg, self.positions[i - 1].angle_deg
+        for i, (before, here) in enumerate(itertools.pairwise(p.angle_deg for p in self.positions), 1):
             if here <= before:
-                raise ValueRangeError(
-                    f"positions[{i}].angle_deg",
-                    f"{here:g}° comes after {before:g}°; list the positions in order of their angles",
-                )
+                reason = f"{here:g}° comes after {before:g}°; list the positions in order of their angles"
+                raise ValueRangeError(f"positions[{i}].angle_deg", reason)
 
     def _check_counts(self) -> None:
         """Check that each series has as many photographs as exposures."""
@@ -270,24 +339,11 @@ class Session:
                 series.append((f"{name}.photographs", other.photographs, len(other.exposures_s) or count))
         for place, files, wanted in series:
             if len(files) != wanted:
-                raise ValueRangeError(
-                    place,
-                    f"there are {len(files)} photographs for {wanted} exposures; expected one for each",
-                )
-
-    def _check_light(self) -> None:
-        if self.camera.distance_m <= self.sphere.radius_m:
-            raise ValueRangeError("camera.distance_m", "the camera would stand inside the sphere")
-        if math.hypot(self.light.distance_m, self.light.height_m) <= self.sphere.radius_m:
-            raise ValueRangeError("light.distance_m", "the lamp would stand inside the sphere")
+                reason = f"there are {len(files)} photographs for {wanted} exposures; expected one for each"
+                raise ValueRangeError(place, reason)
 
     def light_m(self, position: int | float) -> Point:
-        """Return where the lamp stands: at the position of this index (an int), or at an angle in degrees (a float).
-
-        >>> from dataclasses import replace
-        >>> Light(0.5).distance_m
-        0.5
-        """
+        """Return where the lamp stands: at the position of this index (an int), or at an angle in degrees (a float)."""
         degrees = self.positions[position].angle_deg if isinstance(position, int) else position
         angle = math.radians(degrees + self.light.angle_offset_deg)
         distance = self.light.distance_m
@@ -304,17 +360,10 @@ class Session:
             (f"positions[{i}].mask", p.mask) for i, p in enumerate(self.positions) if p.mask is not None
         ]
         named += [(f"dark[{k}]", file) for k, file in enumerate(self.dark)]
-        for place, part in (
-            ("white", self.white),
-            ("flat_field", self.flat_field),
-            ("camera.board", self.camera.board),
-        ):
+        calibrations = {"white": self.white, "flat_field": self.flat_field, "camera.board": self.camera.board}
+        for place, part in calibrations.items():
             if part is not None:
                 named += [(f"{place}.photographs[{k}]", file) for k, file in enumerate(part.photographs)]
         if self.mask is not None:
             named.append(("mask", self.mask))
         return tuple(named)
-
-    def with_positions(self, indices: tuple[int, ...]) -> Session:
-        """Return the session with these positions alone."""
-        return replace(self, positions=tuple(self.positions[i] for i in indices))

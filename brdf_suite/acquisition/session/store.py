@@ -7,12 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from brdf_suite.acquisition.session.camera import Lens
 from brdf_suite.acquisition.session.session import (
     FORMAT,
     SESSION_FILE,
     Board,
     FlatField,
+    Lens,
     Light,
     Position,
     Session,
@@ -47,10 +47,8 @@ def read_session(folder: PathLike) -> Session:
     if not path.parent.is_dir():
         raise FileError(path.parent, "is not a folder; expected a folder of photographs with a session.json")
     if not path.exists():
-        raise FileError(
-            path.parent,
-            f"holds no {SESSION_FILE}; brdf-suite acquire --template {path.parent} writes one to fill in",
-        )
+        command = f"brdf-suite acquire --template {path.parent}"
+        raise FileError(path.parent, f"holds no {SESSION_FILE}; {command} writes one to fill in")
     return session_from_json(read_json(path), path)
 
 
@@ -94,10 +92,8 @@ def session_from_json(value: object, path: PathLike = "the message") -> Session:
     taken["camera"] = _camera(reader.take_object("camera"))
     taken["sphere"] = fill(reader.take_object("sphere"), Sphere, required=("radius_m",))
     taken["light"] = fill(reader.take_object("light"), Light, required=("distance_m",))
-    taken["positions"] = tuple(
-        fill(item, Position, required=("angle_deg", "photographs"))
-        for item in reader.take_objects("positions")
-    )
+    needed, given = ("angle_deg", "photographs"), reader.take_objects("positions")
+    taken["positions"] = tuple(fill(item, Position, required=needed) for item in given)
     taken["white"] = _optional(reader, "white", WhiteReference, ("photographs", "region"))
     taken["flat_field"] = _optional(reader, "flat_field", FlatField, ("photographs",))
     return fill(reader, Session, taken=taken)

@@ -8,9 +8,8 @@ knows, distances above all, is given typical values and named in the notes.
 from __future__ import annotations
 
 import math
-import os
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from brdf_suite.acquisition.photographs.reading import (
@@ -25,13 +24,14 @@ from brdf_suite.acquisition.session.session import (
     FlatField,
     Light,
     Position,
+    ResponseKind,
     Session,
     SessionCamera,
     Sphere,
     WhiteReference,
 )
 from brdf_suite.acquisition.session.store import write_session
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
 
 EXPOSURES = 16
 SHORTEST_S, LONGEST_S = 0.00025, 0.328
@@ -42,6 +42,12 @@ _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 _LINEAR = ("raw", "exr", "hdr")
 """Kinds of photographs that are linear by themselves."""
 _SENSOR_BITS = (8, 10, 12, 14, 16)
+_TO_FILL_IN = (
+    "camera.distance_m, camera.height_m: level distance to the turntable's axis, height above the sphere's centre",
+    "sphere.radius_m: measure it with a caliper",
+    "light.distance_m, light.height_m: of the lamp, as of the camera",
+    "camera.response: unknown (recovered from the exposures), linear or srgb",
+)
 
 
 @dataclass(frozen=True)
@@ -53,16 +59,7 @@ class Template:
     notes: tuple[str, ...]
 
 
-@dataclass
-class _Draft:
-    folder: Path
-    notes: list[str] = field(default_factory=list)
-
-    def names(self, files: list[Path]) -> tuple[str, ...]:
-        return tuple(file.relative_to(self.folder).as_posix() for file in files)
-
-
-def write_template(folder: str | os.PathLike[str]) -> Template:
+def write_template(folder: PathLike) -> Template:
     """Write ``session.json`` into a folder, which is made where there is none.
 
     Raises
@@ -77,53 +74,76 @@ def write_template(folder: str | os.PathLike[str]) -> Template:
         target.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(target, f"cannot be made ({error.strerror})") from error
-    draft = _Draft(target)
     try:
-        session = _session(draft)
+        session, notes = _session(target)
     except ValueRangeError as error:
         raise FileError(target, f"no session can be made of it: {error.place}: {error.reason}") from error
-    draft.notes += _to_fill_in(session)
-    path = write_session(session, target)
-    return Template(path, len(session.files()), tuple(draft.notes))
-
-
-def _session(draft: _Draft) -> Session:
-    groups = _groups(draft.folder)
-    special = {word: files for word in _SPECIAL if (files := _taken(groups, word))}
-    positions = [(name, files) for name, files in groups.items() if files]
-    if not positions:
-        return _example(draft)
-    count = min(len(files) for _, files in positions)
-    uneven = [name for name, files in positions if len(files) != count]
-    if uneven:
-        raise FileError(
-            draft.folder / uneven[0],
-            f"holds {len(dict(positions)[uneven[0]])} photographs, and other folders {count}; "
-            "each position has one for each exposure",
+    notes += _TO_FILL_IN
+    if session.white is None:
+        notes.append(
+            "light.irradiance_rgb or a white reference: without them the table has no absolute scale"
         )
-    times = _times(draft, positions[0][1])
-    ordered = [(_angle_hint(name), _by_time(files)) for name, files in positions]
-    angles = _angles(draft, [hint for hint, _ in ordered])
-    placed = sorted(zip(angles, (files for _, files in ordered), strict=True), key=lambda pair: pair[0])
-    first = _by_time(positions[0][1])
+    return Template(write_session(session, target), len(session.files()), tuple(notes))
+
+
+def _session(folder: Path) -> tuple[Session, list[str]]:
+    """Return the session that a folder's files show, and notes on what was taken from where."""
+    notes: list[str] = []
+    groups = _groups(folder)
+    # The folder named after a word is no position.
+    found = {word: next((name for name in groups if name.lower().startswith(word)), "") for word in _SPECIAL}
+    special = {word: groups.pop(name, []) for word, name in found.items()}
+    positions = {name: files for name, files in groups.items() if files}
+    if not positions:
+        return _example(folder)
+    count = min(map(len, positions.values()))
+    uneven = [name for name, files in positions.items() if len(files) != count]
+    if uneven:
+        reason = f"holds {len(positions[uneven[0]])} photographs, and other folders {count}; "
+        raise FileError(folder / uneven[0], f"{reason}each position has one for each exposure")
+
+    def names(files: list[Path]) -> tuple[str, ...]:
+        return tuple(file.relative_to(folder).as_posix() for file in files)
+
+    first = next(iter(positions.values()))
+    times = _times(notes, first)
+    angles = _angles(notes, list(positions))
+    ordered = [_by_time(files) for files in positions.values()]
+    placed = sorted(zip(angles, ordered, strict=True), key=lambda pair: pair[0])
+    first = _by_time(first)
     facts = photograph_facts(first[0])
+    bits = _bits(notes, facts, first[-1])
+    board = flat = white = None
+    if special["board"]:
+        notes.append("camera.board: state the board's inner corners (columns, rows) and the side of a square")
+        board = Board(9, 6, 0.02, names(special["board"]))
+    for word in ("white", "dark"):
+        if special[word] and len(special[word]) != count:
+            lost = f"{word}: {len(special[word])} photographs for {count} exposures are left out"
+            notes.append(f"{lost}; expected one for each")
+            special[word] = []
+    if special["white"]:
+        asked = "a region that shows nothing but the white"
+        notes.append(f"white: state its reflectance, the lamp's angle, and {asked}")
+        width, height = max(1, facts.width // 8), max(1, facts.height // 8)
+        region = ((facts.width - width) // 2, (facts.height - height) // 2, width, height)
+        white = WhiteReference(names(_by_time(special["white"])), region)
+    if special["flat"]:
+        notes.append("flat_field: state its exposure time")
+        exposure_s = photograph_facts(special["flat"][0]).exposure_s
+        flat = FlatField(names(special["flat"][:1]), (exposure_s or 0.1,))
+    response: ResponseKind = "linear" if facts.kind in _LINEAR else "unknown"
     return Session(
-        draft.folder.resolve().name or "session",
-        SessionCamera(
-            2.0,
-            0.0,
-            _bits(draft, facts, first[-1]),
-            "linear" if facts.kind in _LINEAR else "unknown",
-            board=_board(draft, special.get("board", [])),
-        ),
+        folder.resolve().name or "session",
+        SessionCamera(2.0, 0.0, bits, response, board=board),
         Sphere(0.05),
         Light(0.7),
         times,
-        tuple(Position(angle, draft.names(files)) for angle, files in placed),
-        _white(draft, special.get("white", []), facts, count),
-        _dark(draft, special.get("dark", []), count),
-        _flat(draft, special.get("flat", [])),
-    )
+        tuple(Position(angle, names(files)) for angle, files in placed),
+        white,
+        names(_by_time(special["dark"])),
+        flat,
+    ), notes
 
 
 def _groups(folder: Path) -> dict[str, list[Path]]:
@@ -133,10 +153,8 @@ def _groups(folder: Path) -> dict[str, list[Path]]:
         if file.suffix.lower() in ENDINGS and file.is_file() and not file.name.startswith("."):
             groups.setdefault(file.parent.name, []).append(file)
     if not groups and any(f.suffix.lower() in ENDINGS and f.stem != "mask" for f in folder.iterdir()):
-        raise FileError(
-            folder,
-            "has its photographs beside each other; put those of each position of the lamp into a folder of their own",
-        )
+        advice = "put those of each position of the lamp into a folder of their own"
+        raise FileError(folder, f"has its photographs beside each other; {advice}")
     return groups
 
 
@@ -144,14 +162,6 @@ def _natural(file: Path) -> list[tuple[int, float, str]]:
     """Return a sort key with 2 before 10."""
     parts = re.split(r"(\d+)", file.as_posix())
     return [(0, float(part), "") if part.isdigit() else (1, 0.0, part.lower()) for part in parts]
-
-
-def _taken(groups: dict[str, list[Path]], word: str) -> list[Path]:
-    """Take the folder named after a word out of the groups."""
-    for name in list(groups):
-        if name.lower().startswith(word):
-            return groups.pop(name)
-    return []
 
 
 def _by_time(files: list[Path]) -> list[Path]:
@@ -162,14 +172,12 @@ def _by_time(files: list[Path]) -> list[Path]:
     return [file for _, _, file in sorted((time or 0.0, i, files[i]) for i, time in enumerate(times))]
 
 
-def _times(draft: _Draft, files: list[Path]) -> tuple[float, ...]:
+def _times(notes: list[str], files: list[Path]) -> tuple[float, ...]:
     times = sorted({time for file in files if (time := photograph_facts(file).exposure_s) is not None})
     if len(times) == len(files):
-        draft.notes.append("exposures_s: taken from the EXIF of the first position")
+        notes.append("exposures_s: taken from the EXIF of the first position")
         return tuple(float(f"{time:.6g}") for time in times)
-    draft.notes.append(
-        "exposures_s: the files state no times, or the same twice; these are those of a typical rig"
-    )
+    notes.append("exposures_s: the files state no times, or the same twice; these are those of a typical rig")
     return series_s(len(files))
 
 
@@ -181,22 +189,15 @@ def series_s(count: int) -> tuple[float, ...]:
     return tuple(float(f"{SHORTEST_S * math.exp(step * k):.4g}") for k in range(count))
 
 
-def _angle_hint(name: str) -> float | None:
-    numbers = _NUMBER.findall(name)
-    return float(numbers[-1]) if numbers else None
-
-
-def _angles(draft: _Draft, hints: list[float | None]) -> list[float]:
-    """Take the numbers in the folders' names for degrees where they can be; else even steps."""
+def _angles(notes: list[str], names: list[str]) -> list[float]:
+    """Take the last numbers in the folders' names for degrees where they can be; else even steps."""
+    hints = [float(found[-1]) if (found := _NUMBER.findall(name)) else None for name in names]
     known = [hint for hint in hints if hint is not None]
-    if (
-        len(known) == len(hints) == len(set(known))
-        and max(known) <= 360.0
-        and max(known) > len(known) - 1 - 1e-9
-    ):
-        draft.notes.append("positions: the numbers in the names of the folders are taken for degrees")
+    distinct = len(known) == len(hints) == len(set(known))
+    if distinct and len(known) - 1 - 1e-9 < max(known) <= 360.0:
+        notes.append("positions: the numbers in the names of the folders are taken for degrees")
         return known
-    draft.notes.append("positions: the angles are even steps from 0° to 180°; correct them")
+    notes.append("positions: the angles are even steps from 0° to 180°; correct them")
     order = sorted(range(len(hints)), key=lambda i: (hints[i] is None, hints[i] or 0.0, i))
     angles = [0.0] * len(hints)
     for rank, i in enumerate(order):
@@ -204,84 +205,28 @@ def _angles(draft: _Draft, hints: list[float | None]) -> list[float]:
     return angles
 
 
-def _bits(draft: _Draft, facts: PhotographFacts, longest: Path) -> int:
+def _bits(notes: list[str], facts: PhotographFacts, longest: Path) -> int:
     """Return the depth in use: 12-bit codes are often stored in 16-bit files."""
     if facts.bits is None or facts.bits == 8 or facts.kind == "raw":
         return 8 if facts.bits == 8 else 16
     highest = int(read_photograph(longest).codes.max())
     bits = next(bits for bits in _SENSOR_BITS if highest < 1 << bits)
-    draft.notes.append(
-        f"camera.bit_depth: the highest code of {longest.name} is {highest:,}, so {bits} bits are taken"
-    )
+    seen = f"camera.bit_depth: the highest code of {longest.name} is {highest:,}"
+    notes.append(f"{seen}, so {bits} bits are taken")
     return bits
 
 
-def _board(draft: _Draft, files: list[Path]) -> Board | None:
-    if not files:
-        return None
-    draft.notes.append(
-        "camera.board: state the board's inner corners (columns, rows) and the side of a square"
-    )
-    return Board(9, 6, 0.02, draft.names(files))
-
-
-def _dark(draft: _Draft, files: list[Path], count: int) -> tuple[str, ...]:
-    if files and len(files) != count:
-        draft.notes.append(
-            f"dark: {len(files)} photographs for {count} exposures are left out; expected one for each"
-        )
-        return ()
-    return draft.names(_by_time(files))
-
-
-def _flat(draft: _Draft, files: list[Path]) -> FlatField | None:
-    if not files:
-        return None
-    draft.notes.append("flat_field: state its exposure time")
-    exposure_s = photograph_facts(files[0]).exposure_s
-    return FlatField(draft.names(files[:1]), (exposure_s or 0.1,))
-
-
-def _white(draft: _Draft, files: list[Path], facts: PhotographFacts, count: int) -> WhiteReference | None:
-    if not files:
-        return None
-    if len(files) != count:
-        draft.notes.append(
-            f"white: {len(files)} photographs for {count} exposures are left out; expected one for each"
-        )
-        return None
-    draft.notes.append(
-        "white: state its reflectance, the lamp's angle, and a region that shows nothing but the white"
-    )
-    width, height = max(1, facts.width // 8), max(1, facts.height // 8)
-    region = ((facts.width - width) // 2, (facts.height - height) // 2, width, height)
-    return WhiteReference(draft.names(_by_time(files)), region)
-
-
-def _example(draft: _Draft) -> Session:
-    draft.notes.append("the folder holds no photographs yet; the names are those that the template proposes")
-    exposures = series_s(EXPOSURES)
-
+def _example(folder: Path) -> tuple[Session, list[str]]:
     def series(stem: str) -> tuple[str, ...]:
         return tuple(f"{stem}/{k:02d}.tif" for k in range(EXPOSURES))
 
-    return Session(
-        draft.folder.resolve().name or "session",
+    session = Session(
+        folder.resolve().name or "session",
         SessionCamera(2.0, 0.0, 12),
         Sphere(0.05),
         Light(0.7),
-        exposures,
+        series_s(EXPOSURES),
         tuple(Position(float(k), series(f"light_{k:03d}")) for k in range(180)),
         dark=series("dark"),
     )
-
-
-def _to_fill_in(session: Session) -> tuple[str, ...]:
-    scale = "light.irradiance_rgb or a white reference: without them the table has no absolute scale"
-    asked = (
-        "camera.distance_m, camera.height_m: level distance to the turntable's axis, height above the sphere's centre",
-        "sphere.radius_m: measure it with a caliper",
-        "light.distance_m, light.height_m: of the lamp, as of the camera",
-        "camera.response: unknown (recovered from the exposures), linear or srgb",
-    )
-    return asked if session.white is not None else (*asked, scale)
+    return session, ["the folder holds no photographs yet; the names are those that the template proposes"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Mapping
 from pathlib import PurePosixPath
 from types import MappingProxyType
@@ -40,6 +41,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType(
 )
 """The numbers of a session, by the last part of their place where it is unique."""
 
+MOST_EXPOSURES = 64
 SECONDS = Parameter("Exposure time", "s", 1e-7, 36_000.0, 0.01, "Of a photograph")
 
 
@@ -57,29 +59,30 @@ def check_whole(value: object, place: str, low: int, high: int) -> int:
     return value
 
 
-def check_times(value: object, place: str, most: int) -> tuple[float, ...]:
-    """Return exposure times in seconds, which must grow from one to the next; empty is allowed."""
+def set_times(owner: object) -> None:
+    """Check a value's ``exposures_s`` in seconds, which must grow from one to the next; empty is allowed."""
+    value, place = vars(owner)["exposures_s"], "exposures_s"
     if not isinstance(value, (tuple, list)):
         raise ValueRangeError(place, f"expected a list of times, not {describe(value)}")
-    if len(value) > most:
-        raise ValueRangeError(place, f"expected at most {most}, found {len(value)}")
+    if len(value) > MOST_EXPOSURES:
+        raise ValueRangeError(place, f"expected at most {MOST_EXPOSURES}, found {len(value)}")
     times = tuple(SECONDS.check(item, f"{place}[{i}]") for i, item in enumerate(value))
-    for i in range(1, len(times)):
-        if times[i] <= times[i - 1]:
-            raise ValueRangeError(
-                f"{place}[{i}]",
-                f"{times[i]:g} s comes after {times[i - 1]:g} s; list the exposures from the shortest to the longest",
-            )
-    return times
+    for i, (before, time) in enumerate(itertools.pairwise(times), 1):
+        if time <= before:
+            order = "list the exposures from the shortest to the longest"
+            raise ValueRangeError(f"{place}[{i}]", f"{time:g} s comes after {before:g} s; {order}")
+    object.__setattr__(owner, place, times)
 
 
-def check_series(value: object, place: str, least: int, most: int) -> tuple[str, ...]:
-    """Return the names of files in a list of ``least`` to ``most``."""
+def set_series(owner: object, place: str = "photographs", least: int = 1, most: int = MOST_EXPOSURES) -> None:
+    """Check a value's list of names of files, ``least`` to ``most``."""
+    value = vars(owner)[place]
     if not isinstance(value, (tuple, list)):
         raise ValueRangeError(place, f"expected a list of names of files, not {describe(value)}")
     if not least <= len(value) <= most:
         raise ValueRangeError(place, f"expected {least} to {most} files, found {len(value)}")
-    return tuple(check_name(item, f"{place}[{i}]") for i, item in enumerate(value))
+    names = tuple(check_name(item, f"{place}[{i}]") for i, item in enumerate(value))
+    object.__setattr__(owner, place, names)
 
 
 def check_name(value: object, place: str) -> str:

@@ -2,26 +2,34 @@
 
 from __future__ import annotations
 
-import os
+import struct
+import zlib
 from collections.abc import Iterator
+from fractions import Fraction
 from pathlib import Path
+
+import numpy as np
+from PIL.Image import Exif
+from PIL.TiffImagePlugin import IFDRational
+from tifffile import imwrite
 
 from brdf_suite.acquisition.session.session import SESSION_FILE, Session
 from brdf_suite.acquisition.session.store import write_session
-from brdf_suite.acquisition.simulator.description import TRUTH_FILE
-from brdf_suite.acquisition.simulator.rig import Simulator
+from brdf_suite.acquisition.simulator.rig import TRUTH_FILE, Simulator
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-from brdf_suite.acquisition.simulator.writing import write_photograph
 from brdf_suite.arrays import Codes
 from brdf_suite.documents.atomic import encode, write_atomically
-from brdf_suite.errors import FileError
+from brdf_suite.errors import FileError, PathLike
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.protocol import Reflectance
+
+_EXPOSURE_TIME, _EXIF_FOLDER = 0x829A, 0x8769
+_RATIONAL = 5
 
 
 def simulate(
     reflectance: Reflectance,
-    folder: str | os.PathLike[str],
+    folder: PathLike,
     settings: SimulatorSettings | None = None,
     name: str = "paint",
     progress: Progress | None = None,
@@ -81,3 +89,49 @@ def _series(rig: Simulator) -> Iterator[tuple[tuple[str, ...], tuple[float, ...]
             yield (file,), (1.0,), rig.board(i)[None]
     for k, position in enumerate(session.positions):
         yield position.photographs, session.exposures_s, rig.position(k)
+
+
+def write_photograph(path: PathLike, codes: Codes, exposure_s: float) -> None:
+    """Write codes (h, w, 3), uint8 or uint16, as a camera's software does: as PNG or, with the ending ``.tif``, TIFF.
+
+    The files are quick to write, not small: photographs are noise to a packer.
+    """
+    target = Path(path)
+    try:
+        # Not forced to the disk: thousands of files, and the session that makes them count comes last.
+        if target.suffix == ".tif":
+            _write_tiff(target, codes, exposure_s)
+        else:
+            target.write_bytes(_png(codes, exposure_s))
+    except OSError as error:
+        raise FileError(path, f"cannot be written ({error.strerror})") from error
+
+
+def _png(codes: Codes, exposure_s: float) -> bytes:
+    height, width, _ = codes.shape
+    big = np.ascontiguousarray(codes.astype(codes.dtype.newbyteorder(">")))
+    rows = big.view(np.uint8).reshape(height, -1)
+    packed = zlib.compress(np.pad(rows, ((0, 0), (1, 0))).tobytes(), 1)
+    header = struct.pack(">IIBBBBB", width, height, 8 * codes.itemsize, 2, 0, 0, 0)
+    chunks = [(b"IHDR", header), (b"eXIf", exif(exposure_s)), (b"IDAT", packed), (b"IEND", b"")]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks
+    )
+
+
+def exif(exposure_s: float) -> bytes:
+    """Return the EXIF block (a TIFF of no picture) that holds an exposure time."""
+    block = Exif()
+    block[_EXIF_FOLDER] = {_EXPOSURE_TIME: IFDRational(*_fraction(exposure_s))}
+    return block.tobytes().removeprefix(b"Exif\0\0")
+
+
+def _fraction(seconds: float) -> tuple[int, int]:
+    return Fraction(seconds).limit_denominator(10_000_000).as_integer_ratio()
+
+
+def _write_tiff(target: Path, codes: Codes, exposure_s: float) -> None:
+    # The time stands beside the picture's size, as TIFF/EP has it, since tifffile writes no EXIF folder.
+    time = (_EXPOSURE_TIME, _RATIONAL, 1, _fraction(exposure_s), True)
+    imwrite(target, codes, photometric="rgb", metadata=None, software=False, extratags=[time])

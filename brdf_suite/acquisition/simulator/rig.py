@@ -1,34 +1,52 @@
-"""Simulated rig: its true geometry, its nominal session, and its photographs."""
+"""Simulated rig: its true geometry, its nominal session, the ground truth, and its photographs."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from brdf_suite.acquisition.session.camera import Lens
-from brdf_suite.acquisition.session.session import Session, SessionCamera
-from brdf_suite.acquisition.session.values import Matrix
-from brdf_suite.acquisition.simulator.calibration_pictures import (
+from brdf_suite.acquisition.session.session import (
+    Board,
+    FlatField,
+    Lens,
+    Light,
+    Position,
+    Session,
+    SessionCamera,
+    Sphere,
+    WhiteReference,
+)
+from brdf_suite.acquisition.session.values import Point
+from brdf_suite.acquisition.simulator.optics import (
+    HOUSING_RADIUS_M,
+    POST_RADIUS_M,
+    SimulatedCamera,
+    SimulatedLamp,
+    profile_table,
+    tilt_camera,
+)
+from brdf_suite.acquisition.simulator.picture import (
     BOARD_COLUMNS,
     BOARD_PICTURES,
     BOARD_ROWS,
+    TILE_REFLECTANCE,
+    SimulatedScene,
     board_picture,
     board_square_m,
     tile_picture,
     tile_region,
 )
-from brdf_suite.acquisition.simulator.description import WHITE_ANGLE_DEG, describe_truth, nominal_session
-from brdf_suite.acquisition.simulator.lamp import SimulatedLamp
-from brdf_suite.acquisition.simulator.optics import SimulatedCamera, tilt_camera
-from brdf_suite.acquisition.simulator.picture import SimulatedScene
-from brdf_suite.acquisition.simulator.sensor import Sensor
+from brdf_suite.acquisition.simulator.sensor import Sensor, response
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-from brdf_suite.arrays import Codes, Floats
+from brdf_suite.arrays import Codes, Floats, Singles
 from brdf_suite.reflectance.protocol import Reflectance
 
+WHITE_ANGLE_DEG = 30.0
+TRUTH_FILE = "truth.json"
+_CURVE_POINTS = 257
 _LAMP_RGB = np.array([0.92, 1.0, 0.81])
 _METER_ANGLE_DEG = 60.0
 _BRIGHTEST = 0.7
@@ -66,46 +84,82 @@ class Simulator:
     @cached_property
     def session(self) -> Session:
         """The input of the reconstruction: the rig as intended, and the names of the files."""
-        settings = self.settings
-        corners = board_square_m(self.optics, settings)
-        return nominal_session(
-            settings,
+        settings, ending = self.settings, {"png": ".png", "tiff": ".tif"}[self.settings.file_kind]
+        exposures = settings.exposures_s()
+
+        def series(stem: str, count: int = len(exposures)) -> tuple[str, ...]:
+            return tuple(f"{stem}/{k:02d}{ending}" for k in range(count))
+
+        board = white = stated = matrix = None
+        if settings.colour_matrix:
+            red, green, blue = np.linalg.inv(_FROM_WORKING)
+            matrix = (_three(red), _three(green), _three(blue))
+        if settings.board:
+            square = board_square_m(self.optics, settings)
+            board = Board(BOARD_COLUMNS, BOARD_ROWS, square, series("board", BOARD_PICTURES))
+        if settings.white:
+            region = tile_region(self.optics, settings)
+            white = WhiteReference(series("white"), region, (TILE_REFLECTANCE,) * 3, WHITE_ANGLE_DEG)
+        else:
+            stated = _three(self._irradiance())
+        camera = SessionCamera(
+            settings.camera_distance_m,
+            settings.camera_height_m,
+            settings.bit_depth,
+            "unknown" if settings.curve == "film" else settings.curve,
+            math.degrees(_tilt(settings)),
+            matrix,
+            None if settings.board else self.optics.lens,
+            board,
+        )
+        light = Light(
+            settings.light_distance_m,
+            settings.light_height_m,
+            stated,
+            profile_table() if settings.profile else (),
+            housing_radius_m=HOUSING_RADIUS_M if settings.arm else 0.0,
+            post_radius_m=POST_RADIUS_M if settings.arm else 0.0,
+        )
+        return Session(
             self.name,
-            SessionCamera(
-                settings.camera_distance_m,
-                settings.camera_height_m,
-                settings.bit_depth,
-                "unknown" if settings.curve == "film" else settings.curve,
-                math.degrees(_tilt(settings)),
-                self._stated_matrix(),
-                None if settings.board else self.optics.lens,
-            ),
-            (BOARD_COLUMNS, BOARD_ROWS, corners, BOARD_PICTURES),
-            tile_region(self.optics, settings),
-            self._irradiance(),
+            camera,
+            Sphere(settings.radius_m, (0.0, 0.0, 0.0) if settings.state_centre else None),
+            light,
+            exposures,
+            tuple(Position(angle, series(f"light_{k:04d}")) for k, angle in enumerate(settings.angles())),
+            white,
+            series("dark") if settings.dark else (),
+            FlatField(series("flat_field", 1), (1.0,)) if settings.flat_field else None,
+            notes="Simulated.",
         )
 
     @cached_property
     def truth(self) -> dict[str, object]:
-        """The true rig as JSON data; the reconstruction does not see it."""
-        centres = [list(self._centre(k)) for k in range(len(self.settings.angles()))]
-        places = [list(self.lamp(k).place) for k in range(len(self.settings.angles()))]
-        return describe_truth(
-            self.settings,
-            self.name,
-            self.optics.lens,
-            self._irradiance(),
-            self.sensor.black,
-            self.sensor.unit_rgb(),
-            centres,
-            places,
-        )
+        """The true rig as JSON data; the reconstruction does not see it.
+
+        ``response`` holds codes and, for each, the exposure of the three channels in the photographs' unit.
+        """
+        positions = range(len(self.settings.angles()))
+        filling = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
+        black, white = self.sensor.black, 2**self.settings.bit_depth - 1
+        codes = black + response(self.settings.curve, filling) * (white - black)
+        exposures = filling * self.sensor.unit_rgb()
+        return {
+            "paint": self.name,
+            "settings": asdict(self.settings),
+            "intrinsics": asdict(self.optics.lens),
+            "irradiance_rgb": self._irradiance().tolist(),
+            "black_code": black,
+            "response": {"codes": codes.T.tolist(), "exposures": exposures.T.tolist()},
+            "sphere_centres_m": [self._centre(k).tolist() for k in positions],
+            "lamps_m": [self.lamp(k).place.tolist() for k in positions],
+        }
 
     def lamp(self, position: int) -> SimulatedLamp:
         """Return the lamp where it truly stands at a position."""
         return self._lamp(self.settings.angles()[position])
 
-    def radiance(self, position: int) -> NDArray[np.float32]:
+    def radiance(self, position: int) -> Singles:
         """Return (h, w, 3): the sphere's radiance as it is, without camera, in the photographs' unit per second."""
         unit = self._strength * self.sensor.unit_rgb()
         return (self._scene(position).mean_radiance(self.lamp(position)) * unit).astype(np.float32)
@@ -148,14 +202,7 @@ class Simulator:
         return _LAMP_RGB * min(bright, _MIDDLING / (float(np.median(lit)) * longest))
 
     def _irradiance(self) -> Floats:
-        stated: Floats = self._strength * self.sensor.unit_rgb()
-        return stated
-
-    def _stated_matrix(self) -> Matrix | None:
-        if not self.settings.colour_matrix:
-            return None
-        first, second, third = ((float(a), float(b), float(c)) for a, b, c in np.linalg.inv(_FROM_WORKING))
-        return first, second, third
+        return np.asarray(self._strength * self.sensor.unit_rgb())
 
     def _lamp(self, degrees: float) -> SimulatedLamp:
         return self._unit_lamp(degrees + self.settings.light_offset_deg)
@@ -174,30 +221,30 @@ class Simulator:
         if settings.moved is not None and position >= settings.moved[0]:
             right, down = right + settings.moved[1], down + settings.moved[2]
         scale = settings.camera_distance_m / self.optics.lens.fx
-        centre: Floats = (right * self.optics.turn[0] + down * self.optics.turn[1]) * scale
-        return centre
+        return np.asarray((right * self.optics.turn[0] + down * self.optics.turn[1]) * scale)
 
     def _scene(self, position: int) -> SimulatedScene:
-        settings = self.settings
+        settings, centre = self.settings, self._centre(position)
         matrix = _FROM_WORKING if settings.colour_matrix else None
-        centre = self._centre(position)
-        return SimulatedScene(
-            self.optics, settings.size, centre, settings.radius_m, self.reflectance, matrix, settings.arm
-        )
+        surface = (settings.radius_m, self.reflectance, matrix)
+        return SimulatedScene(self.optics, settings.size, centre, *surface, settings.arm)
 
     @cached_property
     def _vignette(self) -> Floats:
         """Return vignetting (h, w, 1): the transmitted fraction, 1 in the middle of the picture."""
         width, height = self.settings.size
         rows, columns = np.mgrid[0.0:height, 0.0:width]
-        off = ((rows - 0.5 * (height - 1)) ** 2 + (columns - 0.5 * (width - 1)) ** 2) / (
-            0.25 * (width**2 + height**2)
-        )
-        left: Floats = (1.0 - self.settings.vignetting * off)[..., None]
-        return left
+        away = (rows - 0.5 * (height - 1)) ** 2 + (columns - 0.5 * (width - 1)) ** 2
+        off = away / (0.25 * (width**2 + height**2))
+        return np.asarray((1.0 - self.settings.vignetting * off)[..., None])
 
     def _photographed(self, picture: Floats, exposures_s: tuple[float, ...], shot: int) -> Codes:
         return self.sensor.expose((picture * self._vignette).astype(np.float32), exposures_s, shot)
+
+
+def _three(values: Floats) -> Point:
+    x, y, z = values.tolist()
+    return x, y, z
 
 
 def _tilt(settings: SimulatorSettings) -> float:
@@ -212,12 +259,7 @@ def _optics(settings: SimulatorSettings) -> SimulatedCamera:
     focal = 0.5 * settings.fill * min(width, height) / outline
     corner = 0.5 * math.hypot(width, height) / focal
     # The principal point is never quite the middle of the picture.
-    lens = Lens(
-        focal,
-        focal,
-        0.5 * (width - 1) + 0.004 * width,
-        0.5 * (height - 1) - 0.003 * height,
-        settings.distortion / corner**2,
-    )
+    principal = (0.5 * (width - 1) + 0.004 * width, 0.5 * (height - 1) - 0.003 * height)
+    lens = Lens(focal, focal, *principal, settings.distortion / corner**2)
     centre, turn = tilt_camera(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
     return SimulatedCamera(centre, turn, lens)

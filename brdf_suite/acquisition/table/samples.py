@@ -25,15 +25,15 @@ is one pass over these.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.lens import lens_rays
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.acquisition.table import samples_kernel
-from brdf_suite.arrays import Bools, Singles
+from brdf_suite.arrays import AnyArray, Bools, Floats, Singles
 from brdf_suite.errors import ValueRangeError
 
 GRAZING_DEG = 80.0
@@ -114,11 +114,8 @@ class SphereSampler:
         if not 0.0 < grazing_deg < 90.0:
             raise ValueRangeError("grazing_deg", f"{grazing_deg:g}°; expected above 0° and below 90°")
         if mask is not None and mask.shape != geometry.shape:
-            raise ValueRangeError(
-                "mask",
-                f"{mask.shape[1]} × {mask.shape[0]} pixels; the photographs have "
-                f"{geometry.shape[1]} × {geometry.shape[0]}",
-            )
+            sizes = (f"{shape[1]} × {shape[0]}" for shape in (mask.shape, geometry.shape))
+            raise ValueRangeError("mask", "{} pixels; the photographs have {}".format(*sizes))
         self.geometry = geometry
         self._least = math.cos(math.radians(grazing_deg))
         self._peak = math.radians(peak_deg)
@@ -133,9 +130,9 @@ class SphereSampler:
         low = np.clip(np.floor(outline.min(axis=0)) - 1, 0, (width, height)).astype(int)
         high = np.clip(np.ceil(outline.max(axis=0)) + 2, low, (width, height)).astype(int)
         places = []
-        for first in range(low[1], high[1], max(1, _BLOCK // max(1, high[0] - low[0]))):
-            last = min(high[1], first + max(1, _BLOCK // max(1, high[0] - low[0])))
-            x, y = np.meshgrid(np.arange(low[0], high[0]), np.arange(first, last))
+        step = max(1, _BLOCK // max(1, high[0] - low[0]))
+        for first in range(low[1], high[1], step):
+            x, y = np.meshgrid(np.arange(low[0], high[0]), np.arange(first, min(high[1], first + step)))
             usable = self._usable(np.stack((x, y), axis=-1), upper_half)
             if mask is not None:
                 usable &= mask[y, x]
@@ -151,29 +148,19 @@ class SphereSampler:
         right, down = np.array((0.5, 0.0)), np.array((0.0, 0.5))
         east = self._surface(columns + right)[1] - self._surface(columns - right)[1]
         south = self._surface(columns + down)[1] - self._surface(columns - down)[1]
-        self._points, self._normals = points.astype(np.float32), normals.astype(np.float32)
-        self._views, self._tangents = views.astype(np.float32), tangents.astype(np.float32)
-        self._slopes = np.concatenate((east, south), axis=-1).astype(np.float32)
+        seen = (points, normals, tangents, views, np.concatenate((east, south), axis=-1))
+        self._seen = tuple(array.astype(np.float32) for array in seen)
+        self.box = (slice(0, 0), slice(0, 0))
         if len(self._places):
-            top, left = self._places.min(axis=0)
-            bottom, right = self._places.max(axis=0)
             # Two pixels more all round: the peak's shape is read off neighbours.
-            self.box = (
-                slice(max(int(top) - 2, 0), min(int(bottom) + 3, height)),
-                slice(max(int(left) - 2, 0), min(int(right) + 3, width)),
-            )
-        else:
-            self.box = (slice(0, 0), slice(0, 0))
+            top, left = np.maximum(self._places.min(axis=0) - 2, 0).tolist()
+            bottom, right = np.minimum(self._places.max(axis=0) + 3, (height, width)).tolist()
+            self.box = (slice(top, bottom), slice(left, right))
 
-    def _surface(self, pixels: npt.NDArray[np.float64]) -> tuple[npt.NDArray[np.float64], ...]:
+    def _surface(self, pixels: Floats) -> tuple[Floats, ...]:
         """Return points, normals and ways to the camera (..., 3) that pixels (..., 2) see."""
-        geometry = self.geometry
-        rays = lens_rays(geometry.lens, pixels)
-        along = rays @ geometry.centre
-        rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
-        points = (along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays
-        normals = (points - geometry.centre) / geometry.radius_m
-        return points, normals, -rays
+        rays, points, _ = self.geometry.meet(pixels)
+        return points, (points - self.geometry.centre) / self.geometry.radius_m, -rays
 
     def _usable(self, pixels: npt.NDArray[np.int_], upper_half: bool) -> Bools:
         """Return which pixels (..., 2) see the sphere, its upper half, and not too slantwise."""
@@ -185,8 +172,7 @@ class SphereSampler:
             up = unit(self.geometry.up)
             rising = normals @ up
             usable &= (rising > 0.0) & (2.0 * cosine * rising - views @ up >= 0.0)
-        kept: Bools = usable
-        return kept
+        return np.asarray(usable)
 
     def __len__(self) -> int:
         """Return how many pixels can be samples."""
@@ -226,89 +212,41 @@ class SphereSampler:
         """
         places = self._local_places(radiance.shape[:2])
         radiance = np.ascontiguousarray(radiance, np.float32)
-        noise_in = (
-            np.empty((0, 0, 3), np.float32)
-            if variance is None
-            else np.ascontiguousarray(variance, np.float32)
-        )
-        known = np.empty((0, 0), bool) if good is None else np.ascontiguousarray(good, bool)
-        for name, picture in (("variance", noise_in), ("good", known)):
+        noise = np.empty((0, 0, 3)) if variance is None else variance
+        known = np.empty((0, 0)) if good is None else good
+        for name, picture in (("variance", noise), ("good", known)):
             if picture.shape[0] and picture.shape[:2] != radiance.shape[:2]:
-                raise ValueRangeError(
-                    name, f"{picture.shape[:2]} rows and columns; {radiance.shape[:2]} wanted"
-                )
-        lamp, table, down, hiding = self._lamp(k)
+                reason = f"{picture.shape[:2]} rows and columns; {radiance.shape[:2]} wanted"
+                raise ValueRangeError(name, reason)
+        pictures = (radiance, np.ascontiguousarray(noise, np.float32), np.ascontiguousarray(known, bool))
+        lamp = self._lamp(k)
         irradiance = np.array(self.geometry.irradiance_rgb or (1.0, 1.0, 1.0))
         scratch = np.zeros(32 + 3 * self._parts**2)
-        arrays = _Arrays(len(places))
-        count = samples_kernel.read_pixels(
-            places,
-            self._points,
-            self._normals,
-            self._tangents,
-            self._views,
-            self._slopes,
-            radiance,
-            noise_in,
-            known,
-            lamp,
-            table,
-            down,
-            hiding,
-            self._least,
-            irradiance,
-            scratch,
-            arrays.wi,
-            arrays.wo,
-            arrays.value,
-            arrays.variance,
-            arrays.half_angle,
-            arrays.footprint,
-            arrays.index,
-        )
-        whole = arrays.first(count)
-        near = whole.index[whole.half_angle[:, 0] < self._peak]
+        whole = _made(len(places))
+        common = (self._least, irradiance, scratch)
+        count = samples_kernel.read_pixels(places, self._seen, pictures, lamp, *common, whole)
+        whole = tuple(array[:count] for array in whole)
+        *_, half_angle, footprint, index = whole
+        near = index[half_angle[:, 0] < self._peak]
         if self._parts < 2 or not len(near):
-            return whole.samples(self._flat(whole.index), 1.0)
-        fine = _Arrays(len(near) * self._parts**2)
-        count = samples_kernel.read_parts(
-            near,
-            places,
-            self._points,
-            self._normals,
-            self._tangents,
-            self._slopes,
-            radiance,
-            noise_in,
-            known,
-            lamp,
-            table,
-            self.geometry.radius_m,
-            self._least,
-            irradiance,
-            self._parts,
-            scratch,
-            fine.wi,
-            fine.wo,
-            fine.value,
-            fine.variance,
-            fine.half_angle,
-            fine.index,
-        )
-        fine = fine.first(count)
-        divided = np.isin(whole.index, fine.index)
-        position = np.searchsorted(whole.index, fine.index)
-        fine.footprint[:] = whole.footprint[position] / self._parts
-        both = _Arrays.joined(whole.taken(~divided), fine)
-        order = np.argsort(both.index, kind="stable")
-        weight = np.concatenate(
-            (
-                np.ones(int(np.count_nonzero(~divided)), np.float32),
-                np.full(count, 1.0 / self._parts**2, np.float32),
-            )
-        )
-        both = both.taken(order)
-        return both.samples(self._flat(both.index), weight[order])
+            return self._samples(whole, np.ones(count, np.float32))
+        fine = _made(len(near) * self._parts**2)
+        size = (self.geometry.radius_m, self._parts)
+        count = samples_kernel.read_parts(near, places, self._seen, pictures, lamp, *size, *common, fine)
+        fine = tuple(array[:count] for array in fine)
+        fine[-2][:] = footprint[np.searchsorted(index, fine[-1])] / self._parts
+        kept = ~np.isin(index, fine[-1])
+        weight = np.full(np.count_nonzero(kept) + count, 1.0 / self._parts**2, np.float32)
+        weight[: np.count_nonzero(kept)] = 1.0
+        both = [np.concatenate((a[kept], b)) for a, b in zip(whole, fine, strict=True)]
+        order = np.argsort(both[-1], kind="stable")
+        return self._samples([array[order] for array in both], weight[order])
+
+    def _samples(self, made: Sequence[AnyArray], weight: Singles) -> PositionSamples:
+        wi, wo, value, variance, half_angle, footprint, index = made
+        places = self._places[index]
+        pixel = places[:, 0] * np.int32(self.geometry.shape[1]) + places[:, 1]
+        return PositionSamples(wi, wo, value, variance, weight, half_angle, footprint, pixel)
 
     def _local_places(self, shape: tuple[int, ...]) -> npt.NDArray[np.int32]:
         """Return row and column of the pixels in the whole photograph, or in the box."""
@@ -317,17 +255,10 @@ class SphereSampler:
         rows, columns = self.box
         if tuple(shape) == (rows.stop - rows.start, columns.stop - columns.start):
             return self._places - np.array((rows.start, columns.start), np.int32)
-        raise ValueRangeError(
-            "radiance",
-            f"{shape[0]} rows and {shape[1]} columns; {self.geometry.shape} of a photograph or those of the box wanted",
-        )
+        wanted = f"{self.geometry.shape} of a photograph or those of the box wanted"
+        raise ValueRangeError("radiance", f"{shape[0]} rows and {shape[1]} columns; {wanted}")
 
-    def _flat(self, index: npt.NDArray[np.int32]) -> npt.NDArray[np.int32]:
-        places = self._places[index]
-        flat: npt.NDArray[np.int32] = places[:, 0] * np.int32(self.geometry.shape[1]) + places[:, 1]
-        return flat
-
-    def _lamp(self, k: int) -> tuple[npt.NDArray[np.float64], ...]:
+    def _lamp(self, k: int) -> tuple[Floats, ...]:
         """Return the lamp's place, axis and squared distance, its profile, down, and what hides."""
         geometry = self.geometry
         place = geometry.light(geometry.angles_deg[k])
@@ -339,48 +270,7 @@ class SphereSampler:
         return lamp, table, -unit(geometry.up), np.array((geometry.housing_radius_m, geometry.post_radius_m))
 
 
-@dataclass(frozen=True)
-class _Arrays:
-    """Room for n samples, as the kernels fill it."""
-
-    wi: Singles
-    wo: Singles
-    value: Singles
-    variance: Singles
-    half_angle: Singles
-    footprint: Singles
-    index: npt.NDArray[np.int32]
-
-    def __init__(self, count: int, arrays: tuple[npt.NDArray[np.generic], ...] = ()) -> None:
-        made = arrays or (
-            *(np.zeros((count, 3), np.float32) for _ in range(5)),
-            np.zeros(count, np.float32),
-            np.zeros(count, np.int32),
-        )
-        for name, array in zip(self.__dataclass_fields__, made, strict=True):
-            object.__setattr__(self, name, array)
-
-    def all(self) -> tuple[npt.NDArray[np.generic], ...]:
-        return tuple(getattr(self, name) for name in self.__dataclass_fields__)
-
-    def first(self, count: int) -> _Arrays:
-        return _Arrays(count, tuple(array[:count] for array in self.all()))
-
-    def taken(self, which: npt.NDArray[np.generic]) -> _Arrays:
-        return _Arrays(0, tuple(array[which] for array in self.all()))
-
-    @classmethod
-    def joined(cls, a: _Arrays, b: _Arrays) -> _Arrays:
-        return cls(0, tuple(np.concatenate(pair) for pair in zip(a.all(), b.all(), strict=True)))
-
-    def samples(self, pixel: npt.NDArray[np.int32], weight: float | Singles) -> PositionSamples:
-        return PositionSamples(
-            wi=self.wi,
-            wo=self.wo,
-            value=self.value,
-            variance=self.variance,
-            weight=np.full(len(self.value), weight, np.float32) if isinstance(weight, float) else weight,
-            half_angle=self.half_angle,
-            footprint=self.footprint,
-            pixel=pixel,
-        )
+def _made(count: int) -> tuple[AnyArray, ...]:
+    """Return room for samples as the kernels fill it: wi, wo, value, variance, half_angle, footprint, place."""
+    rows = (np.zeros((count, 3), np.float32) for _ in range(5))
+    return (*rows, np.zeros(count, np.float32), np.zeros(count, np.int32))

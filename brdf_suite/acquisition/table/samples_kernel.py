@@ -107,44 +107,35 @@ def is_occluded(point: Array, view: Array, lamp: Array, down: Array, housing: fl
 @compiled
 def read_pixels(
     places: Array,
-    points: Array,
-    normals: Array,
-    tangents: Array,
-    views: Array,
-    slopes: Array,
-    radiance: Array,
-    variance: Array,
-    good: Array,
+    surface: Array,
+    pictures: Array,
     lamp: Array,
-    lamp_table: Array,
-    down: Array,
-    hiding: Array,
     least: float,
     irradiance: Array,
     scratch: Array,
-    wi: Array,
-    wo: Array,
-    value: Array,
-    noise: Array,
-    half_angle: Array,
-    footprint: Array,
-    index: Array,
+    made: Array,
 ) -> int:
-    """Fill the arrays from ``wi`` on with what the pixels at ``places`` show; return how many do.
+    """Fill the arrays ``made`` with what the pixels at ``places`` show; return how many do.
 
-    ``places`` (n, 2): row and column in ``radiance`` (h, w, 3), ``variance`` (h, w, 3), ``good`` (h, w); either of the
-    last two may be empty. ``index`` gets the number of the pixel in ``places``.
+    ``places`` (n, 2): row and column in the ``pictures``: radiance (h, w, 3), its variance (h, w, 3), what is good
+    (h, w); either of the last two may be empty. ``surface``: points, normals, tangents, ways to the camera (n, 3) and
+    slopes (n, 6). ``lamp``: place and profile as of :func:`reading`, down (3,), radii of housing and post. ``made``:
+    wi, wo, value, variance, half angles (n, 3), footprint (n,), and (n,) the number of the pixel in ``places``.
     """
+    points, normals, tangents, views, slopes = surface
+    radiance, variance, good = pictures
+    light, profile, down, hiding = lamp
+    wi, wo, value, noise, half_angle, footprint, index = made
     with_noise, with_good = variance.shape[0] > 0, good.shape[0] > 0
     count = 0
     for k in range(len(places)):
         row, column = places[k, 0], places[k, 1]
         if with_good and not good[row, column]:
             continue
-        received = reading(points[k], normals[k], tangents[k], views[k], lamp, lamp_table, scratch)
+        received = reading(points[k], normals[k], tangents[k], views[k], light, profile, scratch)
         if received <= 0.0 or scratch[2] < least:
             continue
-        if is_occluded(points[k], views[k], lamp, down, hiding[0], hiding[1]):
+        if is_occluded(points[k], views[k], light, down, hiding[0], hiding[1]):
             continue
         finite = True
         for c in range(3):
@@ -238,32 +229,25 @@ def lobe_through(radiance: Array, row: int, column: int, channel: int, lobe: Arr
 def read_parts(
     chosen: Array,
     places: Array,
-    points: Array,
-    normals: Array,
-    tangents: Array,
-    slopes: Array,
-    radiance: Array,
-    variance: Array,
-    good: Array,
+    surface: Array,
+    pictures: Array,
     lamp: Array,
-    lamp_table: Array,
     radius: float,
+    parts: int,
     least: float,
     irradiance: Array,
-    parts: int,
     scratch: Array,
-    wi: Array,
-    wo: Array,
-    value: Array,
-    noise: Array,
-    half_angle: Array,
-    index: Array,
+    made: Array,
 ) -> int:
     """As :func:`read_pixels` for the pixels ``chosen`` (m,) near the peak, each in ``parts``² parts.
 
     The parts' radiances follow :func:`lobe_through` and have the pixel's own mean. A pixel without good neighbours
-    gives none: count them by ``index``.
+    gives none: count them by their numbers. Footprints are left to the caller.
     """
+    points, normals, tangents, _, slopes = surface
+    radiance, variance, good = pictures
+    light, profile, _, _ = lamp
+    wi, wo, value, noise, half_angle, _, index = made
     with_noise, with_good = variance.shape[0] > 0, good.shape[0] > 0
     point, normal, tangent, view = scratch[9:12], scratch[12:15], scratch[15:18], scratch[18:21]
     lobe = scratch[21:27]
@@ -324,15 +308,11 @@ def read_parts(
             else:
                 for axis in range(3):
                     tangent[axis] = tangents[k, axis]
-            received = reading(point, normal, tangent, view, lamp, lamp_table, scratch)
+            received = reading(point, normal, tangent, view, light, profile, scratch)
             if received <= 0.0 or scratch[2] < least:
                 continue
             for c in range(3):
-                wi[count, c], wo[count, c], half_angle[count, c] = (
-                    scratch[c],
-                    scratch[3 + c],
-                    scratch[6 + c],
-                )
+                wi[count, c], wo[count, c], half_angle[count, c] = scratch[c], scratch[3 + c], scratch[6 + c]
                 scale = share[c, part] / (received * irradiance[c])
                 value[count, c] = radiance[row, column, c] * scale
                 if with_noise:

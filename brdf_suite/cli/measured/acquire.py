@@ -8,9 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
+from brdf_suite.acquisition.reconstruction.table import Acquired
 from brdf_suite.acquisition.session.template import write_template
 from brdf_suite.acquisition.simulator import SimulatorSettings, simulate
 from brdf_suite.cli.output import add_arguments, print_json, progress_bar
@@ -169,7 +170,7 @@ def run(options: argparse.Namespace) -> int:
     )
     road = Acquisition.open(options.folder, chosen)
     if options.check:
-        findings = road.check(None)
+        findings = road.source.findings(None)
         if options.json:
             print_json({"session": road.session.name, "findings": [one.to_json() for one in findings]})
         else:

@@ -8,7 +8,7 @@ from pathlib import Path
 from brdf_suite.cli.output import add_arguments, print_json, progress_bar
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.errors import FileError, FittingError
-from brdf_suite.fitting.homomorphic.radial import SYMMETRIC
+from brdf_suite.fitting.homomorphic.factorization import SYMMETRIC
 from brdf_suite.fitting.homomorphic.reflectance_fit import (
     TABLE_ENDING,
     FactoredFit,

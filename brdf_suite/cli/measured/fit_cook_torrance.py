@@ -13,10 +13,10 @@ from brdf_suite.cli.output import add_arguments, print_json, print_notes, progre
 from brdf_suite.documents.store import save_paint
 from brdf_suite.errors import FileError, FittingError
 from brdf_suite.files.measured.brdftable import write_brdftable
+from brdf_suite.fitting.cook_torrance.fit import StartsFile
 from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
-from brdf_suite.fitting.cook_torrance.reflectance_samples import FitErrors
+from brdf_suite.fitting.cook_torrance.samples import FitErrors
 from brdf_suite.fitting.cook_torrance.settings import MODELS, Settings
-from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import report, subrange
 

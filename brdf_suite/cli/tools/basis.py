@@ -14,8 +14,7 @@ from brdf_suite.cli.tools.measurements import describe_machine
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.fitting.basis_search import document
 from brdf_suite.fitting.basis_search.database import load_database
-from brdf_suite.fitting.basis_search.search import CountResult, search
-from brdf_suite.fitting.basis_search.workers import usable_cores
+from brdf_suite.fitting.basis_search.search import CountResult, search, usable_cores
 from brdf_suite.resources import resource_root
 
 _OUTPUT = Path("basis.json")

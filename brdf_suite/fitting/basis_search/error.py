@@ -30,8 +30,7 @@ from brdf_suite.fitting.basis_search.database import (
     coat_counts,
     coat_rings,
 )
-from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
-from brdf_suite.fitting.lobes.program import PartProgram
+from brdf_suite.fitting.lobes.program import PartProgram, base_program, coat_program, with_energy
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
 from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
@@ -110,8 +109,7 @@ class BasisError:
     def __call__(self, exponents: Sequence[float] | Floats) -> Floats:
         """Return Error(E, paint) ``(paints,)`` for exponents ``(m,)`` in any order; raises as :meth:`layers`."""
         base, coat = self.layers(exponents)
-        result: Floats = np.sqrt(0.5 * (base**2 + coat**2))
-        return result
+        return np.asarray(np.sqrt(0.5 * (base**2 + coat**2)))
 
 
 def equation_4(errors: Floats) -> float:
@@ -138,5 +136,4 @@ def _solve(program: PartProgram, targets: Floats, batch: int) -> Floats:
             if solver.run(PATIENCE_S) is not SolverOutcome.OPTIMAL:
                 raise FittingError("The linear program of a basis was not solved; the basis is left out.")
         parts.append(solver.solution().solutions[0][:, :used])
-    columns: Floats = np.concatenate(parts, axis=1) * program.column_scale[:, None] * sizes
-    return columns
+    return np.asarray(np.concatenate(parts, axis=1) * program.column_scale[:, None] * sizes)

@@ -3,19 +3,35 @@
 from __future__ import annotations
 
 import itertools
+import multiprocessing
+import os
+import signal
+import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
+from multiprocessing.synchronize import Event
 
 import numpy as np
 
-from brdf_suite.errors import FittingError
+from brdf_suite.errors import Cancelled, FittingError
 from brdf_suite.fitting.basis_search.database import Database
 from brdf_suite.fitting.basis_search.error import BasisError, equation_4
-from brdf_suite.fitting.basis_search.optimize import LARGEST_EXPONENT, LOG_ENDS, Optimum
-from brdf_suite.fitting.basis_search.workers import Exponents, Workers
+from brdf_suite.fitting.basis_search.optimize import LARGEST_EXPONENT, LOG_ENDS, Optimum, optimize
+from brdf_suite.processes import safe_path_inherited
 from brdf_suite.progress import Progress, report
 
+Exponents = tuple[float, ...]
+#: How often the caller hears of the work, seconds: it may want to cancel.
+POLL_S = 0.2
+
+# State of a worker process from its start: the errors, and the event that stops it.
+_errors: BasisError | None = None
+_stop: Event | None = None
 #: More lobes than this no renderer of the suite takes.
 MOST_LOBES = 12
 #: Answers of the last count from which a lobe is added, and the places in a gap where it is tried.
@@ -25,6 +41,107 @@ PLACES = (0.25, 0.5, 0.75)
 LOG_SPACED_FROM = (1.0, 3.0)
 #: Starts of one lobe, before the best are chosen.
 SINGLE_STARTS = 24
+
+
+def usable_cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+class Workers:
+    """``count`` processes that each hold the database; the caller's own process where it is 1."""
+
+    def __init__(self, database: Database, count: int) -> None:
+        self.count = count
+        self._own = BasisError(database) if count == 1 else None
+        self._pool: ProcessPoolExecutor | None = None
+        if count > 1:
+            # A fresh interpreter: a fork would copy threads' locks in any state.
+            context = multiprocessing.get_context("spawn")
+            with safe_path_inherited():  # the event starts a process that keeps track of it
+                self._event = context.Event()
+            self._pool = ProcessPoolExecutor(
+                count, mp_context=context, initializer=_start, initargs=(database, self._event)
+            )
+
+    def run(self, starts: Sequence[Exponents], report: Callable[[int], None]) -> list[Optimum]:
+        """Return the optimum of each start, in their order.
+
+        ``report`` is called with the number of starts that are done, at least every fifth of a second where there
+        are processes, else after each evaluation; it cancels by raising, and nothing then runs on.
+
+        Raises
+        ------
+        FittingError
+            A worker process ended before its work was done.
+        """
+        if self._pool is None:
+            assert self._own is not None
+            optima = []
+            for done, start in enumerate(starts):
+                optima.append(optimize(self._own, start, partial(report, done)))
+            return optima
+        futures: list[Future[Optimum]] = []
+        try:
+            # The first tasks start the processes, which inherit both.
+            with _interrupt_held(), safe_path_inherited():
+                futures = [self._pool.submit(_work, start) for start in starts]
+            left = set(futures)
+            while left:
+                report(len(futures) - len(left))
+                left -= wait(left, POLL_S, FIRST_COMPLETED).done
+            return [future.result() for future in futures]
+        except BrokenProcessPool as error:
+            raise FittingError(
+                "A worker process of the search ended before its work was done (short of memory?). What is found is "
+                "kept: run the command again."
+            ) from error
+
+    def close(self) -> None:
+        """Stop what runs, within an evaluation, and end the processes."""
+        if self._pool is not None:
+            self._event.set()
+            self._pool.shutdown(wait=True, cancel_futures=True)
+            self._pool = None
+
+
+def _start(database: Database, stop: Event) -> None:
+    global _errors, _stop
+    _errors, _stop = BasisError(database), stop
+    threading.Thread(target=_leave_with_parent, daemon=True).start()
+
+
+def _leave_with_parent() -> None:
+    """End this process when its parent is gone: a killed parent sends no notice."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
+def _work(start: Exponents) -> Optimum:
+    assert _errors is not None
+    return optimize(_errors, start, _check)
+
+
+def _check() -> None:
+    if _stop is not None and _stop.is_set():
+        raise Cancelled
+
+
+@contextmanager
+def _interrupt_held() -> Iterator[None]:
+    """Hold Ctrl-C back from the processes that are started meanwhile: it is the parent's to answer."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    held = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, held)
 
 
 @dataclass(frozen=True)
@@ -90,9 +207,8 @@ def search(
     if starts < 2 or workers < 1:
         raise FittingError(f"The search needs at least 2 starts and 1 worker, not {starts} and {workers}.")
     if len(database.paints) < largest:
-        raise FittingError(
-            f"The database holds {len(database.paints)} paints; for {largest} lobes it needs as many or more."
-        )
+        held = f"The database holds {len(database.paints)} paints"
+        raise FittingError(f"{held}; for {largest} lobes it needs as many or more.")
     results = list(done[:largest])
     if len(results) == largest:
         return results
@@ -141,12 +257,8 @@ def _starts(errors: BasisError, last: CountResult | None, count: int, starts: in
 def _grown(parent: Exponents) -> list[Exponents]:
     """Return ``parent`` with one lobe more, in each gap between its lobes and their ends."""
     logs = [LOG_ENDS[0], *np.log(parent).tolist(), LOG_ENDS[1]]
-    added = [
-        float(np.exp(low + place * (high - low)))
-        for low, high in itertools.pairwise(logs)
-        if high - low > 0.05
-        for place in PLACES
-    ]
+    gaps = [(low, high - low) for low, high in itertools.pairwise(logs) if high - low > 0.05]
+    added = [float(np.exp(low + place * wide)) for low, wide in gaps for place in PLACES]
     return [tuple(sorted((*parent, value))) for value in added]
 
 

@@ -12,22 +12,23 @@ with a weight of 0: two lobes where one is enough have no determined parameters.
 from __future__ import annotations
 
 import hashlib
+import json
 import math
 from collections.abc import Iterator, Mapping
-from typing import Protocol
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.errors import FittingError
-from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
-from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
+from brdf_suite.documents.atomic import encode, write_atomically
+from brdf_suite.errors import FileError, FittingError
+from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector, inverse_index
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit, standard_errors
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples, check_samples
 from brdf_suite.fitting.cook_torrance.settings import Settings
-from brdf_suite.fitting.cook_torrance.shapes import inverse_index
 from brdf_suite.fitting.cook_torrance.solve import COARSE, FINE, FitProblem, final_cost, search
 from brdf_suite.fitting.cook_torrance.starts import starts
-from brdf_suite.fitting.cook_torrance.uncertainty import standard_errors
 from brdf_suite.progress import Progress, report
 
 VERSION = 1
@@ -41,18 +42,9 @@ _ROUNDS = 3
 _GAIN, _ROUNDING = 1e-3, 2e-6
 _WORTH_A_LOOK = 1.03
 _LOOKED_AT = 4
-
-
-class KeptStarts(Protocol):
-    """Storage of finished starts, so that an interrupted fit can resume."""
-
-    def load(self, key: str) -> Mapping[int, list[float]]:
-        """Return the ends kept for the fit of this key, by the number of the start; none where it is another's."""
-        ...
-
-    def save(self, key: str, ends: Mapping[int, list[float]]) -> None:
-        """Keep the ends of the fit of this key."""
-        ...
+STARTS_FORMAT = "brdf-suite starts of a lobe fit"
+STARTS_VERSION = 1
+_LARGEST = 1 << 20
 
 
 def fit_lobes(
@@ -62,7 +54,7 @@ def fit_lobes(
     weights: npt.ArrayLike | None = None,
     settings: Settings | None = None,
     *,
-    kept: KeptStarts | None = None,
+    kept: StartsFile | None = None,
     progress: Progress | None = None,
 ) -> CookTorranceFit:
     """Fit lobes to samples of a reflectance: equations 1 to 3 of Günther et al. 2005.
@@ -105,15 +97,14 @@ def fit_checked_samples(
     samples: LobeSamples,
     settings: Settings,
     *,
-    kept: KeptStarts | None = None,
+    kept: StartsFile | None = None,
     progress: Progress | None = None,
 ) -> CookTorranceFit:
     """Fit lobes to samples that are checked already; otherwise as :func:`fit_lobes`."""
     model = LobeModel(settings.model, settings.lobes)
     if model.coat and settings.lobes < 2:
-        raise FittingError(
-            "A clearcoat counts as one of the lobes; with fewer than two there is nothing below it."
-        )
+        few = "with fewer than two there is nothing below it"
+        raise FittingError(f"A clearcoat counts as one of the lobes; {few}.")
     used = samples.fewer(settings.samples, settings.seed)
     count = int(used.known.sum())
     if count < model.size:
@@ -147,7 +138,7 @@ def fit_key(samples: LobeSamples, settings: Settings) -> str:
 
 
 def _search_from_starts(
-    few: FitProblem, settings: Settings, kept: KeptStarts | None, progress: Progress | None
+    few: FitProblem, settings: Settings, kept: StartsFile | None, progress: Progress | None
 ) -> list[Vector]:
     report(progress, 0.0, "starts")
     key = fit_key(few.samples, settings) if kept is not None else ""
@@ -164,13 +155,9 @@ def _search_from_starts(
         for number, x in enumerate(places):
             if number in ends:
                 continue
-            share = 0.6 * number / settings.starts
             text = f"start {number + 1} of {settings.starts}"
-            report(progress, share, text)
-
-            def tick(share: float = share, text: str = text) -> None:
-                report(progress, share, text)
-
+            tick = partial(report, progress, 0.6 * number / settings.starts, text)
+            tick()
             ends[number] = search(few, x, settings.loss, COARSE, _STEPS, tick).tolist()
             if kept is not None:
                 kept.save(key, ends)
@@ -227,20 +214,16 @@ def _other_reflectances(
                 x[place] = inverse_index(r)
                 x = search(few, x, settings.loss, (0.1,), _JUMP_STEPS, steps.tick)
                 # Most fall back to where they came from, or to where another fell.
-                if all(
-                    np.abs(x[reflected] - y[reflected]).max() > 0.03 for y in (best, *(y for _, y in trials))
-                ):
+                others = (best, *(y for _, y in trials))
+                if all(np.abs(x[reflected] - y[reflected]).max() > 0.03 for y in others):
                     trials.append((_objective(few, x, settings), x))
         if not trials or value <= _ROUNDING:
             break
         # The valleys differ by less than few samples can resolve: those that may be lower are searched with all.
         trials.sort(key=lambda trial: trial[0])
         limit = max(_WORTH_A_LOOK * min(trials[0][0], _objective(few, best, settings)), _ROUNDING)
-        answers = [
-            search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick)
-            for reached, x in trials[:_LOOKED_AT]
-            if reached <= limit
-        ]
+        near = [x for reached, x in trials[:_LOOKED_AT] if reached <= limit]
+        answers = [search(whole, x, settings.loss, FINE, _FINE_STEPS, steps.tick) for x in near]
         if not answers:
             break
         found = min(answers, key=lambda x: _objective(whole, x, settings))
@@ -278,3 +261,63 @@ def _fewer_lobes(
         best, value = x, reached
     best = model.sorted(best)
     return best, tuple(lobe for lobe in range(model.lobes) if model.dead(best, lobe))
+
+
+class StartsFile:
+    """Keeps starts in ``path``; the file is made with the first start and may be deleted at any time."""
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def load(self, key: str) -> Mapping[int, list[float]]:
+        """Return the ends that the file keeps for this key; none where there is no file, or it is another fit's.
+
+        Raises
+        ------
+        FileError
+            A file of this name holds something other than starts; it is left unchanged.
+        """
+        try:
+            if self._path.stat().st_size > _LARGEST:
+                raise ValueError("too large")
+            value = json.loads(self._path.read_text("utf-8"))
+        except FileNotFoundError:
+            return {}
+        except OSError as error:
+            raise FileError(self._path, f"cannot be read: {error.strerror or error}") from error
+        except ValueError as error:  # of the size, the encoding or the form
+            raise FileError(self._path, "is no file of kept starts; name another one") from error
+        if not isinstance(value, dict) or value.get("format") != STARTS_FORMAT:
+            raise FileError(self._path, "is no file of kept starts; name another one", "format")
+        if value.get("version") != STARTS_VERSION or value.get("key") != key:
+            return {}
+        return _ends(value.get("ends"))
+
+    def save(self, key: str, ends: Mapping[int, list[float]]) -> None:
+        """Write the ends of the fit of this key; raise :class:`FileError` where that fails."""
+        value = {
+            "format": STARTS_FORMAT,
+            "version": STARTS_VERSION,
+            "key": key,
+            "ends": {str(number): list(x) for number, x in ends.items()},
+        }
+        write_atomically(self._path, encode(value))
+
+    def remove(self) -> None:
+        """Delete the file, which is of no use once the fit is done."""
+        try:
+            self._path.unlink(missing_ok=True)
+        except OSError as error:
+            raise FileError(self._path, f"cannot be removed: {error.strerror or error}") from error
+
+
+def _ends(value: object) -> dict[int, list[float]]:
+    """Those of the entries that are what was written; a start that is not is searched again."""
+    found: dict[int, list[float]] = {}
+    if not isinstance(value, dict):
+        return found
+    for name, numbers in value.items():
+        is_start = str(name).isdecimal() and isinstance(numbers, list)
+        if is_start and all(type(x) in (int, float) and math.isfinite(x) for x in numbers):
+            found[int(name)] = [float(x) for x in numbers]
+    return found

@@ -8,12 +8,14 @@ and its facets are a whole surface (ks = ¼).
     f = kd/π + Σ a (F(c; e)/r) S(m) / π,     d f/d log a = term,  d f/d log m = term · d log S,
     d f/d e = term · (F'/F - r'/r),          r'/r = -4/(1 - e²).
 
-Below a coat everything is multiplied by T(θi) T(θo), T = 1 - F.
+A lobe of weight ks is ks F D G / (π cosθi cosθo), as equation 1 of Günther et al. 2005 has it. Below a coat everything
+is multiplied by T(θi) T(θo), T = 1 - F.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,16 +23,9 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats, Indices
 from brdf_suite.fitting.cook_torrance.settings import ModelName
-from brdf_suite.fitting.cook_torrance.shapes import (
-    Shape,
-    Terms,
-    beckmann,
-    fresnel,
-    ggx,
-    inverse_index,
-    reflectance_from_inverse_index,
-)
+from brdf_suite.reflectance.models.half_vector_terms import HalfVectorTerms
 
+_TINY = 1e-300
 LEAST_WEIGHT = 1e-9
 """kd, or a, below which a fit cannot be distinguished from one without; it becomes 0."""
 MOST_KD, MOST_HEIGHT = 10.0, 10.0
@@ -44,6 +39,102 @@ _FLOOR = 1e-30
 # The solver starts a little inside of its bounds.
 _NEARLY_NONE = 1.5
 _REVIVED = 1e-3
+
+
+@dataclass(frozen=True, eq=False)
+class Terms:
+    """Precomputed terms of n direction pairs above the horizon, (n,) each, shared by all lobes."""
+
+    cos_i: Floats
+    cos_o: Floats
+    cos_d: Floats
+    tan2_h: Floats
+    log_grooves: Floats
+    """log of G / (cosθi cosθo cos⁴θh) with the grooves of Cook and Torrance."""
+
+    @classmethod
+    def of(cls, wi: Floats, wo: Floats) -> Terms:
+        """Return the terms of directions (n, 3) above the horizon."""
+        found = HalfVectorTerms.of(wi, wo)
+        low = np.minimum(found.cos_i, found.cos_o)
+        grooves = np.minimum(1.0, 2.0 * found.cos_h * low / found.cos_d)
+        shared = grooves * (1.0 + found.tan2_h) ** 2 / np.maximum(found.cos_i * found.cos_o, _TINY)
+        logs = np.log(np.maximum(shared, _TINY))
+        return cls(found.cos_i, found.cos_o, np.minimum(found.cos_d, 1.0), found.tan2_h, logs)
+
+
+Shape = Callable[[Terms, float], tuple[Floats, Floats]]
+"""``(terms, log m) -> log(D G/(cosθi cosθo)), its derivative by log m``, (n,) each."""
+
+
+def beckmann(terms: Terms, log_m: float) -> tuple[Floats, Floats]:
+    """Return the logarithm of Beckmann's facets in grooves, and its derivative by log m.
+
+    D = exp(-tan²θh/m²) / (m² cos⁴θh) and the grooves G of Cook and Torrance 1982, as in
+    :mod:`brdf_suite.reflectance.models.cook_torrance`.
+    """
+    steep = terms.tan2_h * math.exp(-2.0 * log_m)
+    return terms.log_grooves - steep - 2.0 * log_m, 2.0 * steep - 2.0
+
+
+def ggx(terms: Terms, log_m: float) -> tuple[Floats, Floats]:
+    """Return the logarithm of GGX facets with Smith's shadowing, correlated by height, and its derivative by log m.
+
+    D = m² / (cos⁴θh (m² + tan²θh)²), as in :mod:`brdf_suite.reflectance.models.ggx`, and
+    G / (cosθi cosθo) = 2 / (cosθo √(m² + (1-m²)cos²θi) + the same swapped).
+    """
+    m2 = math.exp(2.0 * log_m)
+    t, ci, co = terms.tan2_h, terms.cos_i, terms.cos_o
+    far = m2 + t
+    root_i = np.sqrt(m2 + (1.0 - m2) * ci * ci)
+    root_o = np.sqrt(m2 + (1.0 - m2) * co * co)
+    seen = co * root_i + ci * root_o
+    slope = co * (1.0 - ci * ci) / root_i + ci * (1.0 - co * co) / root_o
+    value = 2.0 * (log_m + np.log1p(t) - np.log(far)) + math.log(2.0) - np.log(np.maximum(seen, _TINY))
+    return value, 2.0 - 4.0 * m2 / far - m2 * slope / np.maximum(seen, _TINY)
+
+
+def fresnel(cosine: Floats, e: float) -> tuple[Floats, Floats]:
+    """Return F (n,) and dF/de (n,) of a clear dielectric at ``cosine`` (n,), 0 to 1, for e = 1/n, 0 to 1.
+
+    e goes from 1 (r = 0) to 0 (r = 1, F = 1 everywhere); with c = wo·h, s² = 1 - c² and t = √(1 - e² s²),
+
+        A = (t - e c)/(t + e c),   B = (c t - e s²)/(c t + e s²),   F = A² (1 + B²)/2,
+        dt/de = -e s²/t,           dA/de = -2c / (t (t + e c)²),    dB/de = -2 c s² / (t (c t + e s²)²),
+
+    which is the form of Cook and Torrance with g = t/e, and finite at both ends, where n and its derivatives are not.
+    """
+    c = cosine
+    s2 = 1.0 - c * c
+    t = np.sqrt(np.maximum(1.0 - e * e * s2, _TINY))
+    across = t + e * c
+    along = np.maximum(c * t + e * s2, _TINY)
+    a = (t - e * c) / across
+    b = (c * t - e * s2) / along
+    d_a = -2.0 * c / (t * across * across)
+    d_b = -2.0 * c * s2 / (t * along * along)
+    whole = 1.0 + b * b
+    return 0.5 * a * a * whole, a * (d_a * whole + a * b * d_b)
+
+
+def reflectance_from_inverse_index(e: float) -> float:
+    """Return r, F along the normal, of e = 1/n.
+
+    >>> round(reflectance_from_inverse_index(1.0 / 1.5), 9)
+    0.04
+    """
+    return ((1.0 - e) / (1.0 + e)) ** 2
+
+
+def inverse_index(r: float) -> float:
+    """Return e = 1/n of a reflectance ``r`` along the normal, 0 to 1.
+
+    >>> round(1.0 / inverse_index(0.04), 9)
+    1.5
+    """
+    root = math.sqrt(r)
+    return (1.0 - root) / (1.0 + root)
+
 
 Vector = Floats
 
@@ -126,10 +217,8 @@ class LobeModel:
         Lobes without weight stand first, and a coat stays last.
         """
         count = self.lobes - (1 if self.coat else 0)
-        order = np.argsort(
-            [-x[self.m_at(lobe)] - (100.0 if self.dead(x, lobe) else 0.0) for lobe in range(count)],
-            kind="stable",
-        )
+        fall = [-x[self.m_at(lobe)] - (100.0 if self.dead(x, lobe) else 0.0) for lobe in range(count)]
+        order = np.argsort(fall, kind="stable")
         y = x.copy()
         for new, old in enumerate(order.tolist()):
             y[3 + 5 * new : 8 + 5 * new] = x[3 + 5 * old : 8 + 5 * old]
@@ -189,9 +278,8 @@ class LobeModel:
         self, x: Vector, terms: Terms, slopes: bool = True, added: Floats | float = 0.0
     ) -> tuple[Floats, Floats | None]:
         """Return log(f_r + added) (3, n), and where asked for its derivatives (3, q, n) by each channel's columns."""
-        found = (
-            np.empty((3, 1 + 3 * self.lobes - (1 if self.coat else 0), len(terms.cos_d))) if slopes else None
-        )
+        count = 1 + 3 * self.lobes - (1 if self.coat else 0)
+        found = np.empty((3, count, len(terms.cos_d))) if slopes else None
         total = np.maximum(self._evaluate(x, terms, found).sum(axis=0) + added, _FLOOR)
         if found is not None:
             found /= total[:, None, :]
@@ -224,18 +312,14 @@ class LobeModel:
         if slopes is not None:
             slopes[:, 0] = parts[0]
         if self.coat:
-            through, by_e = self._through(float(x[-1]), terms)
+            # T(θi) T(θo) (n,) of the coat, and its derivative by e.
+            (f_i, d_i), (f_o, d_o) = (fresnel(cosine, float(x[-1])) for cosine in (terms.cos_i, terms.cos_o))
+            through, by_e = (1.0 - f_i) * (1.0 - f_o), -d_i * (1.0 - f_o) - d_o * (1.0 - f_i)
             if slopes is not None:
                 slopes[:, :-2] *= through
                 slopes[:, -1] += parts[:-1].sum(axis=0) * by_e
             parts[:-1] *= through
         return parts
-
-    def _through(self, e: float, terms: Terms) -> tuple[Floats, Floats]:
-        """Return T(θi) T(θo) (n,) of the coat, and its derivative by e."""
-        f_i, d_i = fresnel(terms.cos_i, e)
-        f_o, d_o = fresnel(terms.cos_o, e)
-        return (1.0 - f_i) * (1.0 - f_o), -d_i * (1.0 - f_o) - d_o * (1.0 - f_i)
 
 
 def _weight(logs: Floats) -> Floats:

@@ -3,31 +3,139 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
+from brdf_suite.fitting.cook_torrance.model import LobeModel, Terms, Vector
 from brdf_suite.fitting.cook_torrance.settings import Settings
-from brdf_suite.fitting.cook_torrance.shapes import Terms
-from brdf_suite.fitting.cook_torrance.solve import FitProblem
-from brdf_suite.fitting.cook_torrance.uncertainty import StandardErrors
+from brdf_suite.fitting.cook_torrance.solve import Cost, FitProblem, products
 from brdf_suite.reflectance.blocks import in_blocks
 
+_LEAST_WIDTH = 1e-6
+# A combination of parameters so much less determined than the best one counts as undetermined.
+_RANK = 1e-12
+_AT_BOUND = 1e-5
 # Relative standard errors above this are reported.
 _POORLY_DETERMINED = 0.5
+
+
+@dataclass(frozen=True, eq=False)
+class StandardErrors:
+    """Standard errors of kd (3,), ks (N, 3), m (N,) and r (N,); NaN where undetermined or at a bound."""
+
+    kd: Floats
+    ks: Floats
+    m: Floats
+    r: Floats
+    correlation_ks_r: Floats
+    """(N,) of log ks (mean over channels) and r: near -1 where only their product is known."""
+
+
+def standard_errors(problem: FitProblem, x: Vector, cost: Cost) -> StandardErrors:
+    """Return the standard errors of the answer ``x`` of a search with ``cost``, from the Jacobian there.
+
+    The answer of an estimator with influence ψ (the derivative of its cost) spreads as A⁻¹ B A⁻¹, A = Σ w ψ' JᵀJ and
+    B = Σ (Σ w ψ J)ᵀ(Σ w ψ J), where the inner sums run over the channels of one sample: what is wrong with a sample is
+    wrong in all its channels alike, and they are not taken for three measurements (White 1980, by clusters). For |x|,
+    ψ' is 2 f(0), twice the density of the residuals at 0, estimated with a kernel as wide as half of their median size.
+
+    They state the random spread of the samples that the solver saw; where the model itself is wrong, neighbouring
+    residuals agree, and the standard errors are too small.
+    """
+    model = problem.model
+    logs, slopes = model.logs(x, problem.terms, added=problem.samples.added)
+    assert slopes is not None
+    known, weights = problem.samples.known, problem.samples.weights
+    residuals = np.where(known, logs - problem.samples.logs, 0.0)
+    counted = np.where(known, weights, 0.0)
+    psi, curvature = _influence(residuals, known, cost)
+    a = np.zeros((model.size, model.size))
+    scores = np.zeros((model.size, psi.shape[1]))
+    for channel in range(3):
+        at = model.columns(channel)
+        a[np.ix_(at, at)] += products(slopes[channel], (counted * curvature)[channel], psi[channel])[0]
+        scores[at] += slopes[channel] * (counted * psi)[channel]
+    b = products(scores, np.ones(psi.shape[1]), psi[0])[0]
+    low, high = model.bounds()
+    width = high - low
+    free = (x > low + _AT_BOUND * width) & (x < high - _AT_BOUND * width) & (np.diag(a) > 0.0)
+    covariance = np.full((model.size, model.size), np.nan)
+    still = np.ones(model.size, np.bool_)
+    still[model.searched(x, problem.samples.channels)] = False
+    free &= ~still
+    if free.any():
+        covariance[np.ix_(free, free)] = _sandwich(a[np.ix_(free, free)], b[np.ix_(free, free)])
+    return _of_values(model, x, covariance)
+
+
+def _influence(residuals: Floats, known: Bools, cost: Cost) -> tuple[Floats, Floats]:
+    """Return ψ and what represents ψ', (3, n) each."""
+    if cost.kind == "linear":
+        return residuals, np.ones_like(residuals)
+    if cost.kind == "cauchy":
+        z = (residuals / cost.delta) ** 2
+        return residuals / (1.0 + z), (1.0 - z) / (1.0 + z) ** 2
+    width = max(0.5 * float(np.median(np.abs(residuals[known]))), _LEAST_WIDTH)
+    density = float(np.mean((1.0 + (residuals[known] / width) ** 2) ** -1.5)) / width
+    return np.sign(residuals), np.full_like(residuals, density)
+
+
+def _sandwich(a: Floats, b: Floats) -> Floats:
+    """Return A⁻¹ B A⁻¹, NaN for what A does not determine."""
+    length = np.sqrt(np.diag(a))
+    squares, vectors = np.linalg.eigh(a / np.outer(length, length))
+    known = squares > _RANK * max(float(squares[-1]), 1e-300)
+    inverse = (vectors[:, known] / squares[known]) @ vectors[:, known].T / np.outer(length, length)
+    found = np.asarray(inverse @ b @ inverse)
+    # Parameters with a component in an undetermined direction are undetermined.
+    lost = (vectors[:, ~known] ** 2).sum(axis=1) > 1e-6
+    found[lost, :] = np.nan
+    found[:, lost] = np.nan
+    return found
+
+
+def _of_values(model: LobeModel, x: Vector, covariance: Floats) -> StandardErrors:
+    kd, ks, m, r = model.values(x)
+    spread = np.sqrt(np.maximum(np.diag(covariance), 0.0))
+    out_ks, out_m = np.full_like(ks, np.nan), np.full_like(m, np.nan)
+    out_r, together = np.full_like(r, np.nan), np.full_like(r, np.nan)
+    for lobe in range(model.lobes):
+        place = model.m_at(lobe)
+        e = float(x[place + 1])
+        # -d log r/de; log ks = log a - log r.
+        rise = 4.0 / max(1.0 - e * e, 1e-12)
+        out_m[lobe] = m[lobe] * spread[place]
+        out_r[lobe] = r[lobe] * rise * spread[place + 1]
+        by_e = covariance[place + 1, place + 1]
+        correlations = []
+        for channel, at in enumerate(range(*model.weights_at(lobe).indices(model.size))):
+            cross = covariance[at, place + 1]
+            variance = covariance[at, at] + rise * rise * by_e + 2.0 * rise * cross
+            if not np.isfinite(variance):
+                # r at its bound, as 1 often is, is taken as known.
+                variance = covariance[at, at]
+            out_ks[lobe, channel] = ks[lobe, channel] * np.sqrt(max(variance, 0.0))
+            # r falls with e.
+            bottom = np.sqrt(max(variance * by_e, 1e-300))
+            correlations.append(-(cross + rise * by_e) / bottom)
+        if correlations:
+            together[lobe] = np.mean(correlations)
+    return StandardErrors(kd * spread[:3], out_ks, out_m, out_r, together)
 
 
 @dataclass(frozen=True, eq=False)
 class CookTorranceFit:
     """Lobes fitted to samples; a reflectance itself, reciprocal and never negative.
 
-    ``dropped`` are the lobes that the samples did not ask for: their weight is 0.
+    ``dropped`` are the lobes that the samples did not ask for: their weight is 0. ``kd`` (3,) is the diffuse
+    reflectance, ``ks`` (N, 3) the weights of the lobes, the sharp one last (a clearcoat has ¼), ``m`` (N,) their slopes
+    (α of GGX), and ``r`` (N,) their Fresnel reflectances along the normal.
     """
 
     model: LobeModel
@@ -36,30 +144,14 @@ class CookTorranceFit:
     standard_errors: StandardErrors
     problem: FitProblem
     dropped: tuple[int, ...] = ()
+    kd: Floats = field(init=False)
+    ks: Floats = field(init=False)
+    m: Floats = field(init=False)
+    r: Floats = field(init=False)
 
-    @cached_property
-    def _values(self) -> tuple[Floats, Floats, Floats, Floats]:
-        return self.model.values(self.vector)
-
-    @property
-    def kd(self) -> Floats:
-        """Diffuse reflectance (3,)."""
-        return self._values[0]
-
-    @property
-    def ks(self) -> Floats:
-        """Weights (N, 3) of the lobes, the sharp one last; a clearcoat has ¼."""
-        return self._values[1]
-
-    @property
-    def m(self) -> Floats:
-        """Slopes (N,); α of GGX."""
-        return self._values[2]
-
-    @property
-    def r(self) -> Floats:
-        """Fresnel reflectances (N,) along the normal."""
-        return self._values[3]
+    def __post_init__(self) -> None:
+        for name, values in zip(("kd", "ks", "m", "r"), self.model.values(self.vector), strict=True):
+            object.__setattr__(self, name, values)
 
     @cached_property
     def energy_mean(self) -> float:
@@ -113,32 +205,22 @@ class CookTorranceFit:
             does = {0: "No lobe does", 1: "One lobe does"}.get(left, f"{left} lobes do")
             has = "the first has" if count == 1 else f"the first {count} have"
             notices.append(f"{does} as well as {self.model.lobes}; {has} no weight.")
-        notices += self._poorly_determined()
-        return tuple(notices)
-
-    def _poorly_determined(self) -> list[str]:
-        words = []
         for lobe in range(self.model.lobes):
             if lobe in self.dropped:
                 continue
             error = float(self.standard_errors.r[lobe])
             if not math.isfinite(error) and self.r[lobe] < 0.999:
-                words.append(
+                notices.append(
                     f"The Fresnel reflectance of lobe {lobe + 1} is not determined by these samples."
                 )
             elif math.isfinite(error) and error > _POORLY_DETERMINED * float(self.r[lobe]):
-                words.append(
-                    f"Of lobe {lobe + 1} only ks times r is known: r is {self.r[lobe]:.2g} ± {error:.1g}."
-                )
-        return words
+                known = f"r is {self.r[lobe]:.2g} ± {error:.1g}"
+                notices.append(f"Of lobe {lobe + 1} only ks times r is known: {known}.")
+        return tuple(notices)
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
-
-        def block(light: Floats, view: Floats) -> Floats:
-            return np.asarray(self._parts(light, view).sum(axis=0))
-
-        return in_blocks(block, wi, wo)
+        return in_blocks(lambda light, view: np.asarray(self._parts(light, view).sum(axis=0)), wi, wo)
 
     def parts(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return (1 + N, ..., 3): f_r of the diffuse part and of each lobe, which sum to :meth:`eval`."""
@@ -168,9 +250,8 @@ class CookTorranceFit:
             The data reflect so much that a parameter leaves a paint's range.
         """
         if self.model.name != "cook-torrance":
-            raise FittingError(
-                f"Lobes of the model {self.model.name} cannot be saved as a paint; fit cook-torrance, or write a table."
-            )
+            advice = "fit cook-torrance, or write a table"
+            raise FittingError(f"Lobes of the model {self.model.name} cannot be saved as a paint; {advice}.")
         lobes = tuple(
             CookTorranceLobe(_three(ks), float(m), float(r))
             for number, (ks, m, r) in enumerate(zip(self.ks, self.m, self.r, strict=True))
@@ -181,23 +262,23 @@ class CookTorranceFit:
     def to_json(self) -> dict[str, object]:
         """Return everything as plain values; undetermined values are null."""
         errors = self.standard_errors
+        columns = {
+            "ks": self.ks,
+            "ks_standard_error": errors.ks,
+            "m": self.m,
+            "m_standard_error": errors.m,
+            "r": self.r,
+            "r_standard_error": errors.r,
+            "correlation_ks_r": errors.correlation_ks_r,
+        }
+        count = range(self.model.lobes)
+        lobes = [{name: _plain(column[lobe]) for name, column in columns.items()} for lobe in count]
         return {
             "model": self.model.name,
             "settings": asdict(self.settings),
             "kd": self.kd.tolist(),
             "kd_standard_error": _plain(errors.kd),
-            "lobes": [
-                {
-                    "ks": self.ks[lobe].tolist(),
-                    "ks_standard_error": _plain(errors.ks[lobe]),
-                    "m": float(self.m[lobe]),
-                    "m_standard_error": _plain(errors.m[lobe]),
-                    "r": float(self.r[lobe]),
-                    "r_standard_error": _plain(errors.r[lobe]),
-                    "correlation_ks_r": _plain(errors.correlation_ks_r[lobe]),
-                }
-                for lobe in range(self.model.lobes)
-            ],
+            "lobes": lobes,
             "energy": self.energy,
             "energy_mean": self.energy_mean,
             "log_rms": self.log_rms,

@@ -5,7 +5,7 @@ the distance to the bounds, so that m and r stay within what is plausible - Ψ o
 K has to be chosen. MINPACK's ``lm`` knows no bounds; ``dogbox`` is not made for Jacobians without full rank,
 and ours has none where two lobes meet or one has no weight.
 
-|x| has no derivative at 0, so a smoothed one takes its place (:mod:`.losses`), first with a wide δ, which is least
+|x| has no derivative at 0, so a smoothed one takes its place (:class:`Cost`), first with a wide δ, which is least
 squares near the answer, then with narrow ones. Each step solves the weighted squares that touch it from above.
 
 The solver never sees the n rows. Its steps depend on the cost C, the gradient g and the curvature H = Σ w JᵀJ alone,
@@ -17,18 +17,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from scipy.optimize import least_squares
 
 from brdf_suite.arrays import Floats
-from brdf_suite.fitting.cook_torrance.losses import Cost
-from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
+from brdf_suite.fitting.cook_torrance.model import LobeModel, Terms, Vector
 from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.settings import Loss
-from brdf_suite.fitting.cook_torrance.shapes import Terms
-
-Tick = Callable[[], None]
 
 COARSE: tuple[float, ...] = (0.5,)
 FINE: tuple[float, ...] = (0.1, 0.01)
@@ -43,6 +40,37 @@ _NO_SLOPE = 1e-14
 # A direction whose curvature is so much smaller than the largest one, after scaling, is rounding.
 _RANK = 1e-13
 _BLOCK = 1500
+
+
+@dataclass(frozen=True)
+class Cost:
+    """A loss function of width ``delta`` > 0 in natural logarithms, for iteratively reweighted least squares.
+
+    For x = log(fit/measured) and the width δ, the cost is c with c(x) = x²/2 near 0, and the weight is c'(x)/x. The
+    parabola that touches c at x and has this curvature lies above c everywhere, so that a step that lowers it lowers c.
+
+    - ``linear``: x²/2.
+    - ``smooth``: δ²(√(1 + (x/δ)²) - 1), for small δ δ|x|: the paper's |x|, with a derivative at 0.
+    - ``cauchy``: δ²/2 log(1 + (x/δ)²), whose pull fades for outliers.
+    """
+
+    kind: Literal["linear", "smooth", "cauchy"]
+    delta: float = 1.0
+
+    def __call__(self, x: Floats) -> tuple[Floats, Floats]:
+        """Return the cost and the weight of residuals, of their shape."""
+        if self.kind == "linear":
+            return 0.5 * x * x, np.ones_like(x)
+        square = self.delta * self.delta
+        z = x * x / square
+        if self.kind == "smooth":
+            root = np.sqrt(1.0 + z)
+            # z / (1 + root) is root - 1 without its cancellation.
+            return square * z / (1.0 + root), 1.0 / root
+        return 0.5 * square * np.log1p(z), 1.0 / (1.0 + z)
+
+
+Tick = Callable[[], None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,14 +174,9 @@ def final_cost(problem: FitProblem, x: Vector, loss: Loss) -> Cost:
 
 
 def robust_width(problem: FitProblem, x: Vector) -> float:
-    """Return the width beyond which a residual counts as an outlier."""
-    return _CAUCHY * max(estimate_spread(problem, x), _LEAST_SCALE)
-
-
-def estimate_spread(problem: FitProblem, x: Vector) -> float:
-    """Return the standard deviation of the residuals estimated from their median size, robust to outliers."""
-    known = problem.samples.known
-    return float(np.median(np.abs(problem.residuals(x)[known]))) / _MEDIAN
+    """Return the width beyond which a residual counts as an outlier, by their median size, which no outlier moves."""
+    spread = float(np.median(np.abs(problem.residuals(x)[problem.samples.known]))) / _MEDIAN
+    return _CAUCHY * max(spread, _LEAST_SCALE)
 
 
 def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick | None) -> Vector:
@@ -179,18 +202,12 @@ def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick
             kept[:] = [(key, few, slopes[:, moved])]
         return kept[0][1], kept[0][2]
 
-    def residuals(at: Vector) -> Floats:
-        return both(at)[0]
-
-    def jacobian(at: Vector) -> Floats:
-        return both(at)[1]
-
     # The method wants a start strictly inside.
     width = high - low
     found = least_squares(
-        residuals,
+        lambda at: both(at)[0],
         np.clip(x[moved], low + 1e-6 * width, high - 1e-6 * width),
-        jac=jacobian,
+        jac=lambda at: both(at)[1],
         bounds=(low, high),
         method="trf",
         x_scale="jac",

@@ -17,14 +17,15 @@ import numpy.typing as npt
 from scipy.optimize import nnls
 
 from brdf_suite.arrays import Floats
-from brdf_suite.fitting.cook_torrance.model import LobeModel, Vector
-from brdf_suite.fitting.cook_torrance.samples import LobeSamples
-from brdf_suite.fitting.cook_torrance.shapes import (
+from brdf_suite.fitting.cook_torrance.model import (
+    LobeModel,
     Terms,
+    Vector,
     fresnel,
     inverse_index,
     reflectance_from_inverse_index,
 )
+from brdf_suite.fitting.cook_torrance.samples import LobeSamples
 from brdf_suite.fitting.cook_torrance.solve import products
 
 SLOPES = np.geomspace(0.006, 0.9, 16)

@@ -16,9 +16,15 @@ from scipy import sparse
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError, ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import MapLayout, constraints, regularization
 from brdf_suite.fitting.homomorphic.factorization import Factorization, normalize_maps
-from brdf_suite.fitting.homomorphic.solve import Solver, solve, way_for
+from brdf_suite.fitting.homomorphic.solve import (
+    MapLayout,
+    Solver,
+    constraints,
+    regularization,
+    solve,
+    way_for,
+)
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
 from brdf_suite.progress import Progress, report, subrange
 
@@ -109,7 +115,9 @@ def factorize(
     unknowns = MapLayout.of(chosen, resolution).count
     # Directly found, the answer needs no guess; by iteration it is found sooner from that of a coarser map.
     way = way_for(solver, unknowns)
-    sizes = [resolution] if way == "direct" else _sizes(resolution)
+    sizes = [resolution]
+    while way == "iterative" and sizes[0] % 2 == 0 and sizes[0] // 2 >= _COARSEST:
+        sizes.insert(0, sizes[0] // 2)
     logs: Mapping[str, Floats] = {}
     for number, size in enumerate(sizes):
         step = subrange(progress, 0.95 * number / len(sizes), 0.95 * (number + 1) / len(sizes))
@@ -118,9 +126,8 @@ def factorize(
         if number == 0:
             start = average_samples(matrix, layout, wanted)
         else:
-            start = layout.unknowns(
-                {name: enlarge_map(log, layout.shapes[name]) for name, log in logs.items()}
-            )
+            larger = {name: enlarge_map(log, layout.shapes[name]) for name, log in logs.items()}
+            start = layout.unknowns(larger)
         found = solve(matrix, regularization(layout), smooth, wanted, samples.weights, start, way, step)
         if not np.isfinite(found).all():
             raise FittingError("The factorization has no finite answer; more smoothness may help.")
@@ -150,9 +157,8 @@ def _checked(
 ) -> _Samples:
     light, view, given = (np.asarray(array, np.float64) for array in (wi, wo, values))
     if given.ndim != 2 or given.shape[1] != 3 or light.shape != given.shape or view.shape != given.shape:
-        raise ValueRangeError(
-            "samples", f"expected (n, 3) each, not {light.shape}, {view.shape}, {given.shape}"
-        )
+        reason = f"expected (n, 3) each, not {light.shape}, {view.shape}, {given.shape}"
+        raise ValueRangeError("samples", reason)
     keep = np.isfinite(given).all(axis=1) & np.isfinite(light).all(axis=1) & np.isfinite(view).all(axis=1)
     keep &= (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
     share = None
@@ -167,14 +173,6 @@ def _checked(
     given = given[keep]
     raised = int((given < 0.0).any(axis=1).sum())
     return _Samples(light[keep], view[keep], np.maximum(given, 0.0), share, int((~keep).sum()), raised)
-
-
-def _sizes(resolution: int) -> list[int]:
-    """Return sizes from coarse to fine, each twice the one before."""
-    sizes = [resolution]
-    while sizes[0] % 2 == 0 and sizes[0] // 2 >= _COARSEST:
-        sizes.insert(0, sizes[0] // 2)
-    return sizes
 
 
 def correct_mean(

@@ -16,6 +16,7 @@ nearest is taken, and a stiff map then bends it as far as the samples insist.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, get_args
 
 import numpy as np
@@ -117,16 +118,18 @@ def factorize_with_peak(
     if form not in PEAK_FORMS:
         raise ValueRangeError("peak", f"expected one of {', '.join(PEAK_FORMS)}, not {form!r}")
     chosen = parse_factors(factors) if isinstance(factors, str) else factors
-    body = _Body(chosen, resolution, smooth, bias, cut)
+    body = partial(
+        factorize, factors=chosen, resolution=resolution, smooth=smooth, bias=bias, keep_mean=False
+    )
     share = np.ones(len(samples)) if weights is None else np.asarray(weights, np.float64)
-    good = _usable(samples)
+    good = np.isfinite(samples.values).all(axis=1)
+    good &= np.isfinite(samples.wi).all(axis=1) & np.isfinite(samples.wo).all(axis=1)
+    good &= (samples.wi[:, 2] > 0.0) & (samples.wo[:, 2] > 0.0)
     kept = samples.part(good)
     kept = replace(kept, values=np.maximum(kept.values, 0.0))
     if not len(kept) or share.shape != good.shape:
         # Let the one place that says what is wrong with samples say it.
-        factorize(
-            samples.wi, samples.wo, samples.values, factors=chosen, resolution=resolution, weights=weights
-        )
+        body(samples.wi, samples.wo, samples.values, weights=weights)
     share = share[good]
     few, few_share = kept, share
     if len(kept) > _MOST_IN_ROUNDS:
@@ -136,17 +139,15 @@ def factorize_with_peak(
     # Of those that reflect at all: where few do, the quantile of all would leave nothing.
     lit = grey[grey > 0.0]
     clamped = _clamped(few.values, float(np.quantile(lit, _FIRST_QUANTILE)) if lit.size else 0.0)
-    rough = body.fit(few, clamped, few_share).product
+    rough = body(few.wi, few.wo, clamped, weights=few_share).product
     for number in range(_ROUNDS - 1):
         held = _grey(rough.eval(few.wi, few.wo))
         clamped = _clamped(few.values, cut * held)
-        rough = body.fit(
-            few,
-            clamped,
-            few_share * _trust(few, held, bias),
-            subrange(progress, 0.1 * number, 0.1 * (number + 1)),
-        ).product
-    s = _peak_factor(form, resolution)
+        step = subrange(progress, 0.1 * number, 0.1 * (number + 1))
+        trusted = few_share * _trust(few, held, bias)
+        rough = body(few.wi, few.wo, clamped, weights=trusted, progress=step).product
+    texels = RADIAL_TEXELS if form == "radial" else resolution
+    s = Factor("s", PROJECTIONS["sqrt|h|" if form == "radial" else "h"], texels)
     first = _peak(few, few_share, rough, s, cut, fresnel_maps(), subrange(progress, 0.2, 0.3))
     held = _grey(rough.eval(kept.wi, kept.wo))
     clamped = _clamped(kept.values, cut * held)
@@ -156,7 +157,7 @@ def factorize_with_peak(
         left = np.clip(kept.values - added, _LEAST_LEFT * clamped, clamped)
         # Under the peak the body is a small difference of large numbers: there it is inferred from its neighbourhood.
         seen = seen * held / np.maximum(held + _grey(added), 1e-300)
-    found = body.fit(kept, left, seen, subrange(progress, 0.3, 0.8))
+    found = body(kept.wi, kept.wo, left, weights=seen, progress=subrange(progress, 0.3, 0.8))
     peak = None
     if first is not None:
         last = _peak(kept, share, found.product, s, cut, (first.formula,), subrange(progress, 0.8, 1.0))
@@ -173,39 +174,6 @@ class _Peak:
     product: Factorization
     formula: Floats
     miss: float
-
-
-@dataclass(frozen=True)
-class _Body:
-    """Factorization options of the body."""
-
-    factors: tuple[Factor, ...]
-    resolution: int
-    smooth: float
-    bias: float
-    cut: float
-
-    def fit(
-        self, samples: FactorizationSamples, values: Floats, weights: Floats, progress: Progress | None = None
-    ) -> FactorizationResult:
-        return factorize(
-            samples.wi,
-            samples.wo,
-            values,
-            factors=self.factors,
-            resolution=self.resolution,
-            smooth=self.smooth,
-            bias=self.bias,
-            weights=weights,
-            keep_mean=False,
-            progress=progress,
-        )
-
-
-def _usable(samples: FactorizationSamples) -> npt.NDArray[np.bool_]:
-    finite = np.isfinite(samples.values).all(axis=1)
-    finite &= np.isfinite(samples.wi).all(axis=1) & np.isfinite(samples.wo).all(axis=1)
-    return np.asarray(finite & (samples.wi[:, 2] > 0.0) & (samples.wo[:, 2] > 0.0))
 
 
 def _grey(values: Floats) -> Floats:
@@ -227,12 +195,6 @@ def _clamped(values: Floats, limit: npt.ArrayLike) -> Floats:
     """Cut all channels of each value by one factor to a luminance of at most ``limit``."""
     share = np.minimum(1.0, np.asarray(limit) / np.maximum(_grey(values), 1e-300))
     return np.asarray(values * share[:, None])
-
-
-def _peak_factor(form: PeakForm, resolution: int) -> Factor:
-    if form == "map":
-        return Factor("s", PROJECTIONS["h"], resolution)
-    return Factor("s", PROJECTIONS["sqrt|h|"], RADIAL_TEXELS)
 
 
 def fresnel_maps() -> tuple[Floats, ...]:
@@ -290,17 +252,9 @@ def _against(
     f = Factor("f", PROJECTIONS["w.h"], FRESNEL_TEXELS)
     given = Factorization((f,), {"f": formula}, np.ones(3)).eval(samples.wi, samples.wo)
     parts = []
+    fit = partial(factorize, samples.wi, samples.wo, bias=_PEAK_FIT_BIAS, keep_mean=False)
     for factor, smooth, share in ((s, _SMOOTHNESS, weights), (f, _STIFFNESS, standing)):
-        one = factorize(
-            samples.wi,
-            samples.wo,
-            rest / given,
-            factors=(factor,),
-            smooth=smooth,
-            bias=_PEAK_FIT_BIAS,
-            weights=share,
-            keep_mean=False,
-        ).product
+        one = fit(rest / given, factors=(factor,), smooth=smooth, weights=share).product
         given = given * one.eval(samples.wi, samples.wo)
         parts.append(one)
     miss = float(np.average(np.log(rest / given) ** 2, axis=0, weights=standing**2).mean())

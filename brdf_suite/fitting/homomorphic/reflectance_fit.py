@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import os
+from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -15,10 +15,15 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.factor_textures import write_textures
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
-from brdf_suite.errors import FileError, ValueRangeError
+from brdf_suite.errors import FileError, PathLike, ValueRangeError
 from brdf_suite.files.measured.brdftable import write_brdftable
-from brdf_suite.fitting.homomorphic.accuracy import Accuracy, accuracy
-from brdf_suite.fitting.homomorphic.factorization import Factorization
+from brdf_suite.fitting.homomorphic.factorization import (
+    Accuracy,
+    Factorization,
+    accuracy,
+    as_radial,
+    asymmetries,
+)
 from brdf_suite.fitting.homomorphic.factorize import (
     BIAS,
     DEFAULT_RESOLUTION,
@@ -30,10 +35,8 @@ from brdf_suite.fitting.homomorphic.peak import (
     MEASURED_SMOOTHNESS,
     PEAK_BIAS,
     FactorizationWithPeak,
-    PeakForm,
     factorize_with_peak,
 )
-from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
 from brdf_suite.fitting.homomorphic.samples import (
     DEFAULT_PAIRS,
     DEFAULT_SEED,
@@ -89,9 +92,8 @@ class FactoringOptions:
     def __post_init__(self) -> None:
         for name, choices in (("peak", PEAK_CHOICES), ("keep_mean", MEAN_CHOICES)):
             if getattr(self, name) not in choices:
-                raise ValueRangeError(
-                    name, f"one of {', '.join(choices)} is wanted, not {getattr(self, name)!r}"
-                )
+                reason = f"one of {', '.join(choices)} is wanted, not {getattr(self, name)!r}"
+                raise ValueRangeError(name, reason)
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,7 +137,7 @@ class FactoredFit:
             "raised": self.raised,
             "solver": self.solver,
             "compression": self.compression,
-            "accuracy": self.accuracy.to_json(),
+            "accuracy": asdict(self.accuracy),
         }
 
 
@@ -160,24 +162,44 @@ def factor_reflectance(
     chosen = options or FactoringOptions()
     report(progress, 0.0, "sampling")
     samples = sample_reflectance(reflectance, chosen.pairs, chosen.seed)
+    bias, smooth = chosen.bias, chosen.smooth
+    if bias is None:
+        bias = BIAS if samples.even else PEAK_BIAS
+    if smooth is None:
+        smooth = MODEL_SMOOTHNESS if samples.even else MEASURED_SMOOTHNESS
     isotropic = is_isotropic(reflectance)
-    words = (
-        chosen.factors if chosen.factors is not None else MEASURED_FACTORS if isotropic else DEFAULT_FACTORS
-    )
-    factors = parse_factors(words)
-    form: PeakForm | None = "map" if chosen.peak == "map" else "radial"
-    if chosen.peak == "off" or (chosen.peak == "auto" and not isotropic):
-        form = None
+    words = MEASURED_FACTORS if isotropic else DEFAULT_FACTORS
+    factors = parse_factors(words if chosen.factors is None else chosen.factors)
     fitting = subrange(progress, 0.1, 0.9)
-    if form is None:
-        found, whole = _alone(samples, factors, chosen, fitting)
+    if chosen.peak == "off" or (chosen.peak == "auto" and not isotropic):
+        found = factorize(
+            samples.wi,
+            samples.wo,
+            samples.values,
+            factors=factors,
+            resolution=chosen.resolution,
+            smooth=smooth,
+            bias=bias,
+            keep_mean=False,
+            progress=fitting,
+        )
+        whole = FactorizationWithPeak(found.product, None)
     else:
-        found, whole = _apart(samples, factors, form, chosen, reflectance, fitting)
+        near = samples_near_peak(reflectance, chosen.pairs // 4, chosen.seed) if samples.even else None
+        whole, found = factorize_with_peak(
+            samples if near is None else samples.and_those(near),
+            form="map" if chosen.peak == "map" else "radial",
+            factors=factors,
+            resolution=chosen.resolution,
+            smooth=smooth,
+            bias=bias,
+            progress=fitting,
+        )
     whole, correction = _mean(whole, samples, chosen.keep_mean)
     uneven = asymmetries(whole.product)
     if chosen.radial:
         whole = replace(whole, product=as_radial(whole.product))
-    value, maps = _value(whole, samples, found, chosen, name)
+    value, maps = _value(whole, samples, found, smooth, name)
     keep = np.isfinite(samples.values).all(axis=1)
     near = accuracy(np.maximum(samples.values[keep], 0.0), value.eval(samples.wi[keep], samples.wo[keep]))
     peak = () if whole.peak is None else whole.peak.factors
@@ -198,59 +220,6 @@ def factor_reflectance(
     )
 
 
-def _alone(
-    samples: FactorizationSamples,
-    factors: tuple[Factor, ...],
-    chosen: FactoringOptions,
-    progress: Progress | None,
-) -> tuple[FactorizationResult, FactorizationWithPeak]:
-    found = factorize(
-        samples.wi,
-        samples.wo,
-        samples.values,
-        factors=factors,
-        resolution=chosen.resolution,
-        smooth=_smoothness(samples, chosen),
-        bias=_bias(samples, chosen),
-        keep_mean=False,
-        progress=progress,
-    )
-    return found, FactorizationWithPeak(found.product, None)
-
-
-def _apart(
-    samples: FactorizationSamples,
-    factors: tuple[Factor, ...],
-    form: PeakForm,
-    chosen: FactoringOptions,
-    reflectance: Reflectance,
-    progress: Progress | None,
-) -> tuple[FactorizationResult, FactorizationWithPeak]:
-    near = samples_near_peak(reflectance, chosen.pairs // 4, chosen.seed) if samples.even else None
-    whole, found = factorize_with_peak(
-        samples if near is None else samples.and_those(near),
-        form=form,
-        factors=factors,
-        resolution=chosen.resolution,
-        smooth=_smoothness(samples, chosen),
-        bias=_bias(samples, chosen),
-        progress=progress,
-    )
-    return found, whole
-
-
-def _bias(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
-    if chosen.bias is not None:
-        return chosen.bias
-    return BIAS if samples.even else PEAK_BIAS
-
-
-def _smoothness(samples: FactorizationSamples, chosen: FactoringOptions) -> float:
-    if chosen.smooth is not None:
-        return chosen.smooth
-    return MODEL_SMOOTHNESS if samples.even else MEASURED_SMOOTHNESS
-
-
 def _mean(
     whole: FactorizationWithPeak, samples: FactorizationSamples, choice: MeanChoice
 ) -> tuple[FactorizationWithPeak, Floats]:
@@ -260,12 +229,10 @@ def _mean(
     alone = samples.values if whole.peak is None else samples.values - whole.peak.eval(samples.wi, samples.wo)
     corrected, correction = correct_mean(whole.product, samples.wi, samples.wo, alone)
     better = replace(whole, product=corrected)
-    if choice == "auto" and not all(
-        after <= before
-        for before, after in zip(_distances(whole, samples), _distances(better, samples), strict=True)
-    ):
-        return whole, np.ones(3)
-    return better, correction
+    distances = zip(_distances(whole, samples), _distances(better, samples), strict=True)
+    if choice == "on" or all(after <= before for before, after in distances):
+        return better, correction
+    return whole, np.ones(3)
 
 
 def _distances(one: FactorizationWithPeak, samples: FactorizationSamples) -> tuple[float, float]:
@@ -286,7 +253,7 @@ def _value(
     whole: FactorizationWithPeak,
     samples: FactorizationSamples,
     found: FactorizationResult,
-    chosen: FactoringOptions,
+    smooth: float,
     name: str,
 ) -> tuple[Factored, dict[str, Floats]]:
     """Return the textures: each map of the product over its largest value, and α with what that takes (equation 20)."""
@@ -314,7 +281,7 @@ def _value(
             "format": "product of textures",
             "factors": factor_words(whole.product.factors),
             "peak": factor_words(peak),
-            "smoothness": _smoothness(samples, chosen),
+            "smoothness": smooth,
             "samples": found.used,
             "largest": float(np.nanmax(samples.values)),
         },
@@ -325,23 +292,22 @@ def _value(
 def _normalized(product: Factorization) -> tuple[dict[str, Floats], Floats]:
     maps: dict[str, Floats] = {}
     alpha = product.alpha.copy()
+    counts = Counter(factor.name for factor in product.factors)
     for name, log in product.logs.items():
         top = log.reshape(-1, 3).max(axis=0)
         maps[name] = np.exp(log - top)
-        alpha = alpha * np.exp(top * sum(factor.name == name for factor in product.factors))
+        alpha = alpha * np.exp(top * counts[name])
     # Beyond the range of α the first map that is read once keeps the rest: maps that no pair reads at their largest at
     # once may come to more than any reflectance.
     most = np.asarray(PARAMETERS["alpha"].high)
-    once = [
-        one.name for one in product.factors if sum(other.name == one.name for other in product.factors) == 1
-    ]
+    once = [name for name, count in counts.items() if count == 1]
     if once:
         maps[once[0]] = maps[once[0]] * np.maximum(alpha / most, 1.0)
         alpha = np.minimum(alpha, most)
     return maps, alpha
 
 
-def check_target(path: str | os.PathLike[str]) -> None:
+def check_target(path: PathLike) -> None:
     """Raise :class:`FileError` where nothing can be written: its folder is missing, or what is there is no file."""
     target = Path(path)
     if not target.absolute().parent.is_dir():
@@ -350,7 +316,7 @@ def check_target(path: str | os.PathLike[str]) -> None:
         raise FileError(target, "is there already and is no file; give another name")
 
 
-def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str | None = None) -> None:
+def save_factored(found: FactoredFit, path: PathLike, *, name: str | None = None) -> None:
     """Write a factored fit as a ``.brdfpaint`` with its textures beside it, or as a ``.brdftable``.
 
     Raises
@@ -366,8 +332,6 @@ def save_factored(found: FactoredFit, path: str | os.PathLike[str], *, name: str
         return
     if target.suffix.lower() != PAINT_ENDING:
         raise FileError(target, f"a product of textures goes into a {PAINT_ENDING} or a {TABLE_ENDING}")
-    # What reads and writes EXR files is loaded where one is written.
-
     alpha = np.asarray(found.value.alpha, float)
     paint = FactoredPaint(
         name or found.name,

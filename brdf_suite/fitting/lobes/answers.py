@@ -101,9 +101,8 @@ def optimal_answer(
     """Return the answer of a solver that has come to its end, and the solutions of size 1 for the next start."""
     kept, errors = [], []
     for k, part in enumerate(parts):
-        solution, error = refine_vertex(
-            part, held.solutions[k], held.duals[k], request.targets[k], request.factors_of(k)
-        )
+        found = (held.solutions[k], held.duals[k], request.targets[k])
+        solution, error = refine_vertex(part, *found, request.factors_of(k))
         kept.append(solution)
         errors.append(error)
     return optimum(request, kept, errors, iterations)

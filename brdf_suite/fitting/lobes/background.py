@@ -17,7 +17,7 @@ import threading
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -181,3 +181,60 @@ class BackgroundSolver:
                 if self._tries >= MOST_TRIES:
                     raise FittingError("The linear-programming solver found no optimum for these samples.")
             return None
+
+
+First = TypeVar("First")
+Second = TypeVar("Second")
+
+
+def chain_futures(
+    first: Future[First], begin: Callable[[First, Future[Second]], Future[Second] | None]
+) -> Future[Second]:
+    """Return a future of what ``begin`` begins with the result of ``first``.
+
+    ``begin`` is called on the thread that ends ``first``, and is given the whole's future too: it returns None where
+    that was cancelled meanwhile. Cancelling the whole cancels what is in work of it; where one of the two is
+    cancelled or fails, so does the whole.
+    """
+    from concurrent.futures import Future, InvalidStateError
+
+    whole: Future[Second] = Future()
+
+    def settle(value: Second | None = None, error: BaseException | None = None) -> None:
+        """Give the whole a value or an error, unless it was cancelled meanwhile."""
+        with suppress(InvalidStateError):
+            if error is not None:
+                whole.set_exception(error)
+            else:
+                whole.set_result(value)  # type: ignore[arg-type]  # None may be what Second is
+
+    def stop(_: Future[Second]) -> None:
+        if whole.cancelled():
+            whole.set_running_or_notify_cancel()  # or concurrent.futures.wait would go on waiting
+            first.cancel()
+
+    def go_on(done: Future[First]) -> None:
+        if done.cancelled():
+            whole.cancel()
+            return
+        try:
+            second = begin(done.result(), whole)
+        except Exception as error:  # noqa: BLE001 - carried to the waiting caller; a future left alone hangs
+            settle(error=error)
+            return
+        if second is None:
+            return
+        whole.add_done_callback(lambda _: second.cancel() if whole.cancelled() else None)
+        second.add_done_callback(finish)
+
+    def finish(done: Future[Second]) -> None:
+        if done.cancelled():
+            whole.cancel()
+        elif (error := done.exception()) is not None:
+            settle(error=error)
+        else:
+            settle(done.result())
+
+    whole.add_done_callback(stop)
+    first.add_done_callback(go_on)
+    return whole

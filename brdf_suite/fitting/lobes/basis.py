@@ -50,9 +50,8 @@ class LobeBasis:
                 raise FittingError(f"The lobe exponent {value:g} is not a finite number of at least 1.")
         for lower, upper in itertools.pairwise(values):
             if upper <= lower:
-                raise FittingError(
-                    f"The lobe exponents must ascend without repeats, but {upper:g} follows {lower:g}."
-                )
+                found = f"{upper:g} follows {lower:g}"
+                raise FittingError(f"The lobe exponents must ascend without repeats, but {found}.")
 
     @property
     def count(self) -> int:

@@ -43,9 +43,8 @@ def check_targets(
     what = "is not finite"
     if np.isfinite(value):
         what = f"is {'negative' if value < 0.0 else 'beyond any reflectance'} ({value:g} 1/sr)"
-    raise FittingError(
-        f"{subject} cannot be fitted: its {CHANNELS[place[-1]]} channel {what} {where(place[:-1])}."
-    )
+    channel = f"{CHANNELS[place[-1]]} channel {what} {where(place[:-1])}"
+    raise FittingError(f"{subject} cannot be fitted: its {channel}.")
 
 
 def check_limit(seconds: float) -> float:

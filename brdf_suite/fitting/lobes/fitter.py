@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar, get_args
 
 import numpy as np
 
@@ -13,15 +13,17 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit, check_targets
-from brdf_suite.fitting.lobes.layer_programs import base_program, coat_program, with_energy
-from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
-from brdf_suite.fitting.lobes.time_limit import LimitedSolver
-from brdf_suite.fitting.lobes.weighting import (
+from brdf_suite.fitting.lobes.program import (
     Weighting,
+    base_program,
     check_weighting,
+    coat_program,
     relative_factors,
     ring_solid_angles,
+    with_energy,
 )
+from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
+from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.reflectance.protocol import Layered
 
@@ -35,6 +37,7 @@ WARM_UP_S = 1.0
 DIFFUSE_GAMMA_DEG = 110.0
 
 Diffuse = Literal["joint", "measured"]
+_Weights = TypeVar("_Weights")
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +54,7 @@ class PartError:
 
 
 @dataclass(frozen=True, eq=False)
-class LayersFit:
+class TimedFit(Generic[_Weights]):
     """A fit and how it went.
 
     ``seconds`` is the time from target samples in hand to weights; ``sampling_seconds`` that of evaluating
@@ -60,26 +63,21 @@ class LayersFit:
     fit comes first and cancels it; its callbacks run on the fitter's thread. ``None`` where this is the optimum.
     """
 
-    weights: LobeWeights
+    weights: _Weights
     base_error: PartError
     coat_error: PartError
     seconds: float
     sampling_seconds: float
     time_limited: bool
     iterations: int
-    exact: Future[LayersFit] | None = field(default=None, repr=False)
+    exact: Future[TimedFit[_Weights]] | None = field(default=None, repr=False)
 
     def __getstate__(self) -> dict[str, object]:
         """Leave out ``exact``: another process cannot receive what this one's thread finds."""
         return {**self.__dict__, "exact": None}
 
 
-@dataclass(frozen=True)
-class _Coat:
-    """The weights' description of the coat."""
-
-    ior: float
-    base_under_coat: bool
+LayersFit = TimedFit[LobeWeights]
 
 
 class LobeFitter:
@@ -95,7 +93,7 @@ class LobeFitter:
     base_samples, coat_samples
         The fixed sample directions; the measured default sets if left out. Both are for one incidence.
     weighting
-        How much each sample counts, see :mod:`brdf_suite.fitting.lobes.weighting`. The coat's energy is kept
+        How much each sample counts, see :data:`~brdf_suite.fitting.lobes.program.Weighting`. The coat's energy is kept
         exactly under each.
     diffuse
         "joint": KD is found with the lobes, in the same program. "measured": the paper's way, KD is what the
@@ -129,48 +127,34 @@ class LobeFitter:
         self.time_limit_s = check_limit(time_limit_s)
         check_weighting(weighting)
         if diffuse not in get_args(Diffuse):
-            raise FittingError(
-                f"There is no way {diffuse!r} for the diffuse term; choose 'joint' or 'measured'."
-            )
+            known = "choose 'joint' or 'measured'"
+            raise FittingError(f"There is no way {diffuse!r} for the diffuse term; {known}.")
         self.basis = default_basis() if basis is None else basis
         self.base_samples = base_samples or BaseSamples()
         self.coat_samples = coat_samples or CoatSamples()
         self.weighting = weighting
         self.diffuse = diffuse
-        self._diffuse_sample = self._sample_at(diffuse_gamma_deg) if diffuse == "measured" else None
+        self._diffuse_sample: int | None = None
+        if diffuse == "measured":
+            distances = np.abs(np.array(self.base_samples.gammas_deg) - diffuse_gamma_deg)
+            if not distances.min() < 1e-6:
+                where = f"{diffuse_gamma_deg:g}°"
+                raise FittingError(f"The base has no sample at {where} to read the diffuse term from.")
+            self._diffuse_sample = int(np.argmin(distances))
         self._cosine = float(np.cos(self.base_samples.theta_rad))
         exponents = self.basis.array()
+        weights = ring_solid_angles(self.base_samples.gamma_rad) if weighting == "solid angle" else None
+        with_diffuse = self._diffuse_sample is None
         self.programs = (
-            base_program(
-                self.base_samples,
-                exponents,
-                weights=ring_solid_angles(self.base_samples.gamma_rad)
-                if weighting == "solid angle"
-                else None,
-                with_diffuse=self._diffuse_sample is None,
-            ),
+            base_program(self.base_samples, exponents, weights=weights, with_diffuse=with_diffuse),
             coat_program(self.coat_samples, exponents),
         )
         self.solver = LimitedSolver(self.programs)
-        self._warm_up()
-
-    def _sample_at(self, gamma_deg: float) -> int:
-        distances = np.abs(np.array(self.base_samples.gammas_deg) - gamma_deg)
-        if not distances.min() < 1e-6:
-            raise FittingError(f"The base has no sample at {gamma_deg:g}° to read the diffuse term from.")
-        return int(np.argmin(distances))
-
-    def _warm_up(self) -> None:
-        """Solve once for a plain metallic look, so that the first edit starts from a basis."""
+        # Solved once for a plain metallic look, so that the first edit starts from a basis.
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
-        self._solve(
-            base[:, None].repeat(3, 1),
-            coat[:, None].repeat(3, 1),
-            _Coat(1.5, True),
-            time.perf_counter() + WARM_UP_S,
-            finish=False,
-        )
+        look = (part[:, None].repeat(3, 1) for part in (base, coat))
+        self._solve(*look, 1.5, True, time.perf_counter() + WARM_UP_S, finish=False)
 
     def close(self) -> None:
         """End the background thread, should there be one, and drop what it works at."""
@@ -216,16 +200,18 @@ class LobeFitter:
         measured. Raises :class:`FittingError` for a negative or not finite sample, and for an index below 1.
         """
         start = time.perf_counter()
-        over = _Coat(check_ior(ior), base_under_coat)
+        check_ior(ior)
         base = _checked("The base", base, self.base_samples.gamma_rad)
         coat = _checked("The coat", coat, self.coat_samples.gamma_rad)
-        return self._solve(base, coat, over, start + self.time_limit_s, start, sampling_seconds)
+        deadline = start + self.time_limit_s
+        return self._solve(base, coat, ior, base_under_coat, deadline, start, sampling_seconds)
 
     def _solve(
         self,
         base: Floats,
         coat: Floats,
-        over: _Coat,
+        ior: float,
+        base_under_coat: bool,
         deadline: float,
         start: float = 0.0,
         sampling_seconds: float = 0.0,
@@ -238,58 +224,43 @@ class LobeFitter:
             kd = base[self._diffuse_sample] / self._cosine
             base = base - base[self._diffuse_sample]
         targets = (base, with_energy(self.coat_samples, coat))
-        factors = self._factors(base, coat) if self.weighting == "relative" else None
+        factors = None
+        if self.weighting == "relative":
+            # The energy outbids every ring, as it does without factors.
+            rings = relative_factors(coat)
+            factors = (relative_factors(base), np.concatenate([rings, rings.max(axis=0, keepdims=True)]))
         weighted = [p.row_weights[:, None] * t for p, t in zip(self.programs, targets, strict=True)]
 
         def fit_of(answer: LimitedSolution) -> LayersFit:
-            return self._fit_of(answer, kd, over, start, sampling_seconds)
+            found, kg = (
+                solution * program.column_scale[:, None]
+                for solution, program in zip(answer.solutions, self.programs, strict=True)
+            )
+            joint = self._diffuse_sample is None
+            weights = LobeWeights(
+                exponents=self.basis.array(),
+                kd=found[0] if joint else kd,
+                kdd=found[1:] if joint else found,
+                kg=kg,
+                theta_fit_rad=self.base_samples.theta_rad,
+                ior=ior,
+                time_limited=not answer.optimal,
+                base_under_coat=base_under_coat,
+            )
+            of_parts = zip(answer.objectives, answer.relative, answer.methods, strict=True)
+            base_error, coat_error = (PartError(*error) for error in of_parts)
+            return TimedFit(
+                weights=weights,
+                base_error=base_error,
+                coat_error=coat_error,
+                seconds=time.perf_counter() - start,
+                sampling_seconds=sampling_seconds,
+                time_limited=not answer.optimal,
+                iterations=answer.iterations,
+                exact=answer.exact,
+            )
 
         return fit_of(self.solver.solve(weighted, deadline, factors=factors, finish=finish, then=fit_of))
-
-    def _factors(self, base: Floats, coat: Floats) -> tuple[Floats, Floats]:
-        """Return the relative weights of both parts; the energy outbids every ring, as it does without them."""
-        rings = relative_factors(coat)
-        return relative_factors(base), np.concatenate([rings, rings.max(axis=0, keepdims=True)], axis=0)
-
-    def _fit_of(
-        self,
-        answer: LimitedSolution,
-        kd: Floats,
-        over: _Coat,
-        start: float,
-        sampling_seconds: float,
-    ) -> LayersFit:
-        """Return lobe weights and errors of a solver's answer."""
-        base, coat = (
-            solution * program.column_scale[:, None]
-            for solution, program in zip(answer.solutions, self.programs, strict=True)
-        )
-        if self._diffuse_sample is None:
-            kd, base = base[0], base[1:]
-        errors = [
-            PartError(*error)
-            for error in zip(answer.objectives, answer.relative, answer.methods, strict=True)
-        ]
-        weights = LobeWeights(
-            exponents=self.basis.array(),
-            kd=kd,
-            kdd=base,
-            kg=coat,
-            theta_fit_rad=self.base_samples.theta_rad,
-            ior=over.ior,
-            time_limited=not answer.optimal,
-            base_under_coat=over.base_under_coat,
-        )
-        return LayersFit(
-            weights=weights,
-            base_error=errors[0],
-            coat_error=errors[1],
-            seconds=time.perf_counter() - start,
-            sampling_seconds=sampling_seconds,
-            time_limited=not answer.optimal,
-            iterations=answer.iterations,
-            exact=answer.exact,
-        )
 
 
 def _checked(subject: str, values: Floats, gamma_rad: Floats) -> Floats:

@@ -17,6 +17,7 @@ claims no more than that sample. A lobe that no sample sees (none within its hal
 
 from __future__ import annotations
 
+import contextlib
 import time
 from dataclasses import dataclass
 
@@ -101,22 +102,10 @@ def fit_undivided(
         The progress callback asked for it; what is in work ends within a tenth of a second or so.
     """
     if isinstance(reflectance, ScatteredSamples) and rows is None:
-        return fit_scattered(reflectance, basis, time_limit_s=time_limit_s, progress=progress)
-    rows = rows or reflectance_rows(reflectance)
-    values = reflectance.eval(rows.wi, rows.wo)
-    return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
-
-
-def fit_scattered(
-    samples: ScatteredSamples,
-    basis: LobeBasis | None = None,
-    *,
-    time_limit_s: float = TIME_LIMIT_S,
-    progress: Progress | None = None,
-) -> UndividedFit:
-    """Fit lobes to scattered samples at the very directions of the samples; errors as :func:`fit_undivided`."""
-    rows = scattered_rows(samples)
-    values = scattered_values(samples)
+        rows, values = scattered_rows(reflectance), scattered_values(reflectance)
+    else:
+        rows = rows or reflectance_rows(reflectance)
+        values = reflectance.eval(rows.wi, rows.wo)
     return fit_rows(rows, values, basis, time_limit_s=time_limit_s, progress=progress)
 
 
@@ -157,20 +146,18 @@ def fit_rows(
     target = rows.gather(values * rows.wi[:, 2:3])
     columns, unseen = _columns(rows, exponents, split)
     weights = rows.weights * _importance(target)
-    light = _reflected_light(exponents, split)
-    # Rows that cost a little for light: below everything that is measured, above the solver's tolerance.
+    # Each column's approximate response to uniform light is its solid angle, π for the diffuse one. Rows that cost a
+    # little for light: below everything that is measured, above the solver's tolerance.
+    solid = 2.0 * np.pi / (exponents + 1.0)
+    light = np.concatenate([[np.pi], solid, solid] if split else [[np.pi], solid])
     matrix = np.concatenate((columns, np.diag(light)))
-    program = build_program(
-        matrix, np.concatenate((weights, np.full(light.size, LEAST_LIGHT * _typical(weights))))
-    )
+    typical = float(weights.sum() / (2.0 * np.pi))
+    row_weights = np.concatenate((weights, np.full(light.size, LEAST_LIGHT * typical)))
+    program = build_program(matrix, row_weights)
     goal = np.concatenate((target, np.zeros((light.size, 3))))
-    solver = LimitedSolver([program], inline=True)
-    try:
-        answer = solver.solve(
-            [program.row_weights[:, None] * goal], start + time_limit_s, finish=False, watch=watch
-        )
-    finally:
-        solver.close()
+    goal *= program.row_weights[:, None]
+    with contextlib.closing(LimitedSolver([program], inline=True)) as solver:
+        answer = solver.solve([goal], start + time_limit_s, finish=False, watch=watch)
     found = answer.solutions[0] * program.column_scale[:, None]
     kg = found[1 + count :] if split else np.zeros((count, 3))
     lobes = LobeWeights(
@@ -185,6 +172,7 @@ def fit_rows(
     error = weights[:, None] * np.abs(columns @ found - target)
     whole = (weights[:, None] * target).sum(axis=0)
     relative = np.divide(error.sum(axis=0), whole, out=np.zeros(3), where=whole > 0.0)
+    notices = _notices(rows, exponents, unseen, error, relative, black=not target.any(), split=split)
     return UndividedFit(
         weights=lobes,
         relative_error=relative,
@@ -193,10 +181,7 @@ def fit_rows(
         samples=len(rows.wi),
         rows=rows.weights.size,
         seconds=time.perf_counter() - start,
-        notices=(
-            *rows.notices,
-            *_notices(rows, exponents, unseen, error, relative, black=not target.any(), split=split),
-        ),
+        notices=(*rows.notices, *notices),
     )
 
 
@@ -220,24 +205,13 @@ def _columns(rows: UndividedRows, exponents: Floats, split: bool) -> tuple[Float
     return rows.gather(np.concatenate(parts, axis=1)), unseen
 
 
-def _reflected_light(exponents: Floats, split: bool) -> Floats:
-    """Return each column's approximate response to uniform light: its solid angle, π for the diffuse one."""
-    lobes = 2.0 * np.pi / (exponents + 1.0)
-    return np.concatenate([[np.pi], lobes, lobes] if split else [[np.pi], lobes])
-
-
 def _importance(target: Floats) -> Floats:
     """Return the weight (n,) of a unit of error from the magnitude of the row's target."""
     size = target.mean(axis=1)
     positive = size[size > 0.0]
     if positive.size == 0:
         return np.ones(len(size))
-    result: Floats = (size / np.median(positive) + FLOOR) ** -POWER
-    return result
-
-
-def _typical(weights: Floats) -> float:
-    return float(weights.sum() / (2.0 * np.pi))
+    return np.asarray((size / np.median(positive) + FLOOR) ** -POWER)
 
 
 def _notices(
@@ -251,9 +225,9 @@ def _notices(
     split: bool,
 ) -> tuple[str, ...]:
     """Return notices about the fit; ``error`` (n, 3) is each row's contribution to the objective."""
-    notices = []
     if black:
         return ("It is black wherever it was sampled; all weights are zero.",)
+    notices = []
     angles = ", ".join(f"{np.degrees(angle):.0f}" for angle in rows.incidences_rad)
     if len(rows.weights) < FEWEST_SAMPLES:
         notices.append(f"There are fewer than {FEWEST_SAMPLES} samples: the diffuse part alone is fitted.")

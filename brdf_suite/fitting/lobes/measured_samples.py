@@ -126,23 +126,15 @@ def scattered_rows(samples: ScatteredSamples) -> UndividedRows:
     wi, wo = samples.wi[used], samples.wo[used]
     count = len(wi)
     theta = np.arccos(np.clip(wi[:, 2], 0.0, 1.0))
-    notices: tuple[str, ...] = ()
+    notices = []
     if count < used.size:
-        notices = (f"{used.size - count} samples at the horizon are left out.",)
+        notices.append(f"{used.size - count} samples at the horizon are left out.")
     if not samples.isotropic:
-        notices += (
-            "The samples differ with the surface's azimuth; the lobes, which do not, show their mean.",
+        notices.append(
+            "The samples differ with the surface's azimuth; the lobes, which do not, show their mean."
         )
-    return UndividedRows(
-        wi,
-        wo,
-        np.arange(count),
-        np.ones(count),
-        _solid_angles(wi, wo, theta),
-        theta,
-        distinct_incidences(theta) if count else (),
-        notices,
-    )
+    angles, weights = distinct_incidences(theta) if count else (), _solid_angles(wi, wo, theta)
+    return UndividedRows(wi, wo, np.arange(count), np.ones(count), weights, theta, angles, tuple(notices))
 
 
 def views_with_light_at_minus_x(wi: Floats, wo: Floats) -> Floats:
@@ -193,26 +185,26 @@ def reflectance_rows(
     where more than half of its rings, by their weights, is left.
     """
     notices: list[str] = []
-    turns = 1
-    if differs_with_azimuth(reflectance):
-        turns = TURNS
+    turns = TURNS if differs_with_azimuth(reflectance) else 1
+    if turns > 1:
         notices.append(
             "It differs with the surface's azimuth; the lobes, which do not, show the mean over it."
         )
     theta = np.radians(np.array(incidences_deg))
     parts = [_rings(angle, turns) for angle in theta.tolist()]
     parts.append(_plane(turns))
-    wi, wo, row, share, weights, at = [], [], [], [], [], []
+    wi, wo, weights, at = [np.empty((0, 3))], [np.empty((0, 3))], [], []
+    row, share = [np.empty(0, np.intp)], [np.empty(0)]
     left = np.zeros(len(parts))
     count = lost = 0
     for number, part in enumerate(parts):
-        known = measured_pairs(reflectance, part.wi, part.wo)
-        lost += int((~known).sum())
+        there = measured_pairs(reflectance, part.wi, part.wo)
+        lost += int((~there).sum())
         for group in part.groups:
-            used = group.pairs[known[group.pairs]]
+            used = group.pairs[there[group.pairs]]
             if used.size == 0:
                 continue
-            given = group.share[known[group.pairs]]
+            given = group.share[there[group.pairs]]
             # A mean is one over what is known; a sum stays a sum.
             given = given / given.sum() if group.is_mean else given
             wi.append(part.wi[used])
@@ -225,24 +217,21 @@ def reflectance_rows(
             if group.is_mean:
                 left[number] += weights[-1]
         left[number] /= sum(group.weight for group in part.groups if group.is_mean)
+    # An incidence counts of which more than half is left, or the one with the most.
+    left = left[: theta.size]
+    known = left > 0.5
     if lost:
         notices.append(f"{lost} directions of the fit were not measured and are left out.")
     return UndividedRows(
-        np.concatenate(wi) if wi else np.empty((0, 3)),
-        np.concatenate(wo) if wo else np.empty((0, 3)),
-        np.concatenate(row) if row else np.empty(0, np.intp),
-        np.concatenate(share) if share else np.empty(0),
+        np.concatenate(wi),
+        np.concatenate(wo),
+        np.concatenate(row),
+        np.concatenate(share),
         np.array(weights),
         np.array(at),
-        _known_incidences(theta, left[: theta.size]),
+        distinct_incidences(theta[known] if known.any() else theta[[np.argmax(left)]]),
         tuple(notices),
     )
-
-
-def _known_incidences(theta_rad: Floats, left: Floats) -> tuple[float, ...]:
-    """Return the incidences (k,) of which more than half is ``left`` (k,), or the one with the most."""
-    known = left > 0.5
-    return distinct_incidences(theta_rad[known] if known.any() else theta_rad[[np.argmax(left)]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -330,10 +319,9 @@ def _turned(wi: Floats, wo: Floats, label: Indices, turns: int) -> tuple[Floats,
 
 def differs_with_azimuth(reflectance: Reflectance) -> bool:
     """Whether turning the surface changes the values of a few pairs by more than a thousandth."""
-    lights = illumination(np.array([35.0, 35.0, 60.0]))
-    views = np.stack(
-        (aspecular_view(35.0, 20.0), aspecular_view(35.0, 70.0), aspecular_view(60.0, 12.0)), axis=0
-    )
+    pairs = ((35.0, 20.0), (35.0, 70.0), (60.0, 12.0))
+    lights = illumination(np.array([light for light, _ in pairs]))
+    views = np.stack([aspecular_view(light, gamma) for light, gamma in pairs])
     wi, wo, _ = _turned(lights, views, np.arange(3), TURNS)
     values = np.asarray(reflectance.eval(wi, wo), np.float64).reshape(TURNS, 3, 3)
     return bool(np.any(np.ptp(values, axis=0) > 1e-3 * np.abs(values).max(axis=0) + 1e-12))
@@ -345,18 +333,15 @@ def measured_pairs(reflectance: Reflectance, wi: Floats, wo: Floats) -> Bools:
     Photographs of a sphere leave holes between measured bins everywhere, which its readings filled: few of the pairs
     in a table with coverage have no hole about them, and one measured bin of the eight is enough there.
     """
-    if (
-        not isinstance(reflectance, IsotropicTable)
-        or reflectance.holes is None
-        or not reflectance.holes.any()
-    ):
+    holes = reflectance.holes if isinstance(reflectance, IsotropicTable) else None
+    if not isinstance(reflectance, IsotropicTable) or holes is None or not holes.any():
         return np.ones(len(wi), np.bool_)
     places = reflectance.grid.index_of(np.ascontiguousarray(wi.T), np.ascontiguousarray(wo.T))
     touched = np.zeros(len(wi), np.intp)
     # The eight bins between whose centres a look-up lies: held at the ends of θh and θd, round along φd.
-    bins = reflectance.holes.shape
+    bins = holes.shape
     low = [np.floor(place - 0.5).astype(np.intp) for place in places]
     for step in itertools.product((0, 1), repeat=3):
         h, d, p = (base + more for base, more in zip(low, step, strict=True))
-        touched += reflectance.holes[np.clip(h, 0, bins[0] - 1), np.clip(d, 0, bins[1] - 1), p % bins[2]]
+        touched += holes[np.clip(h, 0, bins[0] - 1), np.clip(d, 0, bins[1] - 1), p % bins[2]]
     return touched == 0 if reflectance.coverage is None else touched < 8

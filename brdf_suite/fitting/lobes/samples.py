@@ -12,8 +12,6 @@ follow, and the weighted sum over rings is the coat's directional reflectance.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 import numpy as np
 
 from brdf_suite.arrays import Floats
@@ -43,34 +41,27 @@ def _incidence(theta: float) -> tuple[Floats, Floats, Floats]:
     return light, mirror, towards_normal
 
 
-@dataclass(frozen=True, eq=False)
 class BaseSamples:
     """Samples of the base: ``light`` (3,), ``views`` (n, 3), ``gamma_rad`` (n,), ``weights`` (n,)."""
 
-    theta_rad: float = THETA_FIT_RAD
-    gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG
-    raw_weights: tuple[float, ...] = BASE_WEIGHTS
-    light: Floats = field(init=False)
-    views: Floats = field(init=False)
-    gamma_rad: Floats = field(init=False)
-    weights: Floats = field(init=False)
-
-    def __post_init__(self) -> None:
-        light, mirror, towards_normal = _incidence(self.theta_rad)
-        gamma = np.deg2rad(np.array(self.gammas_deg, dtype=np.float64))
-        views = np.cos(gamma)[:, None] * mirror + np.sin(gamma)[:, None] * towards_normal
-        object.__setattr__(self, "light", light)
-        object.__setattr__(self, "views", views)
-        object.__setattr__(self, "gamma_rad", gamma)
-        object.__setattr__(self, "weights", np.array(self.raw_weights, dtype=np.float64))
+    def __init__(
+        self,
+        theta_rad: float = THETA_FIT_RAD,
+        gammas_deg: tuple[float, ...] = BASE_GAMMAS_DEG,
+        raw_weights: tuple[float, ...] = BASE_WEIGHTS,
+    ) -> None:
+        self.theta_rad, self.gammas_deg = theta_rad, gammas_deg
+        self.light, mirror, towards_normal = _incidence(theta_rad)
+        self.gamma_rad: Floats = np.deg2rad(np.array(gammas_deg, np.float64))
+        tilt = self.gamma_rad[:, None]
+        self.views: Floats = np.cos(tilt) * mirror + np.sin(tilt) * towards_normal
+        self.weights = np.array(raw_weights, np.float64)
 
     def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(n, m)``: ``(R·V)^E``, 0 where the dot is negative."""
-        lobes: Floats = np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents
-        return lobes
+        return np.asarray(np.clip(np.cos(self.gamma_rad), 0.0, None)[:, None] ** exponents)
 
 
-@dataclass(frozen=True, eq=False)
 class CoatSamples:
     """Ring samples of the coat around the mirror direction of a view at ``theta_rad``.
 
@@ -81,39 +72,28 @@ class CoatSamples:
     mirror direction.
     """
 
-    theta_rad: float = THETA_FIT_RAD
-    first_ring_rad: float = COAT_FIRST_RING_RAD
-    log_step: float = COAT_LOG_STEP
-    azimuths: int = COAT_AZIMUTHS
-    view: Floats = field(init=False)
-    lights: Floats = field(init=False)
-    cosines: Floats = field(init=False)
-    lit: Floats = field(init=False)
-    gamma_rad: Floats = field(init=False)
-    solid_angle: Floats = field(init=False)
-
-    def __post_init__(self) -> None:
-        view, mirror, towards_normal = _incidence(self.theta_rad)
-        across = np.array([0.0, 1.0, 0.0])
-        count = int(np.floor(np.log(np.pi / 2.0 / self.first_ring_rad) / self.log_step)) + 1
-        rings = self.first_ring_rad * np.exp(self.log_step * np.arange(count))
+    def __init__(
+        self,
+        theta_rad: float = THETA_FIT_RAD,
+        first_ring_rad: float = COAT_FIRST_RING_RAD,
+        log_step: float = COAT_LOG_STEP,
+        azimuths: int = COAT_AZIMUTHS,
+    ) -> None:
+        self.view, mirror, towards_normal = _incidence(theta_rad)
+        count = int(np.floor(np.log(np.pi / 2.0 / first_ring_rad) / log_step)) + 1
+        rings = first_ring_rad * np.exp(log_step * np.arange(count))
         # The rings that the rule would have inside the first one, all with the value of the mirror direction.
-        inner = np.exp(-2.0 * self.log_step) / (1.0 - np.exp(-2.0 * self.log_step))
-        ring_angle = 2.0 * np.pi * np.sin(rings) * rings * self.log_step
-        gamma = np.concatenate([[0.0], rings])
+        inner = np.exp(-2.0 * log_step) / (1.0 - np.exp(-2.0 * log_step))
+        ring_angle = 2.0 * np.pi * np.sin(rings) * rings * log_step
+        self.solid_angle = np.concatenate([[ring_angle[0] * inner], ring_angle])
+        self.gamma_rad = np.concatenate([[0.0], rings])
         # Half a ring is enough: every isotropic reflectance is symmetric about the plane of incidence.
-        azimuth = (np.arange(self.azimuths) + 0.5) * np.pi / self.azimuths
-        around = np.cos(azimuth)[:, None] * towards_normal + np.sin(azimuth)[:, None] * across
-        lights = np.cos(gamma)[:, None, None] * mirror + np.sin(gamma)[:, None, None] * around
-        for name, value in {
-            "view": view,
-            "lights": lights,
-            "cosines": np.clip(lights[..., 2], 0.0, None),
-            "lit": (lights[..., 2] > 0.0).mean(axis=1),
-            "gamma_rad": gamma,
-            "solid_angle": np.concatenate([[ring_angle[0] * inner], ring_angle]),
-        }.items():
-            object.__setattr__(self, name, value)
+        azimuth = (np.arange(azimuths) + 0.5) * np.pi / azimuths
+        around = np.cos(azimuth)[:, None] * towards_normal + np.sin(azimuth)[:, None] * [0.0, 1.0, 0.0]
+        tilt = self.gamma_rad[:, None, None]
+        self.lights: Floats = np.cos(tilt) * mirror + np.sin(tilt) * around
+        self.cosines: Floats = np.clip(self.lights[..., 2], 0.0, None)
+        self.lit: Floats = (self.lights[..., 2] > 0.0).mean(axis=1)
 
     def cosine_lobes(self, exponents: Floats) -> Floats:
         """Return ``(n, m)``: ring means of ``(R·L)^E`` above the horizon.
@@ -121,13 +101,11 @@ class CoatSamples:
         Computed as ``exp(E·log1p(-2 sin²(γ/2)))``, which is exact for sharp lobes.
         """
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
-        lobes: Floats = self.lit[:, None] * np.exp(log_cosine[:, None] * exponents)
-        return lobes
+        return np.asarray(self.lit[:, None] * np.exp(log_cosine[:, None] * exponents))
 
     def lobe_energy(self, exponents: Floats) -> Floats:
         """Return ``(m,)``: ``(R·L)^E`` integrated above the horizon, sr: ``2π/(E+1)`` times the lit share."""
         log_cosine = np.log1p(-2.0 * np.sin(self.gamma_rad / 2.0) ** 2)
         whole = np.exp(log_cosine[:, None] * exponents)
         share = (self.solid_angle * self.lit) @ whole / (self.solid_angle @ whole)
-        energy: Floats = 2.0 * np.pi / (exponents + 1.0) * share
-        return energy
+        return np.asarray(2.0 * np.pi / (exponents + 1.0) * share)

@@ -63,10 +63,8 @@ class BlockSolver:
         self._parts = tuple(parts)
         self._channels = channels
         self._optimal_status = highspy.HighsModelStatus.kOptimal
-        self._stopped_statuses = (
-            highspy.HighsModelStatus.kTimeLimit,
-            highspy.HighsModelStatus.kIterationLimit,
-        )
+        limits = highspy.HighsModelStatus.kTimeLimit, highspy.HighsModelStatus.kIterationLimit
+        self._stopped_statuses = limits
         self._error_status = highspy.HighsStatus.kError
         self._highs: Any = highspy.Highs()
         for name, value in {
@@ -88,19 +86,10 @@ class BlockSolver:
         self._columns = np.arange(self._column_count, dtype=np.int32)
         self._costs = np.zeros(self._column_count)
         # Where each part's targets go among the costs, as (channels, n).
-        self._cost_places = []
-        start = 0
-        for part in self._parts:
-            stop = start + part.shape[0] * channels
-            self._cost_places.append(self._costs[start:stop].reshape(channels, part.shape[0]))
-            start = stop
+        cuts = np.split(self._costs, np.cumsum([part.shape[0] * channels for part in self._parts[:-1]]))
+        self._cost_places = [cut.reshape(channels, -1) for cut in cuts]
         self._bounded_by_factors = False
         self._iteration_limit: int | None = None
-
-    @property
-    def entry_count(self) -> int:
-        """Number of matrix entries that are not zero, all blocks together."""
-        return self._entry_count
 
     def _model(self, highspy: Any) -> Any:
         """Build the block-diagonal dual: per channel a column for each sample, a row for each lobe column."""
@@ -117,7 +106,8 @@ class BlockSolver:
                 row_offset += unknowns
         self._column_count = len(starts) - 1
         self._row_count = row_offset
-        self._entry_count = starts[-1]
+        #: Number of matrix entries that are not zero, all blocks together.
+        self.entry_count = starts[-1]
         model = highspy.HighsLp()
         model.num_col_ = self._column_count
         model.num_row_ = self._row_count
@@ -148,11 +138,9 @@ class BlockSolver:
             np.multiply(target.T, -COST_SCALE, out=place)
         self._check(self._highs.changeColsCost(self._column_count, self._columns, self._costs), "costs")
         if factors is not None or self._bounded_by_factors:
-            bounds = (
-                np.ones(self._column_count)
-                if factors is None
-                else np.concatenate([factor.T.ravel() for factor in factors])
-            )
+            bounds = np.ones(self._column_count)
+            if factors is not None:
+                bounds = np.concatenate([factor.T.ravel() for factor in factors])
             status = self._highs.changeColsBounds(self._column_count, self._columns, -bounds, bounds)
             self._check(status, "bounds")
             self._bounded_by_factors = factors is not None
@@ -208,11 +196,6 @@ class BlockSolver:
 
     def _split(self, array: Floats, axis: int) -> tuple[Floats, ...]:
         """Cut ``array`` into ``(size, channels)`` per part."""
-        parts = []
-        start = 0
-        for part in self._parts:
-            size = part.shape[axis]
-            stop = start + size * self._channels
-            parts.append(array[start:stop].reshape(self._channels, size).T)
-            start = stop
-        return tuple(parts)
+        sizes = [part.shape[axis] * self._channels for part in self._parts]
+        cuts = np.split(array, np.cumsum(sizes[:-1]))
+        return tuple(cut.reshape(self._channels, -1).T for cut in cuts)

@@ -5,7 +5,7 @@ that grow with the program. Two ways keep it, by the size of the program (docs/m
 
 - A small program is solved by the caller, in runs of so many iterations as half of what is left allows at the
   pace seen last. Handing it to a thread and back costs more than the fit. Where two targets had their optimum at
-  one vertex, that vertex is kept and tried before the solver (:mod:`.warm_start`).
+  one vertex, that vertex is kept and tried before the solver (:mod:`.exact_vertex`).
 - A large one is given to a thread of lower priority, after the caller has computed feasible answers: at once,
   the two would wait for the interpreter's lock in turns. The caller waits for the rest of the limit, and leaves
   with the best that it has.
@@ -34,10 +34,10 @@ from brdf_suite.fitting.lobes.answers import (
     rescale_solutions,
 )
 from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
+from brdf_suite.fitting.lobes.exact_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.solver import SolverOutcome
-from brdf_suite.fitting.lobes.warm_start import KeptVertex, kept_vertex
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py
@@ -93,7 +93,11 @@ class LimitedSolver:
         self.channels = channels
         self.background = BackgroundSolver(self.parts, channels)
         self.model = self.background.solver
-        self.fallbacks = _fallbacks(self.parts) if fallbacks is None else tuple(fallbacks)
+        if fallbacks is None:
+            # Parts that are the same one, as for several groups of channels, share theirs.
+            different = {part: FallbackSolver(part) for part in dict.fromkeys(self.parts)}
+            fallbacks = [different[part] for part in self.parts]
+        self.fallbacks = tuple(fallbacks)
         self.inline = self.model.entry_count <= LARGEST_INLINE_ENTRIES if inline is None else inline
         self.vertex: KeptVertex | None = None
         self.pace_s = FIRST_PACE_S_PER_ENTRY * self.model.entry_count
@@ -139,7 +143,17 @@ class LimitedSolver:
         request = normalize_targets(self.parts, self.channels, targets, factors)
         if self.inline:
             return self._solve_here(request, deadline, finish, then, watch)
-        return self._solve_there(request, deadline, finish, then)
+        answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
+        waited = deadline - time.perf_counter() > SHORTEST_WAIT_S
+        work = self.background.start(request, then, waited=waited)
+        finished = self.background.wait(work, deadline - time.perf_counter()) if waited else None
+        if finished is not None:
+            answer, self.background.last = finished
+            return answer
+        if not finish:
+            work.future.cancel()
+            return answer
+        return replace(answer, exact=work.future)
 
     def begin(
         self,
@@ -225,26 +239,6 @@ class LimitedSolver:
                     break
         return outcome, iterations
 
-    def _solve_there(
-        self,
-        request: NormalizedTargets,
-        deadline: float,
-        finish: bool,
-        then: Callable[[LimitedSolution], Any],
-    ) -> LimitedSolution:
-        answer = self._feasible(request, deadline - HAND_OVER_S, None, 0)
-        left = deadline - time.perf_counter()
-        waited = left > SHORTEST_WAIT_S
-        work = self.background.start(request, then, waited=waited)
-        finished = self.background.wait(work, deadline - time.perf_counter()) if waited else None
-        if finished is not None:
-            answer, self.background.last = finished
-            return answer
-        if not finish:
-            work.future.cancel()
-            return answer
-        return replace(answer, exact=work.future)
-
     def _feasible(
         self,
         request: NormalizedTargets,
@@ -281,9 +275,3 @@ class LimitedSolver:
             methods.append(tuple(names[w] for w in winner))
         self.background.last = tuple(solutions)
         return rescale_solutions(request, solutions, errors, tuple(methods), False, iterations)
-
-
-def _fallbacks(parts: Sequence[PartProgram]) -> tuple[FallbackSolver, ...]:
-    """Return one for each part; parts that are the same one, as for several groups of channels, share theirs."""
-    different = {id(part): FallbackSolver(part) for part in {id(p): p for p in parts}.values()}
-    return tuple(different[id(part)] for part in parts)

@@ -14,12 +14,17 @@ import numpy as np
 import pytest
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels
-from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map, within
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
+from brdf_suite.acquisition.reconstruction.options import (
+    AcquireOptions,
+    coverage_map,
+    covered_share,
+    deviation_map,
+    within,
+)
 from brdf_suite.acquisition.reconstruction.output import acquire, acquire_partial, work_path, write_acquired
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.source import Stack
-from brdf_suite.acquisition.reconstruction.table import reconstruct
+from brdf_suite.acquisition.reconstruction.table import Acquired, reconstruct
+from brdf_suite.acquisition.session.series import PhotographSeries
 from brdf_suite.acquisition.session.store import write_session
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings, simulate
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
@@ -44,9 +49,9 @@ class Photographed(SimulatorSource):
 
     def __init__(self, simulator: Simulator) -> None:
         super().__init__(simulator)
-        self.taken: dict[int, Stack] = {}
+        self.taken: dict[int, PhotographSeries] = {}
 
-    def position(self, k: int) -> Stack:
+    def position(self, k: int) -> PhotographSeries:
         if k not in self.taken:
             self.taken[k] = super().position(k)
             self.taken[k].codes.flags.writeable = False
@@ -356,7 +361,7 @@ def test_steps_out_of_order_say_which_comes_first(folder: Path) -> None:
     with pytest.raises(AcquisitionError, match="Response and geometry come first"):
         reconstruct(road)
     with pytest.raises(AcquisitionError, match="response comes first"):
-        road.merged(0)
+        road.merged_stack(road.stack(0), 0)
     road.options = AcquireOptions(bins=BINS, positions=(99,))
     with pytest.raises(ValueRangeError, match="positions 0 to 11"):
         road.calibrate()

@@ -17,7 +17,7 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.files.images.environments import read_environment_image
 from brdf_suite.fitting import default_basis
-from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.program import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric

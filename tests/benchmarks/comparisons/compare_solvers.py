@@ -23,7 +23,7 @@ from lobe_experiment import (
 
 from brdf_suite.fitting import log_spaced
 from brdf_suite.fitting.lobes.basis import STORED_NAME, stored_bases
-from brdf_suite.fitting.lobes.layer_programs import ENERGY_WEIGHT
+from brdf_suite.fitting.lobes.program import ENERGY_WEIGHT
 from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.resources import resource

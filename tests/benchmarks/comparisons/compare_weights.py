@@ -12,7 +12,7 @@ from compare_lobe_bases import ROUGHNESSES, coat_figures
 from lobe_experiment import Database, Fitted, Lobes, arguments, paints, table
 
 from brdf_suite.fitting import LobeFitter
-from brdf_suite.fitting.lobes.weighting import Weighting
+from brdf_suite.fitting.lobes.program import Weighting
 
 LIMIT_S = 1.0  # quality, not speed, is compared here
 

@@ -26,8 +26,7 @@ from brdf_suite.files.measured import read_measured
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance import CookTorranceFit, Settings, fit_checked_samples
 from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
-from brdf_suite.fitting.cook_torrance.reflectance_samples import ASKED, even_pairs, samples_of
-from brdf_suite.fitting.cook_torrance.samples import Floor
+from brdf_suite.fitting.cook_torrance.samples import ASKED, Floor, even_pairs, samples_of
 from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.progress import Progress, report, subrange

@@ -11,8 +11,8 @@ from time import perf_counter
 
 import numpy as np
 
-from brdf_suite.acquisition.radiance.dark_frame import black_codes, dark_model
 from brdf_suite.acquisition.radiance.merge import CLIPPED, GOOD, merge
+from brdf_suite.acquisition.radiance.sensor_maps import black_codes, dark_model
 from brdf_suite.acquisition.response.fit import ResponseFit, calibrate_response
 from brdf_suite.acquisition.response.response import middle_code
 from brdf_suite.acquisition.response.samples import ResponseSamples, spread
@@ -86,7 +86,7 @@ def recovered(bits: int, curve: str = "film", paint: str = PAINT) -> Recovered:
 
 def true_exposures(rig: Simulator) -> np.ndarray:
     """Return (3, codes) the exposure of each code, at the gauge, from the simulated camera's own curve."""
-    from brdf_suite.acquisition.simulator.curves import curve_table
+    from brdf_suite.acquisition.simulator.sensor import curve_table
 
     codes = 1 << rig.settings.bit_depth
     share = (np.arange(codes) - rig.sensor.black) / (codes - 1 - rig.sensor.black)

@@ -12,12 +12,10 @@ import sys
 
 import numpy as np
 
-from brdf_suite.acquisition.reconstruction.coverage import covered_share, within
 from brdf_suite.acquisition.reconstruction.geometry import highlight_positions, union_positions
-from brdf_suite.acquisition.reconstruction.options import Acquired, AcquireOptions
-from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.response import POSITIONS as RESPONSE_POSITIONS
-from brdf_suite.acquisition.reconstruction.table import reconstruct
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions, covered_share, within
+from brdf_suite.acquisition.reconstruction.reconstruction import RESPONSE_POSITIONS, Acquisition
+from brdf_suite.acquisition.reconstruction.table import Acquired, reconstruct
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange

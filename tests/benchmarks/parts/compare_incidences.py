@@ -17,10 +17,10 @@ from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes.angles import AngleFitter, AngleGrid, AngleWeights
-from brdf_suite.fitting.lobes.angles import samples as angle_samples
+from brdf_suite.fitting.lobes.angles import program as angle_samples
 from brdf_suite.fitting.lobes.angles.weights import gloss_brdf
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
-from brdf_suite.fitting.metrics import Evaluable, aspecular_delta_e
+from brdf_suite.fitting.lobes.weights import RaisedWeights
+from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.pipeline.material import load_document
@@ -28,6 +28,7 @@ from brdf_suite.reflectance.designed.build import build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
+from brdf_suite.reflectance.protocol import Reflectance
 
 INCIDENCES = (10.0, 20.0, 30.0, 45.0, 55.0, 65.0, 70.0, 75.0, 80.0)
 GAMMAS = (-15.0, 15.0, 25.0, 45.0, 75.0, 110.0)
@@ -82,7 +83,7 @@ def by_incidence() -> None:
     single = LobeFitter(time_limit_s=LIMIT_S)
     several = AngleFitter(time_limit_s=LIMIT_S)
     one = {name: single.fit(paint).weights for name, paint in PAINTS.items()}
-    ways: dict[str, dict[str, Evaluable]] = {
+    ways: dict[str, dict[str, Reflectance]] = {
         "one incidence": dict(one),
         "raised, θ of the light": {name: RaisedWeights(w) for name, w in one.items()},
         "raised, θ of the view": {name: RaisedWeights(w, "view") for name, w in one.items()},

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from acquisition_response import Recovered, by_turns, true_exposures
 
-from brdf_suite.acquisition.radiance.dark_frame import black_codes
+from brdf_suite.acquisition.radiance.sensor_maps import black_codes
 from brdf_suite.acquisition.response.fit import calibrate_response
 from brdf_suite.acquisition.response.samples import ResponseSamples, spread
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings

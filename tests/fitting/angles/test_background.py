@@ -14,7 +14,7 @@ import pytest
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.angles import AngleFitter
 from brdf_suite.fitting.lobes.angles import fitter as fitter_module
-from brdf_suite.fitting.lobes.angles.future_chain import chain_futures
+from brdf_suite.fitting.lobes.background import chain_futures
 from brdf_suite.pipeline.material import load_document, load_shipped_paint
 from brdf_suite.reflectance.designed.build import build_paint, build_reflectance
 from brdf_suite.reflectance.designed.layers import split_layers

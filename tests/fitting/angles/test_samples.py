@@ -5,7 +5,7 @@ import pytest
 from numpy.typing import NDArray
 
 from brdf_suite.fitting.lobes.angles import AngleGrid
-from brdf_suite.fitting.lobes.angles.samples import HORIZON_DEG, AngleBaseSamples, AngleCoatSamples
+from brdf_suite.fitting.lobes.angles.program import HORIZON_DEG, AngleBaseSamples, AngleCoatSamples
 from brdf_suite.fitting.lobes.samples import BaseSamples
 from brdf_suite.geometry.directions import aspecular_angle
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe

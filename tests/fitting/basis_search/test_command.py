@@ -22,9 +22,9 @@ ORDER = ("--lobes", "2", "--starts", "2", "--workers", "2")
 HELD = """
 import sys, time
 from brdf_suite.cli.main import main
-from brdf_suite.fitting.basis_search import document, workers
+from brdf_suite.fitting.basis_search import document, search
 
-real_save, real_run, kept = document.save_state, workers.Workers.run, 0
+real_save, real_run, kept = document.save_state, search.Workers.run, 0
 
 def save(state, settings, results):
     global kept
@@ -39,7 +39,7 @@ def run(self, starts, report):
             time.sleep(600)
     return real_run(self, starts, held)
 
-document.save_state, workers.Workers.run = save, run
+document.save_state, search.Workers.run = save, run
 sys.exit(main(sys.argv[1:]))
 """
 

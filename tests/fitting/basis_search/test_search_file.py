@@ -10,8 +10,7 @@ import pytest
 
 from brdf_suite.errors import DocumentError
 from brdf_suite.fitting.basis_search.database import Database, database_sha256
-from brdf_suite.fitting.basis_search.document import save_state
-from brdf_suite.fitting.basis_search.stored import load_search
+from brdf_suite.fitting.basis_search.document import load_search, save_state
 from brdf_suite.fitting.lobes.basis import STORED_NAME, default_basis
 from brdf_suite.resources import resource
 

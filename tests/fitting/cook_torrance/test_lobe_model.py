@@ -6,11 +6,9 @@ import numpy as np
 import pytest
 
 from brdf_suite.arrays import Floats
-from brdf_suite.fitting.cook_torrance.losses import Cost
-from brdf_suite.fitting.cook_torrance.model import LobeModel
+from brdf_suite.fitting.cook_torrance.model import LobeModel, Terms, fresnel
 from brdf_suite.fitting.cook_torrance.samples import check_samples, half_and_difference, spread
-from brdf_suite.fitting.cook_torrance.shapes import Terms, fresnel
-from brdf_suite.fitting.cook_torrance.solve import FitProblem
+from brdf_suite.fitting.cook_torrance.solve import Cost, FitProblem
 from brdf_suite.geometry.directions import from_half_angle_coordinates
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

@@ -13,9 +13,8 @@ from brdf_suite.cli.main import main
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.fitting.cook_torrance import Settings
-from brdf_suite.fitting.cook_torrance.plot import fit_plot
-from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
-from brdf_suite.fitting.cook_torrance.starts_file import StartsFile
+from brdf_suite.fitting.cook_torrance.fit import StartsFile
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance, fit_plot
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.material import load_material
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FittingError, ValueRangeError
-from brdf_suite.fitting.homomorphic.accuracy import accuracy
+from brdf_suite.fitting.homomorphic.factorization import accuracy
 from tools.evaluation.picture_factors import factor_picture
 
 

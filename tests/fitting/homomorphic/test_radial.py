@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.fitting.homomorphic.constraints import MapLayout
-from brdf_suite.fitting.homomorphic.factorization import Factorization
+from brdf_suite.fitting.homomorphic.factorization import Factorization, as_radial, asymmetries
 from brdf_suite.fitting.homomorphic.factorize import correct_mean
-from brdf_suite.fitting.homomorphic.radial import as_radial, asymmetries
 from brdf_suite.fitting.homomorphic.samples import even_directions
+from brdf_suite.fitting.homomorphic.solve import MapLayout
 from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, MEASURED_FACTORS, factor_words, parse_factors
 from brdf_suite.geometry.parabolic import parabolic_place, texel_directions
 

@@ -5,7 +5,7 @@ import pytest
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeWeights
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
+from brdf_suite.fitting.lobes.weights import RaisedWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from brdf_suite.fitting.lobes.exact_vertex import kept_vertex
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
 from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
-from brdf_suite.fitting.lobes.warm_start import kept_vertex
 
 
 def solved(parts: list[PartProgram], targets: list[np.ndarray]) -> BlockSolution:

@@ -5,8 +5,8 @@ import pytest
 
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting import LobeFitter
+from brdf_suite.fitting.lobes.program import relative_factors, ring_solid_angles
 from brdf_suite.fitting.lobes.samples import BaseSamples
-from brdf_suite.fitting.lobes.weighting import relative_factors, ring_solid_angles
 
 
 def test_relative_weights_are_one_over_the_target_and_bounded() -> None:

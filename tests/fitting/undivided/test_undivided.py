@@ -17,7 +17,6 @@ from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.measured import (
     UndividedFit,
     fit_rows,
-    fit_scattered,
     fit_undivided,
     scattered_values,
 )
@@ -95,7 +94,7 @@ def test_a_lobe_sum_is_found_again(incidences: tuple[float, ...], seed: int) -> 
 
 def test_a_lobe_sum_is_found_again_from_scattered_samples() -> None:
     known = lobe_sum(4, share=0.3)
-    fit = fit_scattered(scattered_from(known, (15.0, 40.0, 65.0)))
+    fit = fit_undivided(scattered_from(known, (15.0, 40.0, 65.0)))
     assert fit.split_determined
     assert_same_lobes(fit, known, 1e-6)
 
@@ -114,7 +113,7 @@ def test_two_incidences_leave_the_split_undetermined() -> None:
 
 
 def test_incidences_too_alike_count_as_one() -> None:
-    fit = fit_scattered(scattered_from(lobe_sum(6), (40.0, 40.3, 65.0, 65.4)))
+    fit = fit_undivided(scattered_from(lobe_sum(6), (40.0, 40.3, 65.0, 65.4)))
     assert len(fit.incidences_rad) == 2
     assert not fit.split_determined
 
@@ -190,7 +189,7 @@ def test_no_lobe_is_claimed_that_no_sample_sees() -> None:
     above = wo[:, 2] > 0.05
     wi, wo = wi[above], wo[above]
     known = lobe_sum(8)
-    fit = fit_scattered(ScatteredSamples(wi, wo, known.eval(wi, wo)))
+    fit = fit_undivided(ScatteredSamples(wi, wo, known.eval(wi, wo)))
     assert not fit.weights.kdd[EXPONENTS > 200.0].any()
     assert not fit.weights.kg[EXPONENTS > 200.0].any()
     assert any("near enough to the mirror direction" in notice for notice in fit.notices)
@@ -203,7 +202,7 @@ def test_where_answers_tie_the_one_with_least_light_is_taken() -> None:
     peak = np.abs(samples.wi * (-1, -1, 1) - samples.wo).max(axis=1) < 1e-9
     far = peak | (np.abs(samples.wi * (-1, -1, 1) - samples.wo).max(axis=1) > 0.15)
     values[peak] += 5.0
-    fit = fit_scattered(ScatteredSamples(samples.wi[far], samples.wo[far], values[far]))
+    fit = fit_undivided(ScatteredSamples(samples.wi[far], samples.wo[far], values[far]))
     lobes = fit.weights.kdd + fit.weights.kg
     assert lobes[-1].min() > 0.0
     assert lobes[:-1].max() < 1e-6 * lobes[-1].max()
@@ -221,7 +220,7 @@ def test_of_lobes_that_meet_one_sample_equally_the_narrowest_is_taken() -> None:
                 values.append([1.1 if gamma < 1.0 else 0.1] * 3)
     samples = ScatteredSamples(np.array(wi), np.array(wo), np.array(values))
     basis = LobeBasis((2.0, 6.0, 20.0, 80.0, 500.0, 3_000.0, 20_000.0, 110_000.0))
-    lobes = fit_scattered(samples, basis)
+    lobes = fit_undivided(samples, basis)
     reflected = (lobes.weights.kdd + lobes.weights.kg) * (
         2.0 * np.pi / (lobes.weights.exponents[:, None] + 1.0)
     )
@@ -273,7 +272,7 @@ def test_bad_values_are_named_with_their_place(bad: float, words: str) -> None:
 def test_nothing_above_the_horizon_is_refused() -> None:
     flat = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     with pytest.raises(FittingError, match="above the horizon"):
-        fit_scattered(ScatteredSamples(flat, flat, np.ones((2, 3))))
+        fit_undivided(ScatteredSamples(flat, flat, np.ones((2, 3))))
 
 
 def test_samples_at_the_horizon_are_left_out_and_reported() -> None:
@@ -281,7 +280,7 @@ def test_samples_at_the_horizon_are_left_out_and_reported() -> None:
     good = scattered_from(known, (20.0, 45.0, 65.0))
     wi = np.concatenate((good.wi, [[1.0, 0.0, 0.0]]))
     wo = np.concatenate((good.wo, [[0.0, 0.0, 1.0]]))
-    fit = fit_scattered(ScatteredSamples(wi, wo, np.concatenate((good.values, [[1e6, 1e6, 1e6]]))))
+    fit = fit_undivided(ScatteredSamples(wi, wo, np.concatenate((good.values, [[1e6, 1e6, 1e6]]))))
     np.testing.assert_allclose(fit.weights.kd, known.kd, rtol=1e-6)
     assert any("1 samples at the horizon" in notice for notice in fit.notices)
 
@@ -362,7 +361,7 @@ def test_a_fit_reports_its_progress_and_is_cancelled_between_runs() -> None:
             raise Cancelled
 
     with pytest.raises(Cancelled):
-        fit_scattered(samples, progress=cancel)
+        fit_undivided(samples, progress=cancel)
     assert [what for _, what in reported] == ["fitting"] * 4
     assert 0.0 <= reported[0][0] < reported[3][0] < 1.0
 

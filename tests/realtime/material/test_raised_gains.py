@@ -11,7 +11,7 @@ import pytest
 
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting import LobeWeights
-from brdf_suite.fitting.lobes.fresnel_extrapolation import RaisedWeights
+from brdf_suite.fitting.lobes.weights import RaisedWeights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.realtime.environment.ladder import Ladder
 from brdf_suite.realtime.environment.look_up_table import RAMP_COSINES

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.states import Problem, Series, Shot
-from brdf_suite.acquisition.photographs.exposure_order import check_exposures
+from brdf_suite.acquisition.photographs.exposure_faults import check_exposures
 from brdf_suite.acquisition.session.session import Session
 from brdf_suite.errors import FileError
 from brdf_suite.progress import Progress, report

@@ -16,7 +16,7 @@ from brdf_designer.acquire.geometry.work import GeometryFound, geometry_found, o
 from brdf_designer.acquire.reconstruction_session import WORK_FILE, StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found, thousands
 from brdf_designer.acquire.states import CoverageState
-from brdf_suite.acquisition.reconstruction.coverage import coverage_map, covered_share, deviation_map
+from brdf_suite.acquisition.reconstruction.options import coverage_map, covered_share, deviation_map
 from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress, report, subrange

@@ -1,6 +1,6 @@
 """Joint robust least-squares fit of sphere, turntable and light to the highlights at all angles.
 
-Ten numbers place everything (:mod:`brdf_suite.acquisition.geometry.refinement.parameters` says what the photographs
+Ten numbers place everything (:mod:`brdf_suite.acquisition.geometry.refinement.fit` says what the photographs
 determine of each). For each the session's statement, or the outline's, counts as one measurement with its own
 uncertainty; each highlight gives two, its place in pixels. All are met in the sense of least squares, with Huber's
 weights for the highlights (:mod:`brdf_suite.acquisition.geometry.refinement.fit`). So a number that no highlight
@@ -14,17 +14,24 @@ light alike, as the turntable's zero and a sphere beside the axis, are determine
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.lens import lens_rays
-from brdf_suite.acquisition.geometry.refinement.fit import HighlightSeries, find_outliers, fit_rig, stray
-from brdf_suite.acquisition.geometry.refinement.movement import Movement, find_movements
-from brdf_suite.acquisition.geometry.refinement.parameters import PARAMETERS, RefinedValue, apply, priors
+from brdf_suite.acquisition.geometry.refinement.fit import (
+    PARAMETERS,
+    HighlightSeries,
+    Movement,
+    RefinedValue,
+    apply,
+    find_movements,
+    find_outliers,
+    fit_rig,
+    priors,
+    stray,
+)
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
@@ -85,53 +92,11 @@ class Refinement:
         if not self.movements:
             return ()
         kept = self.positions[_longest(self.positions, self.movements)]
-        return tuple(k for k in range(len(self.geometry.angles_deg)) if not self._stands(k, kept))
-
-    def _stands(self, k: int, kept: npt.NDArray[np.intp]) -> bool:
-        """Return whether no movement lies between position ``k`` and the part of the series that is ``kept``."""
-        first, last = int(kept[0]), int(kept[-1])
-        return all(
-            not (
-                (movement.after <= first and k < movement.after)
-                or (movement.before >= last and k > movement.before)
-            )
-            for movement in self.movements
-        )
-
-    def to_json(self) -> dict[str, Any]:
-        """Return plain values that JSON keeps exactly."""
-        return {
-            "geometry": self.geometry.to_json(),
-            "parameters": [row.to_json() for row in self.parameters],
-            "positions": self.positions.tolist(),
-            "pixels": self.pixels.tolist(),
-            "residuals_px": self.residuals_px.tolist(),
-            "residuals_deg": self.residuals_deg.tolist(),
-            "outliers": self.outliers.tolist(),
-            "rms_px": self.rms_px,
-            "rms_deg": self.rms_deg,
-            "before_px": self.before_px,
-            "before_deg": self.before_deg,
-            "movements": [row.to_json() for row in self.movements],
-        }
-
-    @classmethod
-    def from_json(cls, value: Mapping[str, Any]) -> Refinement:
-        """Return the refinement that :meth:`to_json` gave as plain values."""
-        return cls(
-            geometry=RigGeometry.from_json(value["geometry"]),
-            parameters=tuple(RefinedValue.from_json(row) for row in value["parameters"]),
-            positions=np.array(value["positions"], np.intp),
-            pixels=np.array(value["pixels"], float).reshape(-1, 2),
-            residuals_px=np.array(value["residuals_px"], float).reshape(-1, 2),
-            residuals_deg=np.array(value["residuals_deg"], float),
-            outliers=np.array(value["outliers"], bool),
-            rms_px=float(value["rms_px"]),
-            rms_deg=float(value["rms_deg"]),
-            before_px=float(value["before_px"]),
-            before_deg=float(value["before_deg"]),
-            movements=tuple(Movement.from_json(row) for row in value["movements"]),
-        )
+        # Beyond the last movement before the part that is kept, and the first one after it.
+        low = max((row.after for row in self.movements if row.after <= kept[0]), default=0)
+        count = len(self.geometry.angles_deg)
+        high = min((row.before for row in self.movements if row.before >= kept[-1]), default=count)
+        return tuple(k for k in range(count) if k < low or k > high)
 
 
 def refine(
@@ -236,14 +201,14 @@ def calibrate_geometry(
 
 def format_movement_notice(refinement: Refinement, names: Sequence[str]) -> str:
     """Return the notice about the sphere's movements, ``names`` (K,) being those of the positions; "" for none."""
-    sentences = [movement.sentence(names) for movement in refinement.movements]
-    if not sentences:
+    if not refinement.movements:
         return ""
-    left_out = len(refinement.moved_positions)
-    return (
-        ". ".join(sentences)
-        + f". The geometry is that of the longest part without movement; {left_out} positions are not of it."
+    moved = "".join(
+        f"The sphere has moved by {row.distance_px:.1f} pixels between {names[row.before]} and {names[row.after]}. "
+        for row in refinement.movements
     )
+    left_out = len(refinement.moved_positions)
+    return f"{moved}The geometry is that of the longest part without movement; {left_out} positions are not of it."
 
 
 def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> Bools:
@@ -251,36 +216,25 @@ def _longest(positions: npt.NDArray[np.intp], movements: Sequence[Movement]) -> 
     part_of = np.zeros(len(positions), np.intp)
     for movement in movements:
         part_of += positions >= movement.after
-    longest: Bools = part_of == int(np.argmax(np.bincount(part_of)))
-    return longest
+    return np.asarray(part_of == int(np.argmax(np.bincount(part_of))))
 
 
 def _degrees(geometry: RigGeometry, angles: Floats, seen: Floats) -> Floats:
     """Return the angle (n,) in degrees between the light and where the highlight's pixel mirrors the camera to."""
-    rays, points, normals = _met(geometry, seen)
+    rays, points, _ = geometry.meet(seen)
+    normals = unit(points - geometry.centre)
     mirrored = rays - 2.0 * np.einsum("ni,ni->n", rays, normals)[:, None] * normals
     way = geometry.light(angles) - points
     way /= np.linalg.norm(way, axis=-1, keepdims=True)
     chord = np.linalg.norm(mirrored - way, axis=-1)
-    angle: Floats = np.degrees(2.0 * np.arcsin(np.minimum(0.5 * chord, 1.0)))
-    return angle
+    return np.asarray(np.degrees(2.0 * np.arcsin(np.minimum(0.5 * chord, 1.0))))
 
 
 def _degrees_per_pixel(geometry: RigGeometry, seen: Floats) -> Floats:
     """Return by how many degrees (n,) the mirrored direction turns for a pixel towards the outline."""
-    rays, _, normals = _met(geometry, seen)
-    cosine = np.maximum(-np.einsum("ni,ni->n", rays, normals), _LEAST_COSINE)
-    turn: Floats = np.degrees(2.0 / (math.tan(geometry.outline_angle) * geometry.lens.fx * cosine))
-    return turn
-
-
-def _met(geometry: RigGeometry, pixels: Floats) -> tuple[Floats, Floats, Floats]:
-    """Return the rays of pixels (n, 2), the points where they meet the sphere, and its normals there, (n, 3) each."""
-    rays = lens_rays(geometry.lens, pixels)
-    along = rays @ geometry.centre
-    rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
-    points = (along - np.sqrt(np.maximum(rest, 0.0)))[:, None] * rays
-    return rays, points, unit(points - geometry.centre)
+    rays, points, _ = geometry.meet(seen)
+    cosine = np.maximum(-np.einsum("ni,ni->n", rays, unit(points - geometry.centre)), _LEAST_COSINE)
+    return np.asarray(np.degrees(2.0 / (math.tan(geometry.outline_angle) * geometry.lens.fx * cosine)))
 
 
 def _rms(values: Floats, sigma: Floats) -> float:

@@ -23,9 +23,8 @@ import numpy.typing as npt
 from scipy.special import ndtr
 
 from brdf_suite.acquisition.geometry.lens import lens_rays
-from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
-from brdf_suite.arrays import Floats
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, azimuths_about, unit
+from brdf_suite.arrays import Bools, Floats, Singles
 
 _OUTSIDE = 5.0
 _INSIDE = 0.06  # of the radius
@@ -37,6 +36,35 @@ _REACH = 2.5
 _MOST_SIGMA = 0.3
 _BLUR_SECTORS = 12
 _LEAST_PIXELS = 40
+
+
+class PhotographUnion:
+    """Sum of merged photographs over light positions, in which more of the outline is lit; add 6 to 40.
+
+    Radiances are added, not their logarithms: a pixel that the outline cuts keeps the share of the sphere in it.
+
+    Attributes
+    ----------
+    picture
+        Mean of the three channels, summed over the positions (h, w), float32.
+    unknown
+        Pixels that were clipped, or left out, at some position (h, w).
+    positions
+        Indices of the positions in the sum.
+    """
+
+    def __init__(self, shape: tuple[int, int]) -> None:
+        self.picture: Singles = np.zeros(shape, np.float32)
+        self.unknown: Bools = np.zeros(shape, bool)
+        self.positions: tuple[int, ...] = ()
+
+    def add(self, k: int, radiance: npt.NDArray[np.floating], valid: Bools | None = None) -> None:
+        """Add the radiance (h, w, 3) or (h, w) of position ``k``; where it is not ``valid`` (h, w), it is unknown."""
+        value = radiance if radiance.ndim == 2 else radiance.mean(axis=-1)
+        known = np.isfinite(value) if valid is None else np.isfinite(value) & valid
+        self.picture += np.where(np.isfinite(value), value, 0.0).astype(np.float32)
+        self.unknown |= ~known
+        self.positions = (*self.positions, k)
 
 
 @dataclass(frozen=True)
@@ -66,17 +94,16 @@ def circle(count: int) -> Floats:
 
 def lit_share(geometry: RigGeometry, union: PhotographUnion, azimuths: Floats) -> Floats:
     """Return the largest cosine (n,) of the light at the outline's azimuths (n,) over the union's positions."""
-    normals = _outline_normals(geometry, azimuths)
+    rays = lens_rays(geometry.lens, geometry.outline(azimuths))
+    distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
+    normals = unit(distance * rays - geometry.centre)
     points = geometry.centre + geometry.radius_m * normals
     lights = geometry.light(np.array(geometry.angles_deg)[list(union.positions)])
     cosines = np.einsum("nki,ni->nk", unit(lights[None] - points[:, None]), normals)
-    largest: Floats = cosines.max(axis=1)
-    return largest
+    return np.asarray(cosines.max(axis=1))
 
 
-def find_edge(
-    union: PhotographUnion, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None = None
-) -> Edge:
+def find_edge(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None = None) -> Edge:
     """Return points of the outline near that of ``geometry``, one for each sector in which it can be seen."""
     radius = math.tan(geometry.outline_angle) * geometry.lens.fx
     count = int(np.clip(2.0 * math.pi * radius / _ARC, 48, 240))
@@ -84,30 +111,15 @@ def find_edge(
     sectors = _sectors(union, geometry, mask, count)
     lit = lit_share(geometry, union, azimuths) > LEAST_LIT
     chosen = [(int(k), *sectors[k]) for k in np.flatnonzero(lit) if len(sectors[k][0]) >= _LEAST_PIXELS]
-    blur = _blur(chosen[:: max(1, len(chosen) // _BLUR_SECTORS)])
-    found = [(k, *_offset(s, value, blur)[:2]) for k, s, value in chosen]
+    # The blur with which some sectors fit best, in the median.
+    some = chosen[:: max(1, len(chosen) // _BLUR_SECTORS)]
+    misfits = [np.median([_offset(s, value, blur)[2] for _, s, value in some] or [0.0]) for blur in _BLURS]
+    blur = _BLURS[int(np.argmin(misfits))]
+    found = [(azimuths[k], *_offset(s, value, blur)[:2]) for k, s, value in chosen]
     kept = [row for row in found if abs(row[1]) < _REACH and row[2] < _MOST_SIGMA]
-    if not kept:
-        return Edge(np.empty((0, 2)), np.empty(0), blur)
-    at = azimuths[[row[0] for row in kept]]
-    inward = _inward(geometry, at)
-    pixels = geometry.outline(at) + np.array([row[1] for row in kept])[:, None] * inward
-    return Edge(pixels, np.array([row[2] for row in kept]), blur)
-
-
-def _blur(sectors: list[tuple[int, Floats, Floats]]) -> float:
-    """Return the blur with which sectors fit best, in the median."""
-    misfits = [
-        float(np.median([_offset(s, value, blur)[2] for _, s, value in sectors] or [0.0])) for blur in _BLURS
-    ]
-    return _BLURS[int(np.argmin(misfits))]
-
-
-def _outline_normals(geometry: RigGeometry, azimuths: Floats) -> Floats:
-    """Return the sphere's normals (n, 3) where the outline is."""
-    rays = lens_rays(geometry.lens, geometry.outline(azimuths))
-    distance = math.sqrt(float(geometry.centre @ geometry.centre) - geometry.radius_m**2)
-    return unit(distance * rays - geometry.centre)
+    at, offset, sigma = np.array(kept).reshape(-1, 3).T
+    pixels = geometry.outline(at) + offset[:, None] * _inward(geometry, at)
+    return Edge(pixels, sigma, blur)
 
 
 def _inward(geometry: RigGeometry, azimuths: Floats) -> Floats:
@@ -119,7 +131,7 @@ def _inward(geometry: RigGeometry, azimuths: Floats) -> Floats:
 
 
 def _sectors(
-    union: PhotographUnion, geometry: RigGeometry, mask: npt.NDArray[np.bool_] | None, count: int
+    union: PhotographUnion, geometry: RigGeometry, mask: Bools | None, count: int
 ) -> list[tuple[Floats, Floats]]:
     """Return (distance to the outline inward, radiance) of the pixels of each sector."""
     picture = union.picture
@@ -136,10 +148,7 @@ def _sectors(
     away = np.linalg.norm(pixels - outline.mean(axis=0), axis=-1)
     pixels = pixels[(away > radii.min() - inside - 2.0) & (away < radii.max() + _OUTSIDE + 2.0)]
     rays = lens_rays(geometry.lens, pixels)
-    axis = unit(geometry.centre)
-    right = unit(np.cross((0.0, 1.0, 0.0), axis))
-    down = np.cross(axis, right)
-    azimuth = np.arctan2(rays @ down, rays @ right) % (2.0 * math.pi)
+    azimuth = azimuths_about(unit(geometry.centre), rays) % (2.0 * math.pi)
     edge = geometry.outline(azimuth)
     distance = np.einsum("ni,ni->n", pixels - edge, _inward(geometry, azimuth))
     known = ~union.unknown[pixels[:, 1], pixels[:, 0]]

@@ -23,7 +23,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.ndimage import binary_dilation, label, uniform_filter
 
-from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
+from brdf_suite.acquisition.geometry.lens import lens_pixels
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
 from brdf_suite.arrays import Bools, Floats
 
@@ -108,13 +108,9 @@ def find_highlight(
             break
     if not places or places[0] is None:
         return None
-    normal, spread, count = places[0].normal, places[0].spread, places[0].pixels
-    pixel = lens_pixels(geometry.lens, geometry.centre + geometry.radius_m * normal)
-    others = [
-        lens_pixels(geometry.lens, geometry.centre + geometry.radius_m * place.normal)
-        for place in places[1:]
-        if place is not None
-    ]
+    spread, count = places[0].spread, places[0].pixels
+    seen = [place.normal for place in places if place is not None]
+    pixel, *others = lens_pixels(geometry.lens, geometry.centre + geometry.radius_m * np.array(seen))
     wander = max((float(np.linalg.norm(other - pixel)) for other in others), default=0.0)
     # Without the others, cut by the outline or lost in a broader lobe, only the pixel is known; with one, something.
     alone = _ONE_PIXEL_PX * (1.0 - len(others) / (len(places) - 1)) ** 2
@@ -158,10 +154,7 @@ class _Window:
             return None
         rows, columns = slice(low[1], high[1]), slice(low[0], high[0])
         pixels = np.stack(np.meshgrid(np.arange(low[0], high[0]), np.arange(low[1], high[1])), axis=-1)
-        rays = lens_rays(geometry.lens, pixels)
-        along = rays @ geometry.centre
-        rest = along * along - (geometry.centre @ geometry.centre - geometry.radius_m**2)
-        points = (along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays
+        rays, points, rest = geometry.meet(pixels)
         normals = unit(points - geometry.centre)
         cos_o = np.einsum("...i,...i", normals, -rays)
         way = light - points
@@ -227,12 +220,8 @@ class _Window:
         off = np.linalg.norm(normals - middle, axis=-1)
         from_middle = self.pixels[spot] - weight @ self.pixels[spot]
         narrow = float(np.linalg.eigvalsh(from_middle.T @ (weight[:, None] * from_middle))[0])
-        return _Spot(
-            middle,
-            math.sqrt(float(weight @ (off * off))),
-            int(np.count_nonzero(spot)),
-            math.sqrt(1.0 + 12.0 * max(narrow, 0.0)),
-        )
+        wide, across = math.sqrt(float(weight @ (off * off))), math.sqrt(1.0 + 12.0 * max(narrow, 0.0))
+        return _Spot(middle, wide, int(np.count_nonzero(spot)), across)
 
 
 @dataclass(frozen=True)

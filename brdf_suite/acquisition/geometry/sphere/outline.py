@@ -15,13 +15,18 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 from scipy.ndimage import median_filter
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
-from brdf_suite.acquisition.geometry.sphere.combined_photograph import PhotographUnion
-from brdf_suite.acquisition.geometry.sphere.edge import LEAST_LIT, Edge, circle, find_edge, lit_share
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, triple, unit
+from brdf_suite.acquisition.geometry.sphere.edge import (
+    LEAST_LIT,
+    Edge,
+    PhotographUnion,
+    circle,
+    find_edge,
+    lit_share,
+)
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, azimuths_about, triple, unit
 from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report
@@ -36,6 +41,7 @@ _LEAST_ARC = 1.2  # radians of outline that must be lit
 _SPREAD = 1.4826  # of a normal distribution, over the median absolute deviation
 _STEPS = 30
 _SYSTEMATIC_PX = 0.03
+_EIGHT = np.arange(8) * (math.pi / 4.0)
 
 
 @dataclass(frozen=True)
@@ -71,11 +77,6 @@ class SphereOutline:
     blur_px: float
     geometry: RigGeometry
 
-    @property
-    def distance_m(self) -> float:
-        """Return the distance from the camera to the sphere's centre, metres."""
-        return float(np.linalg.norm(self.centre_m))
-
 
 def find_outline(
     union: PhotographUnion, geometry: RigGeometry, mask: Bools | None = None, progress: Progress | None = None
@@ -110,9 +111,6 @@ def find_outline(
             break
         edge = find_edge(union, current, mask)
     return fitted
-
-
-_EIGHT = np.arange(8) * (math.pi / 4.0)
 
 
 def _require(edge: Edge, geometry: RigGeometry) -> None:
@@ -154,7 +152,8 @@ def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None) -
                 continue
             # d·a - 1 changes by sin ρ/cos ρ for each radian across the outline.
             near = np.abs(rays @ a - 1.0) < close * math.sqrt(length * length - 1.0)
-            count = int(np.count_nonzero(lit[_azimuth_bins(rays[near], a / length)]))
+            turn = azimuths_about(a / length, rays[near]) / (2.0 * math.pi) % 1.0
+            count = int(np.count_nonzero(lit[np.minimum((turn * _BINS).astype(np.intp), _BINS - 1)]))
             if count > best_count:
                 best, best_count = a, count
     if best_count < _LEAST_POINTS:
@@ -163,16 +162,7 @@ def _coarse(union: PhotographUnion, geometry: RigGeometry, mask: Bools | None) -
             "and that the background is dark."
         )
     length = float(np.linalg.norm(best))
-    rho = math.acos(1.0 / length)
-    return _placed(geometry, best / length, rho)
-
-
-def _azimuth_bins(rays: Floats, axis: Floats) -> npt.NDArray[np.intp]:
-    """Return in which of the even parts of a circle rays (n, 3) lie around ``axis``."""
-    right = unit(np.cross((0.0, 1.0, 0.0), axis))
-    down = np.cross(axis, right)
-    turn = np.arctan2(rays @ down, rays @ right) / (2.0 * math.pi) % 1.0
-    return np.minimum((turn * _BINS).astype(np.intp), _BINS - 1)
+    return _placed(geometry, best / length, math.acos(1.0 / length))
 
 
 def _border(union: PhotographUnion, mask: Bools | None) -> Floats:
@@ -218,9 +208,8 @@ def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
     def distances(x: Floats) -> Floats:
         return outline_distances(moved(x), edge.pixels)
 
-    x = np.append(
-        lens_pixels(geometry.lens, geometry.centre), math.tan(geometry.outline_angle) * geometry.lens.fx
-    )
+    radius = math.tan(geometry.outline_angle) * geometry.lens.fx
+    x = np.append(lens_pixels(geometry.lens, geometry.centre), radius)
     certainty = 1.0 / np.hypot(edge.sigma_px, _SYSTEMATIC_PX)
     used = np.ones(len(edge.pixels), bool)
     for _ in range(_STEPS):
@@ -229,9 +218,7 @@ def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
         used = np.abs(off) < 4.0 * spread
         # Huber's weights: squares near the outline, absolute values away from it.
         weight = certainty * np.sqrt(np.minimum(1.0, 1.5 * spread / np.maximum(np.abs(off), 1e-12))) * used
-        slopes = np.stack(
-            [(distances(x + 0.05 * e) - distances(x - 0.05 * e)) / 0.1 for e in np.eye(3)], axis=-1
-        )
+        slopes = np.stack([(distances(x + e) - distances(x - e)) / 0.1 for e in 0.05 * np.eye(3)], axis=-1)
         step = np.linalg.lstsq(slopes * weight[:, None], -off * weight)[0]
         x = x + step
         if float(np.abs(step).max()) < 1e-5:
@@ -253,33 +240,22 @@ def _fit(edge: Edge, geometry: RigGeometry) -> SphereOutline:
 
 def outline_distances(geometry: RigGeometry, pixels: Floats) -> Floats:
     """Return the distances (n,) of pixels (n, 2) to the sphere's outline, pixels, positive inside."""
-    axis = unit(geometry.centre)
-    right = unit(np.cross((0.0, 1.0, 0.0), axis))
-    down = np.cross(axis, right)
-    rays = lens_rays(geometry.lens, pixels)
-    azimuth = np.arctan2(rays @ down, rays @ right)
+    azimuth = azimuths_about(unit(geometry.centre), lens_rays(geometry.lens, pixels))
     inward = np.stack((-np.cos(azimuth), -np.sin(azimuth)), axis=-1)
     # Along the radius the two differ only by the ellipse's and the lens's slant, a cosine of almost 1.
-    distances: Floats = np.einsum("ni,ni->n", pixels - geometry.outline(azimuth), inward)
-    return distances
+    return np.asarray(np.einsum("ni,ni->n", pixels - geometry.outline(azimuth), inward))
 
 
 def _covariance(geometry: RigGeometry, pixels: Floats, rms: float) -> Floats:
     """Return the covariance (3, 3) of the centre, m²."""
     step = 1e-4 * geometry.radius_m
-    slopes = np.stack(
-        [
-            (
-                outline_distances(geometry.with_centre(geometry.centre + step * axis), pixels)
-                - outline_distances(geometry.with_centre(geometry.centre - step * axis), pixels)
-            )
-            / (2.0 * step)
-            for axis in np.eye(3)
-        ],
-        axis=-1,
-    )
+
+    def distances(shift: Floats) -> Floats:
+        return outline_distances(geometry.with_centre(geometry.centre + shift), pixels)
+
+    shifts = step * np.eye(3)
+    slopes = np.stack([(distances(e) - distances(-e)) / (2.0 * step) for e in shifts], axis=-1)
     inverse = np.linalg.pinv(slopes.T @ slopes)
     # What all points have in common moves across and to the eye as one point of this error would.
     common = np.linalg.pinv(slopes.T @ slopes / len(pixels)) * _SYSTEMATIC_PX**2
-    covariance: Floats = inverse * rms**2 + common
-    return covariance
+    return np.asarray(inverse * rms**2 + common)

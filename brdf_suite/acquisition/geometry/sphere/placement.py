@@ -15,15 +15,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.lens import lens_pixels
-from brdf_suite.acquisition.session.camera import Lens
-from brdf_suite.arrays import Floats
+from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
+from brdf_suite.acquisition.session.session import Lens, Session
+from brdf_suite.arrays import Bools, Floats
 from brdf_suite.errors import ValueRangeError
 
 _ROUNDS = 60
@@ -36,8 +36,19 @@ Triple = tuple[float, float, float]
 def unit(vectors: npt.ArrayLike) -> Floats:
     """Return vectors (..., 3) at length 1."""
     vectors = np.asarray(vectors, float)
-    scaled: Floats = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return scaled
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=-1, keepdims=True))
+
+
+def across(axis: Floats) -> tuple[Floats, Floats]:
+    """Return right and down (3,) as the camera sees them, of length 1, across a unit ``axis`` (3,)."""
+    right = unit(np.cross((0.0, 1.0, 0.0), axis))
+    return right, np.cross(axis, right)
+
+
+def azimuths_about(axis: Floats, rays: Floats) -> Floats:
+    """Return the azimuths (n,) of rays (n, 3) about a unit ``axis`` (3,), radians from image x towards image y."""
+    right, down = across(axis)
+    return np.asarray(np.arctan2(rays @ down, rays @ right))
 
 
 @dataclass(frozen=True)
@@ -95,13 +106,11 @@ class RigGeometry:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.radius_m < np.linalg.norm(self.centre_m):
-            raise ValueRangeError(
-                "sphere.radius_m", f"{self.radius_m:g} m; the camera stands outside of the sphere"
-            )
+            reason = f"{self.radius_m:g} m; the camera stands outside of the sphere"
+            raise ValueRangeError("sphere.radius_m", reason)
         if self.light_distance_m <= self.radius_m:
-            raise ValueRangeError(
-                "light.distance_m", f"{self.light_distance_m:g} m; the light stands outside of the sphere"
-            )
+            reason = f"{self.light_distance_m:g} m; the light stands outside of the sphere"
+            raise ValueRangeError("light.distance_m", reason)
 
     @property
     def centre(self) -> Floats:
@@ -112,29 +121,23 @@ class RigGeometry:
     def rig_axes(self) -> Floats:
         """Return side, up and front as rows (3, 3), each in the camera's frame."""
         up = unit(self.up)
-        front = -self.centre + (self.centre @ up) * up
-        front = unit(front)
+        front = unit(-self.centre + (self.centre @ up) * up)
         return np.stack((np.cross(up, front), up, front))
 
     @property
     def axis_point(self) -> Floats:
         """Return the point (3,) of the turntable's axis that is as high as the sphere's centre, metres."""
         side, _, front = self.rig_axes
-        point: Floats = self.centre - self.axis_offset_m[0] * side - self.axis_offset_m[1] * front
-        return point
+        return np.asarray(self.centre - self.axis_offset_m[0] * side - self.axis_offset_m[1] * front)
 
     def light(self, angles_deg: npt.ArrayLike) -> Floats:
         """Return where the light stands (..., 3), metres, at angles (...) of the turntable, degrees."""
         side, up, front = self.rig_axes
         angle = np.radians(np.asarray(angles_deg, float) + self.angle_offset_deg)[..., None]
-        place: Floats = (
-            self.axis_point
-            + self.light_height_m * up
-            + self.light_distance_m * (np.sin(angle) * side + np.cos(angle) * front)
-        )
-        return place
+        level = self.light_distance_m * (np.sin(angle) * side + np.cos(angle) * front)
+        return np.asarray(self.axis_point + self.light_height_m * up + level)
 
-    def highlight_normals(self, lights: npt.ArrayLike) -> tuple[Floats, npt.NDArray[np.bool_]]:
+    def highlight_normals(self, lights: npt.ArrayLike) -> tuple[Floats, Bools]:
         """Return the normals (..., 3) at which lights (..., 3) are mirrored to the camera, and which are seen."""
         lights, centre = np.asarray(lights, float), self.centre
         normals = unit(unit(lights - centre) - unit(centre))
@@ -155,6 +158,17 @@ class RigGeometry:
         pixels = lens_pixels(self.lens, self.centre + self.radius_m * normals)
         return np.where(seen[..., None], pixels, np.nan)
 
+    def meet(self, pixels: npt.ArrayLike) -> tuple[Floats, Floats, Floats]:
+        """Return the rays of pixels (..., 2), where these meet the sphere, (..., 3) each, and how far within they go.
+
+        The last (...) is the square of half of the way through the sphere, m²; below 0 a ray passes beside, and its
+        point is the one nearest to the centre.
+        """
+        rays = lens_rays(self.lens, pixels)
+        along = rays @ self.centre
+        rest = along * along - (self.centre @ self.centre - self.radius_m**2)
+        return rays, (along - np.sqrt(np.maximum(rest, 0.0)))[..., None] * rays, rest
+
     @property
     def outline_angle(self) -> float:
         """Return the angle between the sphere's centre and its outline as the camera sees it, radians."""
@@ -164,12 +178,10 @@ class RigGeometry:
         """Return the pixels (..., 2) of the outline at azimuths (...), radians from image x towards image y."""
         azimuths = np.asarray(azimuths, float)
         axis = unit(self.centre)
-        right = unit(np.cross((0.0, 1.0, 0.0), axis))
-        down = np.cross(axis, right)
-        across = np.cos(azimuths)[..., None] * right + np.sin(azimuths)[..., None] * down
-        return lens_pixels(
-            self.lens, math.cos(self.outline_angle) * axis + math.sin(self.outline_angle) * across
-        )
+        right, down = across(axis)
+        turned = np.cos(azimuths)[..., None] * right + np.sin(azimuths)[..., None] * down
+        rays = math.cos(self.outline_angle) * axis + math.sin(self.outline_angle) * turned
+        return lens_pixels(self.lens, rays)
 
     def with_centre(self, centre: npt.ArrayLike) -> RigGeometry:
         """Return the geometry with the sphere's centre elsewhere; the turntable goes with it."""
@@ -177,47 +189,73 @@ class RigGeometry:
 
     def to_json(self) -> dict[str, Any]:
         """Return plain values that JSON keeps exactly."""
-        return {
-            "lens": self.lens.to_json(),
-            "shape": list(self.shape),
-            "radius_m": self.radius_m,
-            "centre_m": list(self.centre_m),
-            "up": list(self.up),
-            "axis_offset_m": list(self.axis_offset_m),
-            "light_distance_m": self.light_distance_m,
-            "light_height_m": self.light_height_m,
-            "angle_offset_deg": self.angle_offset_deg,
-            "angles_deg": list(self.angles_deg),
-            "irradiance_rgb": None if self.irradiance_rgb is None else list(self.irradiance_rgb),
-            "profile": [list(pair) for pair in self.profile],
-            "housing_radius_m": self.housing_radius_m,
-            "post_radius_m": self.post_radius_m,
-            "lens_known": self.lens_known,
-        }
+        return asdict(self)
 
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> RigGeometry:
         """Return the geometry that :meth:`to_json` gave as plain values."""
-        return cls(
-            lens=Lens(**value["lens"]),
-            shape=(int(value["shape"][0]), int(value["shape"][1])),
-            radius_m=float(value["radius_m"]),
-            centre_m=triple(value["centre_m"]),
-            up=triple(value["up"]),
-            axis_offset_m=(float(value["axis_offset_m"][0]), float(value["axis_offset_m"][1])),
-            light_distance_m=float(value["light_distance_m"]),
-            light_height_m=float(value["light_height_m"]),
-            angle_offset_deg=float(value["angle_offset_deg"]),
-            angles_deg=tuple(map(float, value["angles_deg"])),
-            irradiance_rgb=None if value["irradiance_rgb"] is None else triple(value["irradiance_rgb"]),
-            profile=tuple((float(pair[0]), float(pair[1])) for pair in value["profile"]),
-            housing_radius_m=float(value["housing_radius_m"]),
-            post_radius_m=float(value["post_radius_m"]),
-            lens_known=bool(value["lens_known"]),
-        )
+        fields = {name: _tuples(item) for name, item in value.items()}
+        return cls(**{**fields, "lens": Lens(**value["lens"])})
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
 def triple(values: npt.ArrayLike) -> Triple:
     """Return three numbers as a tuple of floats."""
     x, y, z = np.asarray(values, float)
     return float(x), float(y), float(z)
+
+
+def nominal_geometry(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> RigGeometry:
+    """Return the stated geometry.
+
+    Parameters
+    ----------
+    session
+        What the folder says of camera, sphere, light and positions.
+    shape
+        Rows and columns of a photograph.
+    lens
+        A calibrated camera; None: the session's own numbers. Where it has none either, the focal length is the one
+        with which the sphere fills half of the picture's height, and :attr:`Geometry.lens_known` is False.
+    """
+    camera, light = session.camera, session.light
+    lens = lens or camera.intrinsics
+    known = lens is not None
+    tilt = math.radians(camera.tilt_deg)
+    up = np.array((0.0, -math.cos(tilt), math.sin(tilt)))
+    away = np.array((0.0, math.sin(tilt), math.cos(tilt)))  # level, from the camera to the axis
+    centre = camera.distance_m * away - camera.height_m * up
+    offset = (0.0, 0.0)
+    if session.sphere.centre_m is not None:
+        x, y, z = session.sphere.centre_m
+        centre = centre + np.array((x, 0.0, 0.0)) + y * up - z * away
+        offset = (x, z)
+    if lens is None:
+        angle = math.asin(min(0.9, session.sphere.radius_m / float(np.linalg.norm(centre))))
+        focal = 0.25 * shape[0] / math.tan(angle)
+        lens = Lens(focal, focal, 0.5 * (shape[1] - 1), 0.5 * (shape[0] - 1))
+    return RigGeometry(
+        lens=lens,
+        shape=(int(shape[0]), int(shape[1])),
+        radius_m=session.sphere.radius_m,
+        centre_m=triple(centre),
+        up=triple(up),
+        axis_offset_m=offset,
+        light_distance_m=light.distance_m,
+        light_height_m=light.height_m,
+        angle_offset_deg=light.angle_offset_deg,
+        angles_deg=tuple(position.angle_deg for position in session.positions),
+        irradiance_rgb=light.irradiance_rgb,
+        profile=light.profile,
+        housing_radius_m=light.housing_radius_m,
+        post_radius_m=light.post_radius_m,
+        lens_known=known,
+    )
+
+
+def in_rig(geometry: RigGeometry, points: np.ndarray) -> Triple:
+    """Return a point (3,) of the camera's frame in the rig's own: side, up and front of the axis, metres."""
+    return triple(geometry.rig_axes @ (np.asarray(points, float) - geometry.axis_point))

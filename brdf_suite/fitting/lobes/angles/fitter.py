@@ -7,22 +7,28 @@ from __future__ import annotations
 
 import threading
 import time
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.angles.future_chain import chain_futures
-from brdf_suite.fitting.lobes.angles.grid import AngleGrid
-from brdf_suite.fitting.lobes.angles.program import base_program, coat_program
-from brdf_suite.fitting.lobes.angles.samples import AngleBaseSamples, AngleCoatSamples
-from brdf_suite.fitting.lobes.angles.targets import AngleSamples, base_target, check_samples, coat_target
-from brdf_suite.fitting.lobes.angles.weights import AngleWeights
+from brdf_suite.fitting.lobes.angles.program import (
+    AngleBaseSamples,
+    AngleCoatSamples,
+    AngleSamples,
+    base_program,
+    base_target,
+    check_samples,
+    coat_program,
+    coat_target,
+)
+from brdf_suite.fitting.lobes.angles.weights import AngleGrid, AngleWeights
+from brdf_suite.fitting.lobes.background import chain_futures
 from brdf_suite.fitting.lobes.basis import LobeBasis, default_basis
 from brdf_suite.fitting.lobes.checks import check_ior, check_limit
-from brdf_suite.fitting.lobes.fitter import PartError
+from brdf_suite.fitting.lobes.fitter import PartError, TimedFit
 from brdf_suite.fitting.lobes.program import PartProgram
 from brdf_suite.fitting.lobes.samples import BASE_GAMMAS_DEG, BASE_WEIGHTS
 from brdf_suite.fitting.lobes.time_limit import LimitedSolution, LimitedSolver
@@ -47,28 +53,9 @@ RESERVE_S = 0.0005
 SAME = 1e-12
 
 
-@dataclass(frozen=True, eq=False)
-class AngleFit:
-    """A fit at K incidences with its errors and status.
-
-    ``base_error`` and ``coat_error`` sum over all incidences, in units of the largest incidence's target, and leave
-    out what smoothness costs; ``seconds`` from samples in hand to weights; ``sampling_seconds`` that of evaluating the
-    reflectance; ``time_limited``: the limit came first, and ``exact`` gets the optimum's AngleFit once it is found,
-    cancelled where the next fit comes before.
-    """
-
-    weights: AngleWeights
-    base_error: PartError
-    coat_error: PartError
-    seconds: float
-    sampling_seconds: float
-    time_limited: bool
-    iterations: int
-    exact: Future[AngleFit] | None = field(default=None, repr=False)
-
-    def __getstate__(self) -> dict[str, object]:
-        """Leave out ``exact``: another process cannot receive what this one's thread finds."""
-        return {**self.__dict__, "exact": None}
+AngleFit = TimedFit[AngleWeights]
+"""Its errors sum over all incidences, in units of the largest incidence's target, and leave out what smoothness costs.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +83,7 @@ class AngleFitter:
     time_limit_s
         Limit of a whole fit, samples in hand to weights, in seconds: hard, as that of the single fit.
     facets
-        For paints whose base is wide facet lobes (Cook-Torrance): see ``samples``. Others are refused.
+        For paints whose base is wide facet lobes (Cook-Torrance): see ``program``. Others are refused.
     base_gammas_deg, base_weights
         Aspecular angles of the base's samples and their weights; those of the single fit if left out.
 
@@ -121,9 +108,8 @@ class AngleFitter:
         self.time_limit_s = check_limit(time_limit_s)
         if (base_gammas_deg is None) != (base_weights is None):
             raise FittingError("Give the base's aspecular angles and their weights together.")
-        self.base_samples = AngleBaseSamples(
-            self.grid, base_gammas_deg or BASE_GAMMAS_DEG, base_weights or BASE_WEIGHTS, facets
-        )
+        gammas, weights = base_gammas_deg or BASE_GAMMAS_DEG, base_weights or BASE_WEIGHTS
+        self.base_samples = AngleBaseSamples(self.grid, gammas, weights, facets)
         self.coat_samples = AngleCoatSamples(self.grid)
         exponents = self.basis.array()
         self.programs: tuple[PartProgram, PartProgram] = (
@@ -197,9 +183,8 @@ class AngleFitter:
         """
         start = time.perf_counter()
         if self.base_samples.facets and samples.base_under_coat:
-            raise FittingError(
-                "The base is seen through a coat; fit it without facets, which are for Cook-Torrance paints."
-            )
+            advice = "fit it without facets, which are for Cook-Torrance paints"
+            raise FittingError(f"The base is seen through a coat; {advice}.")
         check_ior(samples.ior)
         checked = check_samples(samples, self.base_samples, self.coat_samples)
         return self._fit(checked, start, self.time_limit_s)
@@ -258,17 +243,21 @@ class AngleFitter:
         program = self.programs[part]
         rows = (self.base_samples.gamma_rad.size, self.coat_samples.gamma_rad.size + self.grid.count)[part]
         solution = answer.solutions[0]
+        # Of the data rows; those of smoothness follow and have no target.
+        absolute = np.abs(program.matrix[:rows] @ solution - target[:rows]).sum(axis=0)
+        size = target.sum(axis=0)
+        relative = np.where(size > 0.0, absolute / np.where(size > 0.0, size, 1.0), 0.0)
         table = (solution * program.column_scale[:, None]).reshape(self.grid.count, -1, 3)
         return _Solved(
             table * scale[:, None, None],
-            _error(program, solution, target, rows, answer.methods[0]),
+            PartError(absolute, relative, answer.methods[0]),
             answer.optimal,
             answer.iterations,
         )
 
     def _result(self, samples: AngleSamples, base: _Solved, coat: _Solved, start: float) -> AngleFit:
         limited = not (base.optimal and coat.optimal)
-        return AngleFit(
+        return TimedFit(
             weights=AngleWeights(
                 grid=self.grid,
                 exponents=self.basis.array(),
@@ -287,12 +276,3 @@ class AngleFitter:
             time_limited=limited,
             iterations=base.iterations + coat.iterations,
         )
-
-
-def _error(
-    program: PartProgram, solution: Floats, target: Floats, rows: int, method: tuple[str, ...]
-) -> PartError:
-    """Return the L1 error of the data rows, the first ``rows``; smoothness rows follow and have no target."""
-    absolute = np.abs(program.matrix[:rows] @ solution - target[:rows]).sum(axis=0)
-    size = target.sum(axis=0)
-    return PartError(absolute, np.where(size > 0.0, absolute / np.where(size > 0.0, size, 1.0), 0.0), method)

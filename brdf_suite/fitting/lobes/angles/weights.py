@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
@@ -11,12 +11,104 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
-from brdf_suite.fitting.lobes.angles.grid import AngleGrid
-from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.fitting.lobes.checks import check_ior
+from brdf_suite.fitting.lobes.weights import LobeWeights, set_weights
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 
+DEFAULT_COUNT = 16
+#: The least angles of a fit, and the most: the joint program grows with the square of their number.
+FEWEST, MOST = 3, 256
+DEFAULT_POWER = 1.5
+#: The smallest cosine: 88.3°. Below it weights are held.
+LOWEST_COSINE = 0.03
+MEASURED_COSINE = math.cos(math.pi / 4.0)
 #: Cosine of 89.9°: nothing is divided by a smaller transmission than the one here.
 GRAZING = 0.002
+
+
+@dataclass(frozen=True)
+class AngleGrid:
+    """K cosines of incidence, rising from ``lowest_cosine`` to 1, one of them cos 45°.
+
+    With x running evenly from 0 to 1 over the K texels of a 1-D texture, the cosine of incidence is
+
+        c(x) = c_0 + (1 - c_0) x^p.
+
+    p = 1 places the fits evenly in the cosine, p > 1 more densely towards grazing, where Fresnel's factors turn fast.
+    The power is adjusted until one texel falls on 45° exactly: there paints are measured, and there a multi-angle fit
+    must be as true as a single one. Its inverse is one power in a shader, ``x = ((N·L - c_0)/(1 - c_0))^(1/p)``.
+    Measurements behind the defaults: docs/method/incidence.md.
+
+    Parameters
+    ----------
+    count
+        K, 3 to 256.
+    wanted_power
+        The power p asked for, more than 0; ``power`` is the nearest that has a texel at 45°.
+    lowest_cosine
+        The smallest cosine, between 0 and cos 45°.
+
+    Attributes
+    ----------
+    cosines
+        ``(K,)``, rising.
+    measured
+        Index of the texel at 45°.
+
+    >>> grid = AngleGrid(16)
+    >>> round(float(np.degrees(np.arccos(grid.cosines[grid.measured]))), 6)
+    45.0
+
+    Raises
+    ------
+    FittingError
+        A count, power or cosine out of range.
+    """
+
+    count: int = DEFAULT_COUNT
+    wanted_power: float = DEFAULT_POWER
+    lowest_cosine: float = LOWEST_COSINE
+    power: float = field(init=False)
+    measured: int = field(init=False)
+    cosines: Floats = field(init=False, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        if not FEWEST <= self.count <= MOST:
+            needed = f"at least {FEWEST} angles of incidence and takes at most {MOST}"
+            raise FittingError(f"A fit at several angles needs {needed}, not {self.count}.")
+        if not (math.isfinite(self.wanted_power) and self.wanted_power > 0.0):
+            power = f"{self.wanted_power:g}"
+            raise FittingError(f"The power of the angles' placement is {power}; it must be more than 0.")
+        if not 0.0 < self.lowest_cosine < MEASURED_COSINE:
+            raise FittingError(
+                f"The smallest cosine of incidence is {self.lowest_cosine:g}; it must lie between 0 and cos 45°."
+            )
+        share = math.log((MEASURED_COSINE - self.lowest_cosine) / (1.0 - self.lowest_cosine))
+        last = self.count - 1
+        powers = [share / math.log(k / last) for k in range(1, last)]
+        nearest = min(range(last - 1), key=lambda k: abs(math.log(powers[k] / self.wanted_power)))
+        shares = (np.arange(self.count) / last) ** powers[nearest]
+        cosines = self.lowest_cosine + (1.0 - self.lowest_cosine) * shares
+        cosines[nearest + 1] = MEASURED_COSINE
+        cosines.setflags(write=False)
+        object.__setattr__(self, "power", powers[nearest])
+        object.__setattr__(self, "measured", nearest + 1)
+        object.__setattr__(self, "cosines", cosines)
+
+    def position(self, cosine: npt.ArrayLike) -> Floats:
+        """Return x·(K-1) (...), 0 to K-1, of cosines (...): held below the smallest cosine and above 1."""
+        share = (np.asarray(cosine, np.float64) - self.lowest_cosine) / (1.0 - self.lowest_cosine)
+        return np.asarray((self.count - 1) * np.clip(share, 0.0, 1.0) ** (1.0 / self.power))
+
+    def coordinate(self, cosine: npt.ArrayLike) -> Floats:
+        """Return the texture coordinate (...) of cosines (...): (x (K-1) + ½)/K, texel centres at (k + ½)/K."""
+        return np.asarray((self.position(cosine) + 0.5) / self.count)
+
+    def shares(self, cosine: npt.ArrayLike) -> tuple[npt.NDArray[np.intp], Floats]:
+        """Return the lower texel (...) and the share (...) of the one above it, as linear filtering mixes them."""
+        position = self.position(cosine)
+        lower = np.minimum(position.astype(np.intp), self.count - 2)
+        return lower, position - lower
 
 
 def leaving(cos_light: Floats, cos_view: Floats, cos_gamma: Floats, ior: float) -> Floats:
@@ -28,8 +120,7 @@ def leaving(cos_light: Floats, cos_view: Floats, cos_gamma: Floats, ior: float) 
     sines = np.sqrt(np.clip((1.0 - cos_light**2) * (1.0 - cos_gamma**2), 0.0, None))
     inner = np.maximum(cos_light * cos_gamma + sines, GRAZING)
     out = 1.0 - fresnel_dielectric(np.maximum(cos_view, GRAZING), ior)
-    result: Floats = out / (1.0 - fresnel_dielectric(inner, ior))
-    return result
+    return np.asarray(out / (1.0 - fresnel_dielectric(inner, ior)))
 
 
 def gloss_brdf(grid: AngleGrid, exponents: Floats, kg: Floats, light: Floats, view: Floats) -> Floats:
@@ -44,16 +135,14 @@ def gloss_brdf(grid: AngleGrid, exponents: Floats, kg: Floats, light: Floats, vi
 
 def halfway_cosine(light: Floats, view: Floats) -> Floats:
     """Return cos θd (...), θd half the angle between ``light`` and ``view`` (..., 3)."""
-    result: Floats = np.sqrt(np.clip(0.5 * (1.0 + (light * view).sum(axis=-1)), 0.0, 1.0))
-    return result
+    return np.asarray(np.sqrt(np.clip(0.5 * (1.0 + (light * view).sum(axis=-1)), 0.0, 1.0)))
 
 
 def _mixed(grid: AngleGrid, table: Floats, cosine: Floats) -> Floats:
     """``table`` (K, ...) at cosines (n,): (n, ...)."""
     lower, share = grid.shares(cosine)
     share = share.reshape(share.shape + (1,) * (table.ndim - 1))
-    result: Floats = (1.0 - share) * table[lower] + share * table[lower + 1]
-    return result
+    return np.asarray((1.0 - share) * table[lower] + share * table[lower + 1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +179,7 @@ class AngleWeights:
     time_limited
         The time limit came before the optimum.
 
-    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.fresnel_extrapolation.RaisedWeights`) is never applied on top:
+    Fresnel's raise (:class:`~brdf_suite.fitting.lobes.weights.RaisedWeights`) is never applied on top:
     it is in the weights already. Raises :class:`FittingError` for a shape that does not fit, or a weight that is
     negative or not finite.
     """
@@ -109,24 +198,11 @@ class AngleWeights:
 
     def __post_init__(self) -> None:
         angles, lobes = self.grid.count, np.asarray(self.exponents).size
-        shapes = {
-            "exponents": (lobes,),
-            "kd": (angles, 3),
-            "kdd": (angles, lobes, 3),
-            "kg": (angles, lobes, 3),
-        }
-        for name, shape in shapes.items():
-            value = np.array(getattr(self, name), dtype=np.float64)
-            if value.shape != shape:
-                raise FittingError(f"The lobe weights {name} have shape {value.shape}, not {shape}.")
-            if not (np.isfinite(value).all() and (value >= 0.0).all()):
-                raise FittingError(f"The lobe weights {name} hold a negative or not finite value.")
-            value.setflags(write=False)
-            object.__setattr__(self, name, value)
+        kdd = (angles, lobes, 3)
+        set_weights(self, {"exponents": (lobes,), "kd": (angles, 3), "kdd": kdd, "kg": kdd})
         if self.base_of_facets and self.base_under_coat:
             raise FittingError("A base of facet lobes is not seen through a coat; it is one or the other.")
-        if not (math.isfinite(self.ior) and self.ior >= 1.0):
-            raise FittingError(f"The refractive index of the coat is {self.ior:g}; it must be 1 or more.")
+        check_ior(self.ior)
 
     @property
     def cosines(self) -> Floats:
@@ -152,14 +228,11 @@ class AngleWeights:
 
     def leaving(self, cos_light: npt.ArrayLike, cos_view: npt.ArrayLike, cos_gamma: npt.ArrayLike) -> Floats:
         """Return t (...), see the class, for cosines (...) of light, view and aspecular angle."""
-        light, view, cosine = np.broadcast_arrays(
-            np.asarray(cos_light, float), np.asarray(cos_view, float), np.asarray(cos_gamma, float)
-        )
-        if not self.base_under_coat:
-            return np.ones(light.shape)
-        return leaving(light, view, cosine, self.ior)
+        given = (np.asarray(cosine, float) for cosine in (cos_light, cos_view, cos_gamma))
+        light, view, cosine = np.broadcast_arrays(*given)
+        return leaving(light, view, cosine, self.ior) if self.base_under_coat else np.ones(light.shape)
 
-    def _sums(self, wi: Floats, wo: Floats) -> tuple[Floats, Floats, Floats]:
+    def _sums(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> tuple[Floats, Floats, Floats]:
         """Return N·L (...), base and gloss as f_r (..., 3), both 0 below the horizon."""
         light, view = np.broadcast_arrays(np.asarray(wi, np.float64), np.asarray(wo, np.float64))
         shape = light.shape[:-1]
@@ -175,17 +248,16 @@ class AngleWeights:
         gloss = gloss_brdf(self.grid, self.exponents, self.kg, light, view)
         return cos_i.reshape(shape), base.reshape((*shape, 3)), gloss.reshape((*shape, 3))
 
-    def reflected(self, wi: Floats, wo: Floats) -> Floats:
+    def reflected(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return ``f_r·(N·L)`` in 1/sr: reflected radiance for light of unit strength (cosine included).
 
         ``wi``, ``wo``: unit directions ``(..., 3)`` to light and view, local frame with the normal as z; they
         broadcast. Result ``(..., 3)``, 0 where either is at or below the horizon.
         """
         cosine, base, gloss = self._sums(wi, wo)
-        result: Floats = np.maximum(cosine, 0.0)[..., None] * (base + gloss)
-        return result
+        return np.asarray(np.maximum(cosine, 0.0)[..., None] * (base + gloss))
 
-    def eval(self, wi: Floats, wo: Floats) -> Floats:
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r in 1/sr, **without** the cosine: ``reflected`` over ``N·L``; shapes as there."""
         _, base, gloss = self._sums(wi, wo)
         return base + gloss
@@ -195,8 +267,7 @@ class AngleWeights:
 
         Wide lobes count whole, also what of them lies below the horizon.
         """
-        result: Floats = np.einsum("m,kmc->kc", 2.0 * np.pi / (self.exponents + 1.0), self.kg)
-        return result
+        return np.asarray(np.einsum("m,kmc->kc", 2.0 * np.pi / (self.exponents + 1.0), self.kg))
 
     def texture(self) -> npt.NDArray[np.float32]:
         """Return the table as float32 texels ``(1 + 2m, K, 4)``, C order, for an RGBA32F 1-D texture array.
