@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
@@ -188,7 +189,7 @@ class _Values:
 
     values: Floats
 
-    def eval(self, wi: Floats, wo: Floats) -> Floats:  # noqa: ARG002 - they are of these very directions
+    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:  # noqa: ARG002 - they are of these very directions
         return self.values
 
 

@@ -174,7 +174,8 @@ def _merge_codes(
     if response.bit_depth < 8 * stack.itemsize and int(stack.max(initial=0)) >= size:
         raise ValueRangeError("stack", f"it holds codes above the {size - 1} of {response.bit_depth} bits")
     # Each an array of its own: the variance may be dropped while the radiance is kept.
-    made = tuple(np.empty((height, width, channels), kind) for kind in (np.float32, np.float32, np.uint8))
+    shape = (height, width, channels)
+    made = (np.empty(shape, np.float32), np.empty(shape, np.float32), np.empty(shape, np.uint8))
     starts = range(0, height, _ROWS)
     pairs = np.zeros((len(starts), count - 1, 3))
     clipped = np.zeros((len(starts), count), np.int64)

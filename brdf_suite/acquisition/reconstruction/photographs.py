@@ -15,8 +15,8 @@ import numpy as np
 from brdf_suite.acquisition.geometry.intrinsics import CameraCalibration
 from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
 from brdf_suite.acquisition.photographs.reading import read_photograph
-from brdf_suite.acquisition.radiance.merge import MergedRadiance, merge
-from brdf_suite.acquisition.radiance.sensor_maps import Dark, dark_model, flat_field
+from brdf_suite.acquisition.radiance.merge import Dark, MergedRadiance, merge
+from brdf_suite.acquisition.radiance.sensor_maps import dark_model, flat_field
 from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.work_file import StepClock
 from brdf_suite.acquisition.response.response import Response

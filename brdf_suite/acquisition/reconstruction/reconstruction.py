@@ -23,8 +23,8 @@ from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry
 from brdf_suite.acquisition.photographs.exposure_faults import exposure_faults
 from brdf_suite.acquisition.radiance.sensor_maps import black_codes
 from brdf_suite.acquisition.reconstruction.geometry import find_geometry
+from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.photographs import (
-    AcquireOptions,
     Calibration,
     FolderSource,
     PhotographSource,

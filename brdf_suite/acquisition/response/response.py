@@ -147,8 +147,8 @@ def linear_response(
     exposure = (codes - dark[:, None]) * (MIDDLE_EXPOSURE / (middle_code(bit_depth) - dark[:, None]))
     lowest = np.minimum(np.ceil(dark).astype(np.int64), codes[-1])
     top = default_highest(bit_depth) if highest is None else highest
-    each = (np.broadcast_to(value, (channels,)) for value in (top, read, shot))
-    return Response(bit_depth, exposure, dark, lowest, *each, linear=True)
+    last, deviation, slope = (np.broadcast_to(value, (channels,)) for value in (top, read, shot))
+    return Response(bit_depth, exposure, dark, lowest, last, deviation, slope, True)
 
 
 def srgb_response(bit_depth: int, channels: int = 3) -> Response:
@@ -157,8 +157,9 @@ def srgb_response(bit_depth: int, channels: int = 3) -> Response:
     value = np.arange(1 << bit_depth) / ((1 << bit_depth) - 1.0)
     light = np.where(value <= _SRGB_KNEE, value / 12.92, ((value + 0.055) / 1.055) ** 2.4)
     light *= MIDDLE_EXPOSURE / light[middle_code(bit_depth)]
-    each = (np.full(channels, value) for value in (0.0, 1, default_highest(bit_depth), _READ, _SHOT))
-    return Response(bit_depth, np.tile(light, (channels, 1)), *each, linear=False)
+    exposure, full = np.tile(light, (channels, 1)), np.ones(channels)
+    lowest, highest = np.ones(channels, np.int64), np.full(channels, default_highest(bit_depth))
+    return Response(bit_depth, exposure, 0.0 * full, lowest, highest, _READ * full, _SHOT * full, False)
 
 
 def default_highest(bit_depth: int, largest: int | None = None) -> int:

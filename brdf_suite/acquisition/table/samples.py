@@ -231,8 +231,8 @@ class SphereSampler:
         if self._parts < 2 or not len(near):
             return self._samples(whole, np.ones(count, np.float32))
         fine = _made(len(near) * self._parts**2)
-        size = (self.geometry.radius_m, self._parts)
-        count = samples_kernel.read_parts(near, places, self._seen, pictures, lamp, *size, *common, fine)
+        seen = (near, places, self._seen, pictures, lamp)
+        count = samples_kernel.read_parts(*seen, self.geometry.radius_m, self._parts, *common, fine)
         fine = tuple(array[:count] for array in fine)
         fine[-2][:] = footprint[np.searchsorted(index, fine[-1])] / self._parts
         kept = ~np.isin(index, fine[-1])

@@ -103,8 +103,8 @@ def fit_checked_samples(
     """Fit lobes to samples that are checked already; otherwise as :func:`fit_lobes`."""
     model = LobeModel(settings.model, settings.lobes)
     if model.coat and settings.lobes < 2:
-        few = "with fewer than two there is nothing below it"
-        raise FittingError(f"A clearcoat counts as one of the lobes; {few}.")
+        reason = "with fewer than two there is nothing below it"
+        raise FittingError(f"A clearcoat counts as one of the lobes; {reason}.")
     used = samples.fewer(settings.samples, settings.seed)
     count = int(used.known.sum())
     if count < model.size:

@@ -202,12 +202,18 @@ def _minimize(problem: FitProblem, x: Vector, cost: Cost, steps: int, tick: Tick
             kept[:] = [(key, few, slopes[:, moved])]
         return kept[0][1], kept[0][2]
 
+    def residuals(at: Vector) -> Floats:
+        return both(at)[0]
+
+    def jacobian(at: Vector) -> Floats:
+        return both(at)[1]
+
     # The method wants a start strictly inside.
     width = high - low
     found = least_squares(
-        lambda at: both(at)[0],
+        residuals,
         np.clip(x[moved], low + 1e-6 * width, high - 1e-6 * width),
-        jac=lambda at: both(at)[1],
+        jac=jacobian,
         bounds=(low, high),
         method="trf",
         x_scale="jac",

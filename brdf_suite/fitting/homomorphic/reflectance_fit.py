@@ -201,7 +201,7 @@ def factor_reflectance(
         whole = replace(whole, product=as_radial(whole.product))
     value, maps = _value(whole, samples, found, smooth, name)
     keep = np.isfinite(samples.values).all(axis=1)
-    near = accuracy(np.maximum(samples.values[keep], 0.0), value.eval(samples.wi[keep], samples.wo[keep]))
+    errors = accuracy(np.maximum(samples.values[keep], 0.0), value.eval(samples.wi[keep], samples.wo[keep]))
     peak = () if whole.peak is None else whole.peak.factors
     return FactoredFit(
         name,
@@ -211,7 +211,7 @@ def factor_reflectance(
         factor_words(peak),
         uneven,
         (float(correction[0]), float(correction[1]), float(correction[2])),
-        near,
+        errors,
         found.used / sum(values[..., 0].size for values in maps.values()),
         found.used,
         found.left_out,

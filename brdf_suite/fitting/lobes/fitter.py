@@ -153,8 +153,8 @@ class LobeFitter:
         # Solved once for a plain metallic look, so that the first edit starts from a basis.
         base = 0.05 + 0.5 * np.clip(np.cos(self.base_samples.gamma_rad), 0.0, None) ** 6
         coat = np.exp(-20_000.0 * self.coat_samples.gamma_rad**2)
-        look = (part[:, None].repeat(3, 1) for part in (base, coat))
-        self._solve(*look, 1.5, True, time.perf_counter() + WARM_UP_S, finish=False)
+        base, coat = base[:, None].repeat(3, 1), coat[:, None].repeat(3, 1)
+        self._solve(base, coat, 1.5, True, time.perf_counter() + WARM_UP_S, finish=False)
 
     def close(self) -> None:
         """End the background thread, should there be one, and drop what it works at."""
