@@ -15,7 +15,6 @@ from PySide6.QtGui import QCloseEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.realtime.gl.context import Context
-from brdf_viewer.camera.presets import PRESETS
 from brdf_viewer.camera.section import CameraSection
 from brdf_viewer.commands import ViewerCommands
 from brdf_viewer.compare.section import CompareSection
@@ -60,7 +59,7 @@ class ViewerWindow(SuiteWindow):
         self.surface = SurfaceSection()
         self.relief = ReliefSection()
         self.paint = PaintSection()
-        self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
+        self.camera = CameraSection()
         self.fresnel = FresnelSection()
         self.sparkle = SparkleSection()
         self.tone = ToneSection()

@@ -7,13 +7,9 @@ from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QWidget
 
-from brdf_viewer.fields.choice_box import ChoiceBox
+from brdf_viewer.fields.inspector import ChoiceBox
 
-FRESNEL_TITLES = {
-    "raised": mark("Raised"),
-    "multi_angle": mark("Several angles"),
-    "off": mark("Off"),
-}
+FRESNEL_TITLES = {"raised": mark("Raised"), "multi_angle": mark("Several angles"), "off": mark("Off")}
 FRESNEL_TIPS = {
     "raised": mark(
         "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations"
@@ -45,7 +41,6 @@ class FresnelSection(Section):
         self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
         form = Form()
         form.add_row(tr("Coat and base"), self.mode, tr("Dependence on the viewing angle"))
-        form.add_row(
-            tr("Look-up"), self.look_up, tr("Direction in which a lobe is looked up in the filtered light")
-        )
+        tip = tr("Direction in which a lobe is looked up in the filtered light")
+        form.add_row(tr("Look-up"), self.look_up, tip)
         self.add(form)

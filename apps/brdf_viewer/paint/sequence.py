@@ -46,9 +46,8 @@ class OpenPalette:
         if key not in keys:
             return ""
         name = self.palette.name or Path(self.path).stem
-        return tr("{name}, {number} of {count}").format(
-            name=name, number=keys.index(key) + 1, count=len(keys)
-        )
+        text = tr("{name}, {number} of {count}")
+        return text.format(name=name, number=keys.index(key) + 1, count=len(keys))
 
 
 def is_swatch(key: str) -> bool:

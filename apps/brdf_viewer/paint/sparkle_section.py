@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.fields.slider import SliderField
+from brdf_viewer.fields.inspector import ChoiceBox, SliderField, note
 
 SPARKLE_TITLES = {
     "glints": mark("Glints, at any distance"),
@@ -33,15 +32,13 @@ class SparkleSection(Section):
         super().__init__(tr("Sparkle"), "sparkle", parent)
         self.mode = ChoiceBox(SPARKLE_TITLES, SPARKLE_TIPS)
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
-        self.lights = SliderField(tr("Lights"), "", lights.low, lights.high, 1.0, 0, lights.default)
-        self.strength = SliderField(
-            tr("Strength"), "×", strength.low, strength.high, 0.1, 1, strength.default
-        )
-        self._form = Form()
-        self._form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
-        self._form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
-        self._form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
-        self.add(self._form)
+        self.lights = SliderField(tr("Lights"), *reach_of(lights, 1.0, 0))
+        self.strength = SliderField(tr("Strength"), *reach_of(strength, 0.1, 1))
+        form = Form()
+        form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
+        form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
+        form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
+        self.add(form)
         self.facts = note(tr(NO_FLAKES))
         self.add(self.facts)
 
@@ -52,10 +49,6 @@ class SparkleSection(Section):
         self.strength.set_value(sparkle.strength)
         for field in (self.lights, self.strength):
             field.setEnabled(sparkle.mode != "off")
-
-    def set_flakes(self, flakes: Flakes | None) -> None:
-        """Show what the paint says of its flakes."""
-        set_note(self.facts, flake_facts(flakes))
 
 
 def flake_facts(flakes: Flakes | None) -> str:

@@ -75,7 +75,7 @@ def test_the_reference_refines_restarts_is_compared_saved_and_survived(saved, st
     viewer.controller.compare.set_mode("off")
     # What lights it does: the real-time picture is back at once, and says so.
     camera = replace(viewer.view.camera, azimuth_deg=80.0)
-    viewer.state.set_camera(camera)
+    viewer.state.change_view(camera=camera)
     assert viewer.state.traced is None
     assert "Real-time picture" in viewer.window.overlay.mark
     wait_picture(viewer, 8)

@@ -6,8 +6,8 @@ import dataclasses
 
 from brdf_suite.documents.light_store import LightDocument
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Point, Sky, Studio, StudioLamp
+from brdf_viewer.light.studio.document import NEW_LAMPS
 from brdf_viewer.light.studio.places import angle_of, held_in, moved, point_at, polar, size_at
-from brdf_viewer.light.studio.templates import NEW_LAMPS
 
 LARGEST_DEG = 170.0
 _BESIDE_DEG = 20.0
@@ -66,9 +66,8 @@ def with_room(studio: Studio, has_room: bool) -> Studio:
 
 def with_sun(sky: Sky, azimuth_deg: float, elevation_deg: float) -> Sky:
     """Return the sky with its sun elsewhere, above the horizon."""
-    return dataclasses.replace(
-        sky, sun_azimuth_deg=azimuth_deg, sun_elevation_deg=min(89.9, max(1.0, elevation_deg))
-    )
+    elevation_deg = min(89.9, max(1.0, elevation_deg))
+    return dataclasses.replace(sky, sun_azimuth_deg=azimuth_deg, sun_elevation_deg=elevation_deg)
 
 
 def lamp_count(light: LightDocument) -> int:
