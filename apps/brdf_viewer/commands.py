@@ -16,10 +16,9 @@ from brdf_viewer.camera.section import PRESETS
 from brdf_viewer.compare.section import MODE_TITLES
 from brdf_viewer.fields.inspector import Source
 from brdf_viewer.light.environment_section import BACKGROUND_TITLES
-from brdf_viewer.paint.fresnel_section import FRESNEL_TITLES, LOOK_UP_TITLES
-from brdf_viewer.paint.sparkle_section import SPARKLE_TITLES
+from brdf_viewer.paint.sparkle_section import FRESNEL_TITLES, LOOK_UP_TITLES, SPARKLE_TITLES
 from brdf_viewer.tone.section import TONE_TITLES
-from brdf_viewer.traced.words import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
+from brdf_viewer.traced.section import QUALITY_TITLES, RENDERER_TIPS, RENDERER_TITLES
 
 _KEYS = QKeySequence.StandardKey
 _OPENED = (
@@ -116,7 +115,6 @@ class ViewerCommands(QObject):
         menu.setEnabled(not menu.isEmpty())
 
     def set_paints(self, paints: Iterable[Source]) -> None:
-        """List the shipped paints in the Paint menu."""
         for source in paints:
             self._add(self._paints, source.title, partial(self.paint_requested.emit, source.key))
 

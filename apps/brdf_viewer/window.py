@@ -22,9 +22,8 @@ from brdf_viewer.light.environment_section import EnvironmentSection
 from brdf_viewer.light.section import LightingSection
 from brdf_viewer.light.studio.panel import StudioPanel
 from brdf_viewer.overlay.overlay import PictureOverlay
-from brdf_viewer.paint.fresnel_section import FresnelSection
 from brdf_viewer.paint.section import PaintSection
-from brdf_viewer.paint.sparkle_section import SparkleSection
+from brdf_viewer.paint.sparkle_section import FresnelSection, SparkleSection
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.surface.relief_section import ReliefSection
 from brdf_viewer.surface.section import SurfaceSection
@@ -119,7 +118,6 @@ class ViewerWindow(SuiteWindow):
             self._busy_delay.start(_BUSY_EVERY_MS if self.progress.jobs else _BUSY_AFTER_MS)
 
     def set_idle(self, kind: str) -> None:
-        """The work of a kind has ended."""
         self.busy.pop(kind, None)
         self.progress.end_job(kind)
         if not self.busy:

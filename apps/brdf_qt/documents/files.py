@@ -43,7 +43,6 @@ class DocumentFormat(Generic[T]):
 
     @property
     def filters(self) -> str:
-        """The filter line of a file dialog."""
         return f"{tr(self.kind).capitalize()} (*{self.ending});;" + tr("All files (*)")
 
 
@@ -148,7 +147,6 @@ class DocumentFiles(QObject, Generic[T]):
         return [Path(path) for path in RecentFiles().paths()]
 
     def clear_recent(self) -> None:
-        """Forget the recent files."""
         RecentFiles().clear()
         self.recent_changed.emit()
 

@@ -82,7 +82,6 @@ class DocumentStore(QObject, Generic[T]):
 
     @property
     def value(self) -> T:
-        """The document as it is now."""
         return self._value
 
     @property
@@ -92,7 +91,6 @@ class DocumentStore(QObject, Generic[T]):
 
     @property
     def in_gesture(self) -> bool:
-        """Whether a gesture runs."""
         return self._gesture_name is not None
 
     def set(self, value: T, name: str) -> bool:
@@ -118,12 +116,10 @@ class DocumentStore(QObject, Generic[T]):
         self._gesture_name = None
 
     def undo(self) -> None:
-        """Take the newest step back."""
         self.end_gesture()
         self.stack.undo()
 
     def redo(self) -> None:
-        """Do the step again that was taken back last."""
         self.end_gesture()
         self.stack.redo()
 

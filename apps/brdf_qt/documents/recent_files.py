@@ -36,7 +36,6 @@ class RecentFiles:
         settings().setValue(self._key, [known for known in self.paths() if known != gone])
 
     def clear(self) -> None:
-        """Forget them."""
         settings().remove(self._key)
 
 

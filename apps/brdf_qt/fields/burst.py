@@ -20,7 +20,6 @@ class Burst(QObject):
         self._timer = make_timer(self, self.finished.emit, PAUSE_MS)
 
     def touch(self) -> None:
-        """Note one more small step."""
         running = self._timer.isActive()
         self._timer.start()
         if not running:

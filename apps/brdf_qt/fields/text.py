@@ -78,7 +78,6 @@ class TextNotes(QPlainTextEdit):
         self.textChanged.connect(self._on_changed)
 
     def set_text(self, text: str) -> None:
-        """Show ``text`` without a signal."""
         if text != self.toPlainText():
             with QSignalBlocker(self):
                 self.setPlainText(text)

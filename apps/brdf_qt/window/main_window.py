@@ -162,7 +162,6 @@ class SuiteWindow(QMainWindow):
         return section
 
     def section(self, key: str) -> Section:
-        """Return the section of that key."""
         return self._sections[key]
 
     def add_dock(
@@ -225,7 +224,6 @@ class SuiteWindow(QMainWindow):
     # What is shown.
 
     def show_recent(self, paths: Sequence[Path]) -> None:
-        """Fill File ▸ Open Recent."""
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")

@@ -121,11 +121,9 @@ class _Row(QFrame):
 
     @property
     def is_brief(self) -> bool:
-        """Whether it is shown in one line."""
         return not self._line.isHidden()
 
     def set_brief(self, brief: bool) -> None:
-        """Show one line of it, or all."""
         for label in self._whole:
             label.setVisible(not brief)
         self._line.setVisible(brief)

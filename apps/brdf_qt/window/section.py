@@ -55,7 +55,6 @@ class Section(QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether the body is shown."""
         return self._header.isChecked()
 
     def set_open(self, is_open: bool) -> None:

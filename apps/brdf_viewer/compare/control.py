@@ -26,7 +26,7 @@ from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.inspector import Source, set_note, title_of
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
-from brdf_viewer.traced.words import RENDERER_TITLES
+from brdf_viewer.traced.section import RENDERER_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:

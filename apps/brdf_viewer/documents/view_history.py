@@ -72,7 +72,6 @@ class ViewHistory(QObject):
 
     @property
     def value(self) -> View:
-        """The view as it is now."""
         return self._store.value
 
     @property
@@ -139,12 +138,10 @@ class ViewHistory(QObject):
         self._store.set(after, name)
 
     def undo(self) -> None:
-        """Take the newest step back."""
         self.end()
         self._store.undo()
 
     def redo(self) -> None:
-        """Do the step again that was taken back last."""
         self.end()
         self._store.redo()
 

@@ -46,7 +46,6 @@ class ExportControl(ViewerFeature):
 
     @property
     def running(self) -> bool:
-        """Whether an export runs."""
         return self.process is not None
 
     def export(self, wanted: ExportSettings) -> None:

@@ -80,7 +80,6 @@ class ExportDialog(QDialog):
         self._show_kind()
 
     def open_for(self, kind: str) -> None:
-        """Show the window for a kind of export."""
         self.kind.setCurrentIndex(self.kind.findData(kind))
         if kind == "picture" and not self.isVisible():
             self._set_size(self._screen_size())
@@ -89,7 +88,6 @@ class ExportDialog(QDialog):
         self.activateWindow()
 
     def settings(self) -> ExportSettings:
-        """Return what is asked for at present."""
         return ExportSettings(
             kind=self.kind.currentData(),
             form=self._form(),

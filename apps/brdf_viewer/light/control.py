@@ -54,7 +54,6 @@ class LightingControl(ViewerFeature):
         self._show(state.view)
 
     def choose(self, key: str) -> None:
-        """Take a preset's light."""
         self._state.set_view(with_preset(self._state.view, key))
 
     def close(self) -> None:

@@ -119,7 +119,6 @@ class PaintControl(ViewerFeature):
         return self._loading is None
 
     def start(self) -> None:
-        """Show the first paint."""
         file = is_file(self._first) and self._first not in self._names
         if file and document_kind(self._first) != "paint":
             self._show_default()  # until the file is read

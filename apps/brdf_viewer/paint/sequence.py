@@ -33,7 +33,6 @@ class OpenPalette:
 
     @property
     def paints(self) -> dict[str, AnyPaint]:
-        """The paints by their keys."""
         return dict(zip(self.keys, (to_paint(entry.content) for entry in self.palette), strict=True))
 
     def words(self, key: str) -> str:

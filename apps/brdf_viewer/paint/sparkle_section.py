@@ -1,4 +1,4 @@
-"""Drawing of individual flakes, and what the paint says of its flakes."""
+"""How lobes follow the angle of view and are looked up; how flakes are drawn, and what the paint says of them."""
 
 from __future__ import annotations
 
@@ -11,6 +11,43 @@ from PySide6.QtWidgets import QWidget
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
 from brdf_viewer.fields.inspector import ChoiceBox, SliderField, note
+
+FRESNEL_TITLES = {"raised": mark("Raised"), "multi_angle": mark("Several angles"), "off": mark("Off")}
+FRESNEL_TIPS = {
+    "raised": mark(
+        "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations"
+    ),
+    "multi_angle": mark(
+        "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
+        "which have no separate coat, are raised"
+    ),
+    "off": mark("The lobes of 45° at every angle"),
+}
+LOOK_UP_TITLES = {"shifted": mark("Shifted (exact horizon)"), "paper": mark("Mirror direction (paper)")}
+LOOK_UP_TIPS = {
+    "shifted": mark(
+        "Each lobe is looked up between mirror direction and normal: only light above the surface counts"
+    ),
+    "paper": mark(
+        "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
+        "Meyer: broad lobes take light from below the surface, towards grazing angles"
+    ),
+}
+
+
+class FresnelSection(Section):
+    """The Fresnel mode and the form of the look-up, words of :class:`documents.view.View`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Fresnel"), "fresnel", parent)
+        self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
+        self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
+        form = Form()
+        form.add_row(tr("Coat and base"), self.mode, tr("Dependence on the viewing angle"))
+        tip = tr("Direction in which a lobe is looked up in the filtered light")
+        form.add_row(tr("Look-up"), self.look_up, tip)
+        self.add(form)
+
 
 SPARKLE_TITLES = {
     "glints": mark("Glints, at any distance"),
@@ -43,7 +80,6 @@ class SparkleSection(Section):
         self.add(self.facts)
 
     def set_sparkle(self, sparkle: Sparkle) -> None:
-        """Show the view's settings, without a signal."""
         self.mode.show_choice(sparkle.mode)
         self.lights.set_value(float(sparkle.light_count))
         self.strength.set_value(sparkle.strength)

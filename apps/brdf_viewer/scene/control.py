@@ -81,7 +81,6 @@ class SceneControl(ViewerFeature):
         return not self._loading
 
     def start(self) -> None:
-        """Load what the view names."""
         self.open(SURFACE, self._state.view.surface)
         self._open_environment(self._state.view.environment, self._state.view.environment_layout)
 

@@ -100,7 +100,6 @@ class ViewerState(QObject):
 
     @property
     def view(self) -> View:
-        """How it is looked at."""
         return self.history.value
 
     @property
@@ -157,7 +156,6 @@ class ViewerState(QObject):
         self.history.set(view)
 
     def change_view(self, **fields: Any) -> None:
-        """Replace fields of the view."""
         self.set_view(dataclasses.replace(self.view, **fields))
 
     def change_part(self, part: str, **fields: Any) -> None:

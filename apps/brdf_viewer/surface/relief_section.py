@@ -91,7 +91,6 @@ class ReliefSection(Section):
         self.add(form)
 
     def set_relief(self, relief: Relief) -> None:
-        """Show the present relief."""
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):
             getattr(self, name).set_value(getattr(relief, name))
         self.normal_map.set_path(relief.normal_map)

@@ -94,7 +94,6 @@ class SurfaceParts(QWidget):
             self._show_all()
 
     def picked(self) -> list[str]:
-        """Return the names of the picked parts."""
         return [item.text(0) for item in self.list.selectedItems()]
 
     def pick(self, name: str, *, add: bool = False) -> None:
@@ -181,7 +180,6 @@ class SurfaceSection(Section):
         self.add(form)
 
     def set_look(self, look: SurfaceLook) -> None:
-        """Show the present settings."""
         for name in ("occlusion", "ground", "recentre", "flip_normals"):
             getattr(self, name).setChecked(getattr(look, name))
         for name in ("unit", "normals"):

@@ -63,7 +63,6 @@ class ToneSection(Section):
         self.add(form)
 
     def set_marks(self, clipping: bool, gamut: bool, style: str) -> None:
-        """Show what is marked, and how."""
         self.clipping.setChecked(clipping)
         self.gamut.setChecked(gamut)
         self.style_box.show_choice(style)

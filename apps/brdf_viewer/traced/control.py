@@ -26,9 +26,8 @@ from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
 from brdf_viewer.traced.process import TracedPicture, TraceProcess
 from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
-from brdf_viewer.traced.section import DEFAULT_SAMPLES
+from brdf_viewer.traced.section import DEFAULT_SAMPLES, RENDERER_TITLES, picture_words, rate_words
 from brdf_viewer.traced.trace_input import TraceInput, make_trace_input
-from brdf_viewer.traced.words import RENDERER_TITLES, picture_words, rate_words
 from brdf_viewer.window import ViewerWindow
 
 KIND = "traced"

@@ -82,7 +82,6 @@ class Worker:
         self._samples = 0
 
     def run(self) -> None:
-        """Work until the input ends."""
         while not self._inbox.closed:
             for message in self._inbox.take(wait=not self._has_work):
                 self._take(message)

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from brdf_viewer.traced.section import rate_words
 from brdf_viewer.traced.trace_input import lit_part
-from brdf_viewer.traced.words import rate_words
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle

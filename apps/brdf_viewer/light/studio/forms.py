@@ -131,7 +131,6 @@ class LampForm(Form):
         add(tr("Soft edge"), self.softness, tr("Width of the fade at its edge"))
 
     def set_lamp(self, lamp: StudioLamp, unit: str) -> None:
-        """Show a lamp of a studio in ``unit``, without a signal."""
         self.shape.show_choice(lamp.shape)
         azimuth, elevation, distance = polar(lamp.position_m)
         self.azimuth.set_value(azimuth)
@@ -235,7 +234,6 @@ class SurroundingsForm(QWidget):
         fill_column(self, form, self._backdrop, self._room)
 
     def set_studio(self, studio: Studio) -> None:
-        """Show a studio's surroundings, without a signal."""
         self.unit.show_choice(studio.unit)
         self.around.show_choice("backdrop" if studio.room is None else "room")
         self._backdrop.setVisible(studio.backdrop is not None)

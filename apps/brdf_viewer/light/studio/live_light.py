@@ -55,7 +55,6 @@ class LiveLight(QObject):
             self._make(_DRAFT)
 
     def stop(self) -> None:
-        """Draw no more."""
         self._newest = None
         self._drafting = False
         self._generation += 1
