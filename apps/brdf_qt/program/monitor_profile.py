@@ -41,7 +41,8 @@ class Monitor:
 def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     """Return what the platform (Qt's name of it) provides for a screen."""
     platform = platform or QGuiApplication.platformName()
-    data, text = None, tr("No monitor profile found; assuming sRGB")
+    data: bytes | None = None
+    text = tr("No monitor profile found; assuming sRGB")
     if platform == "cocoa":
         text = tr("sRGB, which macOS converts to the monitor's profile")
     elif platform.startswith("wayland"):
