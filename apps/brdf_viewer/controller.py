@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
@@ -25,18 +24,24 @@ from brdf_suite.processes import child_command
 from brdf_suite.realtime.gl.context import Context
 from brdf_viewer.camera.control import CameraControl
 from brdf_viewer.compare.control import KIND, CompareControl
-from brdf_viewer.documents.file_kinds import AskFile, AskPicture, all_endings, ask_file, ask_picture, kind_of
+from brdf_viewer.documents.file_kinds import (
+    AskFile,
+    AskPicture,
+    all_endings,
+    ask_file,
+    ask_picture,
+    ask_target,
+    kind_of,
+)
 from brdf_viewer.documents.remembered import remember
 from brdf_viewer.documents.view_files import ViewFiles
-from brdf_viewer.export.control import ExportControl, ask_target
+from brdf_viewer.export.control import ExportControl
 from brdf_viewer.export.picture import PictureExport
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.source_chooser import title_of
+from brdf_viewer.fields.inspector import title_of
 from brdf_viewer.light.control import LightingControl
 from brdf_viewer.light.studio.control import StudioControl
-from brdf_viewer.overlay.figures import FiguresOverlay
-from brdf_viewer.overlay.frame_meter import FrameMeter
-from brdf_viewer.overlay.readout import Readout
+from brdf_viewer.overlay.readout import FiguresOverlay, FrameMeter, Readout
 from brdf_viewer.paint.control import PaintControl
 from brdf_viewer.paint.sparkle_control import SparkleControl
 from brdf_viewer.scene.control import SHIPPED_TITLES, SceneControl
@@ -130,8 +135,7 @@ class ViewerController(Program):
     @property
     def _is_loaded(self) -> bool:
         """Whether nothing that the picture shows is pending."""
-        drawer = self.drawer
-        return super().is_idle and not (drawer and drawer.awaits_weights)
+        return super().is_idle and not (self.drawer and self.drawer.awaits_weights)
 
     @property
     def drawer(self) -> SceneDrawer | None:
@@ -157,12 +161,14 @@ class ViewerController(Program):
             self.open_file(str(path))
 
     def _open(self, kind: str, path: str) -> None:
-        own: dict[str, Callable[[str], object]] = {
-            "paint": self.paint.open,
-            "palette": self.paint.open_palette,
-            "view": self.views.open,
-        }
-        own.get(kind, partial(self.scene.open, kind))(path)
+        if kind == "paint":
+            self.paint.open(path)
+        elif kind == "palette":
+            self.paint.open_palette(path)
+        elif kind == "view":
+            self.views.open(path)
+        else:
+            self.scene.open(kind, path)
 
     def _connect(self) -> None:
         window, state = self.window, self.state
@@ -170,40 +176,40 @@ class ViewerController(Program):
         state.contents_changed.connect(window.picture.redraw)
         state.contents_changed.connect(self._show_title)
         self.scene.failed.connect(self.failed)
-        picture = window.picture
-        picture.frame_drawn.connect(self._frame_drawn)
-        picture.failed.connect(self._picture_failed)
+        window.picture.frame_drawn.connect(self._frame_drawn)
+        window.picture.failed.connect(self._picture_failed)
         window.files_dropped.connect(self._open_files)
         window.closing.connect(self.close)
         self.picture_complete.connect(lambda: self.reached.emit("complete"))
         self.picture_finished.connect(lambda: self.reached.emit("finished"))
         self.failed.connect(self._end_start)
         environment, commands = window.environment, window.commands
-        environment.rotation.edited.connect(lambda value: state.change_view(rotation_deg=value))
-        environment.exposure.edited.connect(lambda value: state.change_view(exposure_ev=value))
-        for signal in (environment.background.picked, commands.background_requested):
-            signal.connect(lambda key: state.change_view(background=key))
-        environment.background_colour.edited.connect(
-            lambda colour: state.change_view(background_colour=colour)
-        )
-        for signal in (window.fresnel.mode.picked, commands.fresnel_requested):
-            signal.connect(lambda key: state.change_view(fresnel=key))
-        for signal in (window.fresnel.look_up.picked, commands.look_up_requested):
-            signal.connect(lambda key: state.change_view(look_up=key))
+        for field, signal in (
+            ("rotation_deg", environment.rotation.edited),
+            ("exposure_ev", environment.exposure.edited),
+            ("background", environment.background.picked),
+            ("background", commands.background.picked),
+            ("background_colour", environment.background_colour.edited),
+            ("fresnel", window.fresnel.mode.picked),
+            ("fresnel", commands.fresnel.picked),
+            ("look_up", window.fresnel.look_up.picked),
+            ("look_up", commands.look_up.picked),
+        ):
+            signal.connect(lambda value, field=field: state.change_view(**{field: value}))
         for kind in ("environment", "surface", "paint"):
             chooser = getattr(window, kind).chooser
             chooser.browse_requested.connect(lambda kind=kind: self._browse(kind))
         commands.open_requested.connect(self._browse)
         commands.recent_requested.connect(self._open)
-        commands.copy_requested.connect(self._copy_picture)
-        commands.designer_requested.connect(self._open_designer)
-        commands.undo_requested.connect(self.undo)
-        commands.redo_requested.connect(self._redo)
+        commands.copy.triggered.connect(self._copy_picture)
+        commands.designer.triggered.connect(self._open_designer)
+        commands.undo.triggered.connect(self.undo)
+        commands.redo.triggered.connect(self._redo)
         state.history.steps_changed.connect(self._show_history)
 
     def _make_drawer(self, context: Context) -> SceneDrawer:
         drawer = SceneDrawer(context, self.state, self.window.surround, self._refused)
-        self.tone.prepare(drawer)
+        drawer.renderer.screen = self.tone.display
         if self._finished:  # in place of a context that was lost
             QTimer.singleShot(0, self, self._prepare_edits)
         return drawer
@@ -215,19 +221,16 @@ class ViewerController(Program):
         QTimer.singleShot(0, self, lambda: show(error))
 
     def _show_view(self, _old: View | None, new: View) -> None:
-        window = self.window
+        window, commands = self.window, self.window.commands
         window.picture.set_view(new)
         window.environment.rotation.set_value(new.rotation_deg)
         window.environment.exposure.set_value(new.exposure_ev)
         window.environment.set_background(new.background, new.background_colour)
-        window.fresnel.mode.show_choice(new.fresnel)
-        window.fresnel.look_up.show_choice(new.look_up)
-        window.commands.show_state(
-            tone_curve=new.tone_curve,
-            background=new.background,
-            fresnel=new.fresnel,
-            look_up=new.look_up,
-        )
+        commands.background.show_choice(new.background)
+        for box in (window.fresnel.mode, commands.fresnel):
+            box.show_choice(new.fresnel)
+        for box in (window.fresnel.look_up, commands.look_up):
+            box.show_choice(new.look_up)
         if not self._publish.isActive():
             self._publish.start()
 
@@ -237,9 +240,7 @@ class ViewerController(Program):
         names = [] if state.fit is None else [state.fit.name]
         assets = (state.surface, state.environment)
         names += [title_of(asset.key, SHIPPED_TITLES) for asset in assets if asset is not None]
-        title = ", ".join(names)
-        if title != self.window.windowTitle():
-            self.window.setWindowTitle(title)
+        self.window.setWindowTitle(", ".join(names))
 
     def _publish_view(self) -> None:
         self.link.publish("view", view_to_json(self.state.view))
@@ -289,11 +290,11 @@ class ViewerController(Program):
 
     def undo(self) -> None:
         """Stop the turntable and undo the last step of the view."""
-        self.camera.stop_turntable()
+        self.camera.turntable.set_running(False)
         self.state.history.undo()
 
     def _redo(self) -> None:
-        self.camera.stop_turntable()
+        self.camera.turntable.set_running(False)
         self.state.history.redo()
 
     def _show_history(self) -> None:

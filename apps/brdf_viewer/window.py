@@ -15,7 +15,6 @@ from PySide6.QtGui import QCloseEvent, QPalette
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.realtime.gl.context import Context
-from brdf_viewer.camera.presets import PRESETS
 from brdf_viewer.camera.section import CameraSection
 from brdf_viewer.commands import ViewerCommands
 from brdf_viewer.compare.section import CompareSection
@@ -23,9 +22,8 @@ from brdf_viewer.light.environment_section import EnvironmentSection
 from brdf_viewer.light.section import LightingSection
 from brdf_viewer.light.studio.panel import StudioPanel
 from brdf_viewer.overlay.overlay import PictureOverlay
-from brdf_viewer.paint.fresnel_section import FresnelSection
 from brdf_viewer.paint.section import PaintSection
-from brdf_viewer.paint.sparkle_section import SparkleSection
+from brdf_viewer.paint.sparkle_section import FresnelSection, SparkleSection
 from brdf_viewer.scene.drawing import SceneDrawer
 from brdf_viewer.surface.relief_section import ReliefSection
 from brdf_viewer.surface.section import SurfaceSection
@@ -60,7 +58,7 @@ class ViewerWindow(SuiteWindow):
         self.surface = SurfaceSection()
         self.relief = ReliefSection()
         self.paint = PaintSection()
-        self.camera = CameraSection({key: title for key, (title, _, _) in PRESETS.items()})
+        self.camera = CameraSection()
         self.fresnel = FresnelSection()
         self.sparkle = SparkleSection()
         self.tone = ToneSection()
@@ -120,7 +118,6 @@ class ViewerWindow(SuiteWindow):
             self._busy_delay.start(_BUSY_EVERY_MS if self.progress.jobs else _BUSY_AFTER_MS)
 
     def set_idle(self, kind: str) -> None:
-        """The work of a kind has ended."""
         self.busy.pop(kind, None)
         self.progress.end_job(kind)
         if not self.busy:

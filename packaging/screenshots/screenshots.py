@@ -15,7 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from brdf_viewer.light.presets import with_preset
+from brdf_viewer.light.section import with_preset
 
 from brdf_suite.documents.store import save_view
 from brdf_suite.documents.view import Camera, View

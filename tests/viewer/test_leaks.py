@@ -169,7 +169,7 @@ def test_the_window_makes_no_more_widgets(viewer, qtbot) -> None:
     def work(number: int) -> None:
         viewer.controller.paint.open(("solid_red", "blue")[number % 2])
         viewer.window.commands.figures.trigger()
-        viewer.window.commands.compare_requested.emit(("swipe", "off")[number % 2])
+        viewer.window.commands.compare.picked.emit(("swipe", "off")[number % 2])
         viewer.state.change_view(exposure_ev=float(number % 3))
 
     viewer.controller.compare.choose("solid_white")

@@ -9,12 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from brdf_qt.documents.recent_files import MOST_RECENT, RecentFiles
-from brdf_viewer.camera.presets import PRESETS, look_from, signed_deg
+from brdf_viewer.camera.section import PRESETS, look_from, signed_deg
 from brdf_viewer.compare import frozen_paints
 from brdf_viewer.compare.frozen_paints import freeze, touch
 from brdf_viewer.documents.file_kinds import kind_of
-from brdf_viewer.fields.slider import SliderField
-from brdf_viewer.fields.source_chooser import Source, SourceChooser, title_of
+from brdf_viewer.fields.inspector import SliderField, Source, SourceChooser, title_of
 from brdf_viewer.paint.patches import PaintPatches, Patch
 from brdf_viewer.scene.viewer_state import ViewerState
 from hypothesis import given, settings

@@ -73,7 +73,8 @@ def test_f1_lists_every_key_and_no_key_is_given_twice(viewer, qtbot) -> None:
     assert len({key for key, _ in keys}) == len(keys)
     known = {key for key, _ in keys}
     assert {"B", "H", "F", "1", "4", "F11", "Ctrl+Z", "Ctrl+K", "Left", "Right", "Space", "Ctrl+B"} <= known
-    dialog = ShortcutsWindow.show_for(viewer.window)
+    dialog = ShortcutsWindow(viewer.window)
+    dialog.show()
     rows = dialog.findChild(QTreeWidget)
     listed = {rows.topLevelItem(i).text(1) for i in range(rows.topLevelItemCount())}
     native = QKeySequence.SequenceFormat.NativeText

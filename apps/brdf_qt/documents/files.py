@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QObject, QStandardPaths, Signal
+from PySide6.QtCore import QObject, Signal
 
 from brdf_qt.documents.open_document import DocumentStore
-from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.documents.recent_files import RecentFiles, folder_beside
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Answer, Dialogs, Overwrite
@@ -43,7 +43,6 @@ class DocumentFormat(Generic[T]):
 
     @property
     def filters(self) -> str:
-        """The filter line of a file dialog."""
         return f"{tr(self.kind).capitalize()} (*{self.ending});;" + tr("All files (*)")
 
 
@@ -66,21 +65,15 @@ class DocumentFiles(QObject, Generic[T]):
 
     def new(self) -> bool:
         """Start a new document, after asking about the old one; True where it was done."""
-        if not self.may_discard():
-            return False
-        self.store.replace(self.format.new(), None)
-        return True
+        return self.open_value(self.format.new())
 
     def open(self, path: Path | None = None) -> bool:
         """Open ``path``, or ask for one; True where a document was opened."""
         if not self.may_discard():
             return False
-        if path is None:
-            path = self.ask_open_path()
-            if path is None:
-                return False
-        read = self.read(path)
-        if read is None:
+        path = path or self.ask_open_path()
+        read = None if path is None else self.read(path)
+        if path is None or read is None:
             return False
         value, stamp = read
         self.store.replace(value, path.absolute(), stamp=stamp)
@@ -123,10 +116,8 @@ class DocumentFiles(QObject, Generic[T]):
             return self.save_as()
         if self._changed_elsewhere(path):
             answer = self.dialogs.changed_file(path)
-            if answer is Overwrite.SAVE_AS:
-                return self.save_as()
-            if answer is Overwrite.CANCEL:
-                return False
+            if answer is not Overwrite.OVERWRITE:
+                return answer is Overwrite.SAVE_AS and self.save_as()
         return self._write(path)
 
     def save_as(self) -> bool:
@@ -156,7 +147,6 @@ class DocumentFiles(QObject, Generic[T]):
         return [Path(path) for path in RecentFiles().paths()]
 
     def clear_recent(self) -> None:
-        """Forget the recent files."""
         RecentFiles().clear()
         self.recent_changed.emit()
 
@@ -183,18 +173,10 @@ class DocumentFiles(QObject, Generic[T]):
         self.recent_changed.emit()
 
     def _folder(self) -> Path:
-        if self.store.path is not None:
-            return self.store.path.parent
-        recent = self.recent()
-        if recent:
-            return recent[0].parent
-        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
-        return Path(documents) if Path(documents).is_dir() else Path.home()
+        return folder_beside(self.store.path, [str(path) for path in self.recent()])
 
     def _suggested(self) -> Path:
         if self.store.path is not None:
             return self.store.path
-        name = (
-            re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .") or self.format.kind
-        )
-        return self._folder() / f"{name}{self.format.ending}"
+        name = re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .")
+        return self._folder() / f"{name or self.format.kind}{self.format.ending}"

@@ -61,8 +61,10 @@ class DocumentStore(QObject, Generic[T]):
     def __init__(self, value: T, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._value = value
-        self._path: Path | None = None
-        self._stamp: FileStamp | None = None
+        self.path: Path | None = None
+        """The file of the document; ``None`` while it has none."""
+        self.stamp: FileStamp | None = None
+        """What the file held when this program read or wrote it last; ``None`` where that is not known."""
         self._gesture = 0
         self._gesture_name: str | None = None
         self._travelling = False
@@ -80,18 +82,7 @@ class DocumentStore(QObject, Generic[T]):
 
     @property
     def value(self) -> T:
-        """The document as it is now."""
         return self._value
-
-    @property
-    def path(self) -> Path | None:
-        """The file of the document; ``None`` while it has none."""
-        return self._path
-
-    @property
-    def stamp(self) -> FileStamp | None:
-        """What the file held when this program read or wrote it last; ``None`` where that is not known."""
-        return self._stamp
 
     @property
     def is_clean(self) -> bool:
@@ -100,22 +91,14 @@ class DocumentStore(QObject, Generic[T]):
 
     @property
     def in_gesture(self) -> bool:
-        """Whether a gesture runs."""
         return self._gesture_name is not None
 
     def set(self, value: T, name: str) -> bool:
         """Make ``value`` the document, undone as ``name``; False where it is the same already."""
         if value == self._value:
             return False
-        in_gesture = self._gesture_name is not None
-        command = _Edit(
-            self,
-            self._value,
-            value,
-            self._gesture_name if self._gesture_name is not None else name,
-            self._gesture if in_gesture else -1,
-        )
-        self.stack.push(command)
+        step = (name, -1) if self._gesture_name is None else (self._gesture_name, self._gesture)
+        self.stack.push(_Edit(self, self._value, value, *step))
         return True
 
     def amend(self, value: T) -> None:
@@ -133,12 +116,10 @@ class DocumentStore(QObject, Generic[T]):
         self._gesture_name = None
 
     def undo(self) -> None:
-        """Take the newest step back."""
         self.end_gesture()
         self.stack.undo()
 
     def redo(self) -> None:
-        """Do the step again that was taken back last."""
         self.end_gesture()
         self.stack.redo()
 
@@ -182,7 +163,7 @@ class DocumentStore(QObject, Generic[T]):
         else:
             self.stack.resetClean()
         self._take(value)
-        self._stamp = stamp
+        self.stamp = stamp
         self._set_path(path)
         self.replaced.emit()
         if was_clean != self.is_clean:
@@ -191,13 +172,13 @@ class DocumentStore(QObject, Generic[T]):
     def mark_clean(self, path: Path, stamp: FileStamp | None = None) -> None:
         """Note that the value is now what file ``path`` holds, with its ``stamp``."""
         self.end_gesture()
-        self._stamp = stamp
+        self.stamp = stamp
         self.stack.setClean()
         self._set_path(path)
 
     def note_stamp(self, stamp: FileStamp | None) -> None:
         """Note what the file holds now, where the value was merged with it and is not saved yet."""
-        self._stamp = stamp
+        self.stamp = stamp
 
     def _is_alive(self) -> bool:
         """Return false while Qt destroys the stack, which clears it with all its signals first."""
@@ -212,8 +193,8 @@ class DocumentStore(QObject, Generic[T]):
             self.history_changed.emit()
 
     def _set_path(self, path: Path | None) -> None:
-        if path != self._path:
-            self._path = path
+        if path != self.path:
+            self.path = path
             self.path_changed.emit(path)
 
     def _take(self, value: T) -> None:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+
+from PySide6.QtCore import QStandardPaths
 
 from brdf_qt.program.settings import settings
 
@@ -33,5 +36,14 @@ class RecentFiles:
         settings().setValue(self._key, [known for known in self.paths() if known != gone])
 
     def clear(self) -> None:
-        """Forget them."""
         settings().remove(self._key)
+
+
+def folder_beside(path: Path | None, recent: Sequence[str]) -> Path:
+    """Return where a dialog begins: at the open file, else at the newest recent one, else in the user's documents."""
+    if path is not None:
+        return path.parent
+    if recent:
+        return Path(recent[0]).parent
+    documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
+    return Path(documents) if Path(documents).is_dir() else Path.home()

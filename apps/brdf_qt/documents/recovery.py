@@ -15,13 +15,14 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
+from PySide6.QtCore import QLockFile, QObject, Signal
 
 from brdf_qt.documents.files import DocumentFormat
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.documents.stamp import FileStamp
 from brdf_qt.program.settings import state_folder
 from brdf_qt.program.translation import tr
+from brdf_qt.work.timer import make_timer
 from brdf_suite.errors import FileError, SuiteError
 
 T = TypeVar("T")
@@ -62,28 +63,17 @@ class Recovery(QObject, Generic[T]):
         self._fails = self._closed = False
         self.beside: Callable[[], Any] | None = None
         """Asked for plain values to be kept beside an unsaved document; :meth:`note` where they are others."""
-        self._folder = state_folder("autosave")
-        self._file = self._folder / f"{uuid.uuid4().hex}{_ENDING}"
-        self._lock = _lock(self._file)
-        self._lock.tryLock(0)
-        self.timer = QTimer(self)
-        """Runs from a change to the autosave."""
-        self.timer.setSingleShot(True)
-        self.timer.setInterval(INTERVAL_MS)
-        self.timer.timeout.connect(self.write)
-        store.changed.connect(self._schedule)
-        store.replaced.connect(self._schedule)
-        store.clean_changed.connect(self._schedule)
-
-    @property
-    def file(self) -> Path:
-        """The autosave of this store; missing while nothing is unsaved."""
-        return self._file
-
-    @property
-    def folder(self) -> Path:
+        self.folder = state_folder("autosave")
         """The folder of the autosaves of this program."""
-        return self._folder
+        self.file = self.folder / f"{uuid.uuid4().hex}{_ENDING}"
+        """The autosave of this store; missing while nothing is unsaved."""
+        self._lock = _lock(self.file)
+        self._lock.tryLock(0)
+        self.timer = make_timer(self, self.write, INTERVAL_MS)
+        """Runs from a change to the autosave."""
+        self._signals = (store.changed, store.replaced, store.clean_changed)
+        for signal in self._signals:
+            signal.connect(self._schedule)
 
     def _schedule(self, *_: object) -> None:
         """Start the second that may be lost; a timer that runs is left alone, so that a drag is saved too."""
@@ -100,13 +90,13 @@ class Recovery(QObject, Generic[T]):
         self.timer.stop()
         try:
             if self._store.is_clean:
-                self._file.unlink(missing_ok=True)
+                self.file.unlink(missing_ok=True)
             else:
                 self._write()
         except OSError as error:
             reason = tr("the autosave cannot be written ({reason})").format(reason=error.strerror)
             self._fails = True
-            self._failed(FileError(self._file, reason))
+            self._failed(FileError(self.file, reason))
             return False
         if self._fails:
             self._fails = False
@@ -124,16 +114,16 @@ class Recovery(QObject, Generic[T]):
         if self.beside is not None:
             content["beside"] = self.beside()
         # No fsync: what a killed process has written stays in the system, and this runs between two frames.
-        draft = self._file.with_suffix(".tmp")
+        draft = self.file.with_suffix(".tmp")
         draft.write_text(json.dumps(content, ensure_ascii=False), encoding="utf-8")
-        draft.replace(self._file)
+        draft.replace(self.file)
 
     def found(self) -> list[Recovered[T]]:
         """Return what ended runs left, newest first; a file that cannot be read is reported and put aside."""
         result = []
-        for file in self._folder.glob(f"*{_ENDING}"):
+        for file in self.folder.glob(f"*{_ENDING}"):
             lock = _lock(file)
-            if file == self._file or not lock.tryLock(0):
+            if file == self.file or not lock.tryLock(0):
                 continue
             lock.unlock()
             try:
@@ -177,13 +167,13 @@ class Recovery(QObject, Generic[T]):
         if self._closed:
             return
         self._closed = True
-        for signal in (self._store.changed, self._store.replaced, self._store.clean_changed):
+        for signal in self._signals:
             signal.disconnect(self._schedule)
         self.timer.stop()
         if keep:
             self.write()
         else:
-            self._file.unlink(missing_ok=True)
+            self.file.unlink(missing_ok=True)
         self._lock.unlock()
 
 

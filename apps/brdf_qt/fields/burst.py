@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
+
+from brdf_qt.work.timer import make_timer
 
 PAUSE_MS = 500
 
@@ -15,13 +17,9 @@ class Burst(QObject):
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setInterval(PAUSE_MS)
-        self._timer.timeout.connect(self.finished)
+        self._timer = make_timer(self, self.finished.emit, PAUSE_MS)
 
     def touch(self) -> None:
-        """Note one more small step."""
         running = self._timer.isActive()
         self._timer.start()
         if not running:

@@ -10,7 +10,7 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QPointF, QRectF, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import (
     QBrush,
     QColor,
@@ -63,7 +63,6 @@ class ColourSlider(QAbstractSlider):
         self._low, self._high, self._step = minimum, maximum, step
         self._wrapping = False
         self._amount = minimum
-        self._quiet = False
         self._grabbed: tuple[float, float] | None = None
         self._track = QImage()
         self._outside: list[tuple[float, float]] = []
@@ -82,29 +81,22 @@ class ColourSlider(QAbstractSlider):
     def set_reach(self, minimum: float, maximum: float, step: float, *, wrapping: bool = False) -> None:
         """Reach from ``minimum`` to ``maximum`` in ``step``; ``wrapping``: the ends are one. The amount stays."""
         self._low, self._high, self._step, self._wrapping = minimum, maximum, step, wrapping
-        self._quiet = True
-        try:
+        with QSignalBlocker(self):
             self.setRange(0, round((maximum - minimum) / step))
             self.setSingleStep(round(max(1.0, 0.5 / step)) if step < 0.5 else 1)
             self.setPageStep(10 * self.singleStep())
             self.setValue(round((self._amount - minimum) / step))
-        finally:
-            self._quiet = False
         self.update()
 
     def amount(self) -> float:
-        """Return the value in its unit."""
         return self._amount
 
     def set_amount(self, amount: float) -> None:
         """Show ``amount`` without a signal; beyond the range the handle stays at the end."""
         if amount != self._amount:
             self._amount = amount
-            self._quiet = True
-            try:
+            with QSignalBlocker(self):
                 self.setValue(round((amount - self._low) / self._step))
-            finally:
-                self._quiet = False
             self.update()
 
     def positions(self) -> NDArray[np.float64]:
@@ -138,8 +130,10 @@ class ColourSlider(QAbstractSlider):
 
     def _at(self, x: float) -> float:
         groove = self._groove()
-        amount = self._low + (x - groove.left()) / max(1.0, groove.width()) * (self._high - self._low)
-        return self._snapped(amount)
+        return self._snapped(self._low + (x - groove.left()) * self._per_pixel())
+
+    def _per_pixel(self) -> float:
+        return (self._high - self._low) / max(1.0, self._groove().width())
 
     def _snapped(self, amount: float) -> float:
         if self._wrapping:
@@ -177,11 +171,10 @@ class ColourSlider(QAbstractSlider):
         painter.drawLine(QPointF(x, handle.top() + 4), QPointF(x, handle.bottom() - 4))
 
     def _on_changed(self, value: int) -> None:
-        if not self._quiet:
-            self._burst.touch()
-            self._amount = round(self._low + value * self._step, 9)
-            self.update()
-            self.edited.emit(self._amount)
+        self._burst.touch()
+        self._amount = round(self._low + value * self._step, 9)
+        self.update()
+        self.edited.emit(self._amount)
 
     def _move_to(self, amount: float) -> None:
         if amount != self._amount:
@@ -204,8 +197,7 @@ class ColourSlider(QAbstractSlider):
             return
         start, amount = self._grabbed
         scale = _FINE if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
-        per_pixel = (self._high - self._low) / max(1.0, self._groove().width())
-        self._move_to(self._snapped(amount + (event.position().x() - start) * per_pixel * scale))
+        self._move_to(self._snapped(amount + (event.position().x() - start) * self._per_pixel() * scale))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._grabbed is not None:
@@ -221,24 +213,16 @@ class ColourSlider(QAbstractSlider):
             event.ignore()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.modifiers() & Qt.KeyboardModifier.ShiftModifier and event.key() in (
-            Qt.Key.Key_Left,
-            Qt.Key.Key_Right,
-        ):
-            self._step_by(1 if event.key() == Qt.Key.Key_Right else -1)
-            return
-        by = {
-            Qt.Key.Key_Right: self.singleStep(),
-            Qt.Key.Key_Up: self.singleStep(),
-            Qt.Key.Key_Left: -self.singleStep(),
-            Qt.Key.Key_Down: -self.singleStep(),
-            Qt.Key.Key_PageUp: self.pageStep(),
-            Qt.Key.Key_PageDown: -self.pageStep(),
-        }.get(Qt.Key(event.key()))
-        if self._wrapping and by is not None:
-            self._step_by(by)
-            return
-        super().keyPressEvent(event)
+        keys, key, step = Qt.Key, Qt.Key(event.key()), self.singleStep()
+        fine = {keys.Key_Right: 1, keys.Key_Left: -1}
+        by = {keys.Key_Right: step, keys.Key_Up: step, keys.Key_Left: -step, keys.Key_Down: -step}
+        by |= {keys.Key_PageUp: self.pageStep(), keys.Key_PageDown: -self.pageStep()}
+        if key in fine and event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self._step_by(fine[key])
+        elif key in by and self._wrapping:
+            self._step_by(by[key])
+        else:
+            super().keyPressEvent(event)
 
     def _step_by(self, steps: int) -> None:
         value = self.value() + steps

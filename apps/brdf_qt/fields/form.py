@@ -1,13 +1,47 @@
-"""Rows of a label and a field: labels right-aligned to their fields, on an 8-pixel rhythm."""
+"""How fields stand in a window: forms of labels and fields, rows and columns without margins, buttons with a sign."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QLabel, QLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QLayout, QToolButton, QVBoxLayout, QWidget
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.program.icons import icon
 
 LABEL_WIDTH = 96
+
+
+def fill_row(place: QWidget, *widgets: QWidget, spacing: int = 8, even: bool = False) -> QHBoxLayout:
+    """Put widgets side by side into ``place``; the first, or with ``even`` each alike, takes the room that is left."""
+    row = QHBoxLayout(place)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(spacing)
+    for number, widget in enumerate(widgets):
+        row.addWidget(widget, int(even or number == 0))
+    return row
+
+
+def fill_column(place: QWidget, *widgets: QWidget, spacing: int = 8) -> QVBoxLayout:
+    """Put widgets one below the other into ``place``."""
+    column = QVBoxLayout(place)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.setSpacing(spacing)
+    for widget in widgets:
+        column.addWidget(widget)
+    return column
+
+
+def icon_button(name: str, tip: str, clicked: Callable[[], object] | None = None) -> QToolButton:
+    """Return a button with the icon of that name; ``tip`` says what it does."""
+    button = QToolButton()
+    button.setIcon(icon(name))
+    button.setToolTip(plain_tip(tip))
+    button.setAccessibleName(tip)
+    if clicked is not None:
+        button.clicked.connect(lambda _=False: clicked())
+    return button
 
 
 class Form(QWidget):

@@ -15,7 +15,7 @@ from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 _LEAST = 8
-"""Characters that it keeps."""
+"""Characters that an elided label keeps."""
 
 
 def plain_tip(text: str) -> str:
@@ -27,6 +27,13 @@ def plain_tip(text: str) -> str:
     if not QtGui.Qt.mightBeRichText(text):
         return text
     return f"<p>{escape(text).replace(chr(10), '<br>')}</p>"
+
+
+def set_bold(widget: QWidget, bold: bool) -> None:
+    """Write the text of a widget in bold type, or as usual."""
+    font = widget.font()
+    font.setBold(bold)
+    widget.setFont(font)
 
 
 class PlainLabel(QLabel):
@@ -54,7 +61,7 @@ class ElidedLabel(PlainLabel):
     @property
     def shown_text(self) -> str:
         """The text as it is drawn."""
-        width = self.contentsRect().width()
+        width = self.contentsRect().width() - 2 * self.margin()
         return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, width)
 
     def minimumSizeHint(self) -> QSize:
@@ -65,9 +72,8 @@ class ElidedLabel(PlainLabel):
         if self.shown_text == self.text():
             super().paintEvent(event)
             return
-        painter = QPainter(self)
         flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        area, role = self.contentsRect(), self.foregroundRole()
-        self.style().drawItemText(
-            painter, area, flags, self.palette(), self.isEnabled(), self.shown_text, role
-        )
+        area = self.contentsRect().adjusted(self.margin(), 0, -self.margin(), 0)
+        palette, role = self.palette(), self.foregroundRole()
+        painter = QPainter(self)
+        self.style().drawItemText(painter, area, flags, palette, self.isEnabled(), self.shown_text, role)

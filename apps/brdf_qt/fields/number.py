@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import re
 
-from PySide6.QtCore import QEvent, QLocale, QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QLocale, QObject, QPointF, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
     QGuiApplication,
@@ -34,6 +34,7 @@ from brdf_qt.fields.burst import Burst
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.text import is_of_window
 from brdf_qt.program.translation import tr
+from brdf_suite.documents.parameter import Parameter
 
 _NUMBER = re.compile(r"[-+−]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][-+]?\d+)?")
 _UNFINISHED = re.compile(r"^\s*[-+−]?[.,]?\s*$")
@@ -50,6 +51,11 @@ def parse_number(text: str) -> float | None:
     """
     found = _NUMBER.search(text)
     return float(found.group().replace(",", ".").replace("−", "-")) if found else None
+
+
+def reach_of(parameter: Parameter, step: float, decimals: int) -> tuple[str, float, float, float, int, float]:
+    """Return unit, range, step, decimals and default of a document's number, as a field takes them after its name."""
+    return parameter.unit, parameter.low, parameter.high, step, decimals, parameter.default
 
 
 class NumberField(QDoubleSpinBox):
@@ -75,16 +81,12 @@ class NumberField(QDoubleSpinBox):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.unit = unit
         self.default = minimum if default is None else default
         self._press: QPointF | None = None
         self._press_value = 0.0
         self._dragging = False
         self._typing = False
-        self._quiet = False
         self._beyond: float | None = None
-        self._set: tuple[float, float] | None = None
-        self.setAccessibleName(f"{name}, {unit}" if unit else name)
         self.setLocale(QLocale.c())
         self.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)
         self.setKeyboardTracking(False)
@@ -93,15 +95,12 @@ class NumberField(QDoubleSpinBox):
         # Filled behind its round corners too, it is drawn without the window behind it.
         self.setBackgroundRole(QPalette.ColorRole.Window)
         self.setAutoFillBackground(True)
-        self.setDecimals(decimals)
-        self.setRange(minimum, maximum)
-        self.setSingleStep(step)
-        self.setSuffix(f" {unit}" if unit else "")
+        self.set_reach(name, unit, minimum, maximum, step, decimals, wrapping=False)
         self.set_value(self.default)
         self._burst = Burst(self)
         self._burst.started.connect(self.gesture_started)
         self._burst.finished.connect(self.gesture_finished)
-        self.valueChanged.connect(self._on_changed)
+        self.valueChanged.connect(self.edited)
         self.editingFinished.connect(self._report_limit)
         self.lineEdit().installEventFilter(self)
         self.lineEdit().setCursor(Qt.CursorShape.SizeHorCursor)
@@ -118,17 +117,15 @@ class NumberField(QDoubleSpinBox):
         wrapping: bool,
     ) -> None:
         """Become the number ``name`` of another range, without a signal; ``wrapping``: its ends are one."""
-        self._quiet, self._set = True, None
-        try:
-            self.unit = unit
-            self.setAccessibleName(f"{name}, {unit}" if unit else name)
+        self.unit = unit
+        self._set: tuple[float, float] | None = None
+        self.setAccessibleName(f"{name}, {unit}" if unit else name)
+        with QSignalBlocker(self):
             self.setSuffix(f" {unit}" if unit else "")
             self.setWrapping(wrapping)
             self.setDecimals(decimals)
             self.setRange(minimum, maximum)
             self.setSingleStep(step)
-        finally:
-            self._quiet = False
 
     def set_value(self, value: float) -> None:
         """Show ``value`` without a signal."""
@@ -142,11 +139,8 @@ class NumberField(QDoubleSpinBox):
         # The field itself keeps no more decimals than it shows.
         same = round(value, self.decimals()) == self.value()
         if not (same and self.text() == self.textFromValue(value) + self.suffix()):
-            self._quiet = True
-            try:
+            with QSignalBlocker(self):
                 self.setValue(value)
-            finally:
-                self._quiet = False
         self._set = (value, self.value())
 
     def set_default(self, value: float) -> None:
@@ -157,19 +151,13 @@ class NumberField(QDoubleSpinBox):
         """Go back to the default, as one edit."""
         self.setValue(self.default)
 
-    def copied_text(self) -> str:
-        """Return the value with its unit, as it goes to the clipboard."""
-        return self.text()
-
     def textFromValue(self, value: float) -> str:
         text = f"{value:.{self.decimals()}f}"
         return text[1:] if float(text) == 0.0 and text.startswith("-") else text
 
     def valueFromText(self, text: str) -> float:
         number = parse_number(text)
-        if number is None:
-            return self.value()
-        return self._within(number)
+        return self.value() if number is None else self._within(number)
 
     def _within(self, number: float) -> float:
         """Return the number, or the end of the range that it lies beyond; which is reported once editing is over."""
@@ -191,9 +179,8 @@ class NumberField(QDoubleSpinBox):
         below = tr("{number} is below the minimum; the value was set to {end}.")
         above = tr("{number} is above the maximum; the value was set to {end}.")
         text = (below if low else above).format(number=f"{number:g}{unit}", end=f"{end}{unit}")
-        QToolTip.showText(
-            self.mapToGlobal(self.rect().bottomLeft()), plain_tip(text), self, self.rect(), _TIP_MS
-        )
+        place = self.mapToGlobal(self.rect().bottomLeft())
+        QToolTip.showText(place, plain_tip(text), self, self.rect(), _TIP_MS)
         self.limited.emit(text)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
@@ -203,10 +190,6 @@ class NumberField(QDoubleSpinBox):
         if not body or _UNFINISHED.match(body):
             return QValidator.State.Intermediate, text, position
         return QValidator.State.Invalid, text, position
-
-    def _on_changed(self, value: float) -> None:
-        if not self._quiet:
-            self.edited.emit(value)
 
     def stepBy(self, steps: int) -> None:
         self._burst.touch()
@@ -226,9 +209,8 @@ class NumberField(QDoubleSpinBox):
         """What the number is, its range, and what a double click gives."""
         unit = f" {self.unit}" if self.unit else ""
         low, high, default = (self.textFromValue(v) for v in (self.minimum(), self.maximum(), self.default))
-        reach = tr("{low} to {high}; double click: {default}").format(
-            low=low, high=f"{high}{unit}", default=f"{default}{unit}"
-        )
+        text = tr("{low} to {high}; double click: {default}")
+        reach = text.format(low=low, high=f"{high}{unit}", default=f"{default}{unit}")
         return f"{self.toolTip()}\n{reach}" if self.toolTip() else reach
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -243,7 +225,7 @@ class NumberField(QDoubleSpinBox):
         clipboard = QGuiApplication.clipboard()
         whole = line.selectedText() in ("", line.text(), self.cleanText())
         if event.matches(QKeySequence.StandardKey.Copy) and whole:
-            clipboard.setText(self.copied_text())
+            clipboard.setText(self.text())
         elif event.matches(QKeySequence.StandardKey.Paste):
             number = parse_number(clipboard.text())
             if number is not None:

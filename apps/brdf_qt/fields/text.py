@@ -5,7 +5,7 @@ Undo and redo belong to the document, not to the field; Ctrl+E, which X11 takes 
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QWidget
 
@@ -75,21 +75,14 @@ class TextNotes(QPlainTextEdit):
         self.setUndoRedoEnabled(False)
         self.setFixedHeight(lines * self.fontMetrics().lineSpacing() + 12)
         self._going = False
-        self._quiet = False
         self.textChanged.connect(self._on_changed)
 
     def set_text(self, text: str) -> None:
-        """Show ``text`` without a signal."""
         if text != self.toPlainText():
-            self._quiet = True
-            try:
+            with QSignalBlocker(self):
                 self.setPlainText(text)
-            finally:
-                self._quiet = False
 
     def _on_changed(self) -> None:
-        if self._quiet:
-            return
         if not self._going:
             self._going = True
             self.gesture_started.emit()

@@ -58,13 +58,14 @@ class CameraGestures(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if kind == QEvent.Type.MouseButtonPress and isinstance(event, QMouseEvent):
-            return self._press(event)
-        if kind == QEvent.Type.MouseMove and isinstance(event, QMouseEvent):
-            return self._move(event)
-        if kind == QEvent.Type.MouseButtonRelease and isinstance(event, QMouseEvent):
-            return self._release(event)
-        if kind == QEvent.Type.Wheel and isinstance(event, QWheelEvent):
+        if isinstance(event, QMouseEvent):
+            handle = {
+                QEvent.Type.MouseButtonPress: self._press,
+                QEvent.Type.MouseMove: self._move,
+                QEvent.Type.MouseButtonRelease: self._release,
+            }.get(kind)
+            return handle is not None and handle(event)
+        if isinstance(event, QWheelEvent):
             return self._wheel(event)
         if kind == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
             return self._key(event)

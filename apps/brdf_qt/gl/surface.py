@@ -88,13 +88,15 @@ class GlSurface(QWidget):
         self._samples = samples
         self._make_drawer = make_drawer
         self._view: object = None
-        self._drawer: Drawer | None = None
+        self.drawer: Drawer | None = None
+        """What draws in the present context; None before there is one, and after it was released."""
         self._context: Context | None = None
         self._framebuffer: Any = None
-        self._failure = ""
+        self.failure = ""
+        """Why there is no picture; empty where there is one."""
         self._losses: list[float] = []
         self.frame_ms = 0.0
-        self._give_way = make_timer(self, self._update, _GIVE_WAY_MS)
+        self._give_way = make_timer(self, lambda: self.canvas.update(), _GIVE_WAY_MS)
         # Queued: what listens may grab a frame, which must not happen inside the paint that it reports.
         self._finished.connect(self.frame_drawn, Qt.ConnectionType.QueuedConnection)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -105,32 +107,17 @@ class GlSurface(QWidget):
         self._add_canvas()
 
     @property
-    def failure(self) -> str:
-        """Why there is no picture; empty where there is one."""
-        return self._failure
-
-    @property
-    def canvas(self) -> QOpenGLWidget:
-        """The widget that gets the mouse; replaced by :meth:`retry`, see ``canvas_changed``."""
-        return self._canvas
-
-    @property
-    def drawer(self) -> Drawer | None:
-        """What draws in the present context; None before there is one, and after it was released."""
-        return self._drawer
-
-    @property
     def device_size(self) -> tuple[int, int]:
         """Width and height of the picture in device pixels."""
-        size = self._canvas.size() * self._canvas.devicePixelRatioF()
+        size = self.canvas.size() * self.canvas.devicePixelRatioF()
         return (max(1, size.width()), max(1, size.height()))
 
     @property
     def is_lost(self) -> bool:
         """Whether the driver has taken the context away: it was reset, or the card changed."""
-        if self._drawer is None:
+        if self.drawer is None:
             return False
-        context = self._canvas.context()
+        context = self.canvas.context()
         return context is None or not context.isValid()
 
     def set_view(self, view: object) -> None:
@@ -143,12 +130,9 @@ class GlSurface(QWidget):
         if self.is_lost:
             self._recover()  # Qt asks a widget whose context is gone for no frame, so this is where it is noticed
         elif self.frame_ms < SLOW_MS:
-            self._canvas.update()
+            self.canvas.update()
         elif not self._give_way.isActive():
             self._give_way.start()
-
-    def _update(self) -> None:
-        self._canvas.update()
 
     def with_context(self, work: Callable[[], None], *, redraw: bool = True) -> None:
         """Run ``work`` (an upload) with the context current, and show why it failed if it does.
@@ -156,53 +140,53 @@ class GlSurface(QWidget):
         ``redraw`` is False for what only reads. Without a context nothing is done: the factory will be asked for a
         drawer when there is one.
         """
-        if self._failure or not self._canvas.isValid() or self._drawer is None:
+        if self.failure or not self.canvas.isValid() or self.drawer is None:
             return
-        self._canvas.makeCurrent()
+        self.canvas.makeCurrent()
         try:
             work()
         except Exception as error:  # noqa: BLE001 - whatever went wrong, the user must see it
             self._fail(_failure_text(error, tr("The picture could not be prepared")))
             return
         finally:
-            self._canvas.doneCurrent()
+            self.canvas.doneCurrent()
         if redraw:
             self.redraw()
 
     def grab_image(self) -> QImage:
         """Draw a frame now and return it, in device pixels; a null image where there is no picture."""
-        if self._failure or not self._canvas.isValid():
+        if self.failure or not self.canvas.isValid():
             return QImage()
-        return self._canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB32)
+        return self.canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB32)
 
     def retry(self) -> None:
         """Try again with a new context."""
         self.release()
-        self._layout.removeWidget(self._canvas)
-        self._canvas.deleteLater()
-        self._failure = ""
+        self._layout.removeWidget(self.canvas)
+        self.canvas.deleteLater()
+        self.failure = ""
         self._add_canvas()
-        self.canvas_changed.emit(self._canvas)
+        self.canvas_changed.emit(self.canvas)
 
     def release(self) -> None:
         """Free the drawer and all that it holds; the last thing before the widget goes."""
-        if self._drawer is None:
+        if self.drawer is None:
             return
         lost = self.is_lost
-        drawer, self._drawer = self._drawer, None
+        drawer, self.drawer = self.drawer, None
         self._context = self._framebuffer = None
         if lost:
             return  # all that it made went with the context
-        self._canvas.makeCurrent()
+        self.canvas.makeCurrent()
         drawer.release()
-        self._canvas.doneCurrent()
+        self.canvas.doneCurrent()
 
     def prepare(self, canvas: QOpenGLWidget) -> None:
         """Have what draws made for the canvas's new context, which is current. Failures are never raised into Qt."""
         qt_context = canvas.context()
         try:
             self._context = adopt_context(lambda name: int(qt_context.getProcAddress(name.encode()) or 0))
-            self._drawer = self._make_drawer(self._context)
+            self.drawer = self._make_drawer(self._context)
         except Exception as error:  # noqa: BLE001 - raised into Qt it would be lost, and the picture black
             self._defer_failure(_failure_text(error, tr("The picture cannot be drawn")))
 
@@ -211,14 +195,14 @@ class GlSurface(QWidget):
         if self.is_lost:
             QTimer.singleShot(0, self, self._recover)
             return
-        if self._drawer is None or self._context is None or self._view is None:
+        if self.drawer is None or self._context is None or self._view is None:
             return
         start = time.perf_counter()
         size = self.device_size
         try:
             target = self._target(self._context, size)
             target.use()
-            typical = self._drawer.draw(target, size, self._view)
+            typical = self.drawer.draw(target, size, self._view)
             self._context.finish()
             problem = self._context.error
         except Exception as error:  # noqa: BLE001 - as above
@@ -237,7 +221,7 @@ class GlSurface(QWidget):
 
     def _target(self, context: Context, size: tuple[int, int]) -> Any:
         """Return Qt's frame buffer, which changes with the size; a number that is gone must not stay bound."""
-        number = self._canvas.defaultFramebufferObject()
+        number = self.canvas.defaultFramebufferObject()
         known = self._framebuffer
         if known is None or known.glo != number or known.size != size:
             self._framebuffer = known = context.detect_framebuffer(number)
@@ -252,16 +236,17 @@ class GlSurface(QWidget):
         QTimer.singleShot(0, self, self._check_context)
 
     def _add_canvas(self) -> None:
-        self._canvas = canvas = _Canvas(self, self._samples)
-        self._layout.addWidget(canvas)
-        self._layout.setCurrentWidget(canvas)
-        self.setFocusProxy(canvas)
+        self.canvas: QOpenGLWidget = _Canvas(self, self._samples)
+        """The widget that gets the mouse; replaced by :meth:`retry`, see ``canvas_changed``."""
+        self._layout.addWidget(self.canvas)
+        self._layout.setCurrentWidget(self.canvas)
+        self.setFocusProxy(self.canvas)
         if self.isVisible():
             QTimer.singleShot(0, self, self._check_context)
 
     def _recover(self) -> None:
         """Begin anew with another context after the driver has taken this one away; not without end."""
-        if self._failure:
+        if self.failure:
             return
         now = time.monotonic()
         self._losses = [*(then for then in self._losses if now - then < _LOSSES_WITHIN_S), now]
@@ -273,15 +258,15 @@ class GlSurface(QWidget):
             self.retry()
 
     def _check_context(self) -> None:
-        if not self._failure and self.isVisible() and not self._canvas.isValid():
+        if not self.failure and self.isVisible() and not self.canvas.isValid():
             self._fail(tr(_NO_CONTEXT))
 
     def _fail(self, text: str) -> None:
-        if self._failure:
+        if self.failure:
             return
         log.error("picture: %s", text)
-        self._failure = text
-        self._notice.set_text(text)
+        self.failure = text
+        self._notice.text.setText(text)
         self._layout.setCurrentWidget(self._notice)
         self.failed.emit(text)
 
@@ -315,20 +300,17 @@ class _Notice(QWidget):
 
     def __init__(self, retry: Callable[[], None]) -> None:
         super().__init__()
-        self._text = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
-        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.text = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self.text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         again = QPushButton(tr("Try again"))
         again.clicked.connect(retry)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(32, 32, 32, 32)
         layout.setSpacing(16)
         layout.addStretch()
-        layout.addWidget(self._text)
+        layout.addWidget(self.text)
         layout.addWidget(again, alignment=Qt.AlignmentFlag.AlignCenter)
         layout.addStretch()
-
-    def set_text(self, text: str) -> None:
-        self._text.setText(text)
 
 
 def _failure_text(error: Exception, what: str) -> str:

@@ -12,6 +12,7 @@ import signal
 import socket
 import sys
 import time
+from functools import cache
 from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from types import TracebackType
@@ -50,15 +51,10 @@ class ErrorRelay(QObject):
         self.reported.emit(message_of(error, key))
 
 
-_relay: ErrorRelay | None = None
-
-
+@cache
 def error_relay() -> ErrorRelay:
     """Return the relay of this process."""
-    global _relay
-    if _relay is None:
-        _relay = ErrorRelay()
-    return _relay
+    return ErrorRelay()
 
 
 def surface_format(samples: int = 4) -> QSurfaceFormat:
@@ -92,7 +88,9 @@ def create_application(
     app.setApplicationName(name)
     app.setApplicationDisplayName(f"BRDF Suite {name}")
     app.setStyle("Fusion")
-    app.setFont(_font(app.font()))
+    font = app.font()
+    font.setFeature(QFont.Tag("tnum"), 1)  # digits of equal width: a number does not jump while it changes
+    app.setFont(font)
     theme.apply(app, theme_name or theme.current(), remember=False)
     theme.follow_system(app)
     translation.install(app, language)
@@ -118,16 +116,9 @@ def process_age_s() -> float:
     return time.monotonic() - _STARTED
 
 
-def _font(font: QFont) -> QFont:
-    """Digits of equal width, so that a number does not jump while it changes."""
-    font.setFeature(QFont.Tag("tnum"), 1)
-    return font
-
-
 def _start_log() -> None:
-    handler = RotatingFileHandler(
-        state_folder("log") / "log.txt", maxBytes=1_000_000, backupCount=2, delay=True
-    )
+    file = state_folder("log") / "log.txt"
+    handler = RotatingFileHandler(file, maxBytes=1_000_000, backupCount=2, delay=True)
     handler.setFormatter(logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     root = logging.getLogger()
     root.addHandler(handler)
@@ -137,11 +128,9 @@ def _start_log() -> None:
 def _unhandled(kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
     if issubclass(kind, KeyboardInterrupt):
         QApplication.exit(0)
-        return
-    if issubclass(kind, Cancelled):
-        return
-    sys.__excepthook__(kind, error, trace)
-    error_relay().report(error)
+    elif not issubclass(kind, Cancelled):
+        sys.__excepthook__(kind, error, trace)
+        error_relay().report(error)
 
 
 _LEVELS = {
@@ -169,11 +158,7 @@ def _quit_on_signals(app: QApplication) -> None:
     reader.setblocking(False)
     writer.setblocking(False)
     notifier = QSocketNotifier(reader.fileno(), QSocketNotifier.Type.Read, app)
-
-    def stir() -> None:
-        reader.recv(64)
-
-    notifier.activated.connect(stir)
+    notifier.activated.connect(lambda: reader.recv(64))
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     for number in (signal.SIGINT, signal.SIGTERM):
         # Queued, so that a signal that comes before the event loop ends it as soon as it runs.

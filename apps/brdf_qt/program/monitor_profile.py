@@ -41,16 +41,18 @@ class Monitor:
 def monitor_of(screen: QScreen | None, platform: str | None = None) -> Monitor:
     """Return what the platform (Qt's name of it) provides for a screen."""
     platform = platform or QGuiApplication.platformName()
+    data: bytes | None = None
+    text = tr("No monitor profile found; assuming sRGB")
     if platform == "cocoa":
-        return Monitor(SRGB_SPACE, tr("sRGB, which macOS converts to the monitor's profile"), False)
-    if platform.startswith("wayland"):
-        return Monitor(
-            SRGB_SPACE, tr("sRGB, which the Wayland compositor converts to the monitor's profile"), False
-        )
-    read = {"xcb": _x11_profile, "windows": _windows_profile}.get(platform)
-    data = read(screen) if read is not None else None
+        text = tr("sRGB, which macOS converts to the monitor's profile")
+    elif platform.startswith("wayland"):
+        text = tr("sRGB, which the Wayland compositor converts to the monitor's profile")
+    elif platform == "xcb":
+        data = _x11_profile(screen)
+    elif platform == "windows":
+        data = _windows_profile(screen)
     if data is None:
-        return Monitor(SRGB_SPACE, tr("No monitor profile found; assuming sRGB"), False)
+        return Monitor(SRGB_SPACE, text, False)
     try:
         space = read_display_profile(data, "the monitor's profile")
     except FileError as error:
@@ -90,17 +92,10 @@ def _property(x11: Any, display: ctypes.c_void_p, name: str) -> bytes | None:
     kind, form = ctypes.c_ulong(), ctypes.c_int()
     count, left = ctypes.c_ulong(), ctypes.c_ulong()
     data = ctypes.POINTER(ctypes.c_ubyte)()
-    whole = ctypes.c_long(LARGEST_PROFILE // 4)
-    failed = x11.XGetWindowProperty(
-        display,
-        root,
-        ctypes.c_ulong(atom),
-        ctypes.c_long(0),
-        whole,
-        0,
-        ctypes.c_ulong(0),
-        *(ctypes.byref(out) for out in (kind, form, count, left, data)),
-    )
+    whole = (ctypes.c_long(0), ctypes.c_long(LARGEST_PROFILE // 4))
+    wanted = (ctypes.c_ulong(atom), *whole, 0, ctypes.c_ulong(0))
+    results = (ctypes.byref(out) for out in (kind, form, count, left, data))
+    failed = x11.XGetWindowProperty(display, root, *wanted, *results)
     if failed or not data:
         return None
     try:

@@ -48,7 +48,6 @@ class Program(QObject):
         return all(feature.is_idle for feature in self.features)
 
     def feature(self, kind: type[SomeFeature]) -> SomeFeature:
-        """Return the feature of a class."""
         return next(feature for feature in self.features if isinstance(feature, kind))
 
     def start_when_painted(self) -> None:

@@ -27,11 +27,9 @@ _PAINT_MS = 200
 def window_size(text: str) -> tuple[int, int]:
     """Parse ``WIDTHxHEIGHT`` in pixels (an argparse type)."""
     width, _, height = text.partition("x")
-    if not (width.isdecimal() and height.isdecimal()) or not all(
-        0 < int(n) < _LARGEST for n in (width, height)
-    ):
-        raise argparse.ArgumentTypeError(f"{text!r} is no size; give WIDTHxHEIGHT in pixels, as in 1280x800")
-    return int(width), int(height)
+    if all(n.isdecimal() and 0 < int(n) < _LARGEST for n in (width, height)):
+        return int(width), int(height)
+    raise argparse.ArgumentTypeError(f"{text!r} is no size; give WIDTHxHEIGHT in pixels, as in 1280x800")
 
 
 def program_parser(
@@ -169,14 +167,10 @@ class _Run(QObject):
         self._app.exit(status)
 
     def _when_idle(self, then: Callable[[], None]) -> None:
-        wait = QTimer(self)
-        wait.setInterval(_LOOK_EVERY_MS)
-
         def look() -> None:
             if self._program.is_idle or process_age_s() > self._program.patience_s:
-                wait.stop()
-                wait.deleteLater()
                 then()
+            else:
+                QTimer.singleShot(_LOOK_EVERY_MS, self, look)
 
-        wait.timeout.connect(look)
-        wait.start()
+        QTimer.singleShot(_LOOK_EVERY_MS, self, look)

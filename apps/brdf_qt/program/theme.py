@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
@@ -62,7 +62,10 @@ _TONES = {
 
 def palette(name: str) -> QPalette:
     """Return the palette of theme ``dark``, ``booth`` or ``light``; ``system`` becomes dark or light."""
-    tones = _TONES[_resolved(name)]
+    if name == "system":
+        light = QGuiApplication.styleHints().colorScheme() == Qt.ColorScheme.Light
+        name = "light" if light else "dark"
+    tones = _TONES[name]
     p = QPalette()
     role = QPalette.ColorRole
     for which, lightness in (
@@ -96,13 +99,6 @@ def palette(name: str) -> QPalette:
     return p
 
 
-def _resolved(name: str) -> str:
-    if name != "system":
-        return name
-    scheme = QGuiApplication.styleHints().colorScheme()
-    return "light" if scheme == Qt.ColorScheme.Light else "dark"
-
-
 def current() -> str:
     """Return the name of the chosen theme, from the settings."""
     name = str(settings().value(_KEY, DEFAULT))
@@ -127,35 +123,28 @@ def follow_system(app: QApplication) -> None:
     QGuiApplication.styleHints().colorSchemeChanged.connect(scheme_changed)
 
 
-class ThemeMenu(QMenu):
-    """View ▸ Theme: one checkable entry per theme."""
+def theme_menu(parent: QWidget | None = None) -> QMenu:
+    """Return the menu View ▸ Theme: one checkable entry per theme."""
+    menu = QMenu(tr("&Theme"), parent)
+    group = QActionGroup(menu)
+    app = QApplication.instance()
+    for name in THEMES:
+        action = QAction(tr(TITLES[name]), menu, checkable=True)
+        action.setObjectName(f"theme_{name}")
+        action.setData(name)
+        group.addAction(action)
+        menu.addAction(action)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(tr("&Theme"), parent)
-        self._group = QActionGroup(self)
-        for name in THEMES:
-            action = QAction(tr(TITLES[name]), self)
-            action.setObjectName(f"theme_{name}")
-            action.setCheckable(True)
-            action.setData(name)
-            self._group.addAction(action)
-            self.addAction(action)
-        self._group.triggered.connect(self._chosen)
-        self.aboutToShow.connect(self._tick)
-        self._tick()
+    def tick() -> None:
+        shown = (app and app.property("theme")) or current()
+        for action in group.actions():
+            action.setChecked(action.data() == shown)
 
-    def _tick(self) -> None:
-        app = QApplication.instance()
-        name = app.property("theme") if isinstance(app, QObject) else None
-        for action in self._group.actions():
-            action.setChecked(action.data() == (name or current()))
-
-    def _chosen(self, action: QAction) -> None:
-        app = QApplication.instance()
+    def choose(action: QAction) -> None:
         if isinstance(app, QApplication):
             apply(app, str(action.data()))
 
-
-def theme_menu(parent: QWidget | None = None) -> QMenu:
-    """Return the Theme menu, ready to be added to View."""
-    return ThemeMenu(parent)
+    group.triggered.connect(choose)
+    menu.aboutToShow.connect(tick)
+    tick()
+    return menu

@@ -6,17 +6,9 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction, QKeyEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QHBoxLayout,
-    QLineEdit,
-    QListWidget,
-    QListWidgetItem,
-    QMainWindow,
-    QMenu,
-    QVBoxLayout,
-)
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLineEdit, QListWidget, QListWidgetItem, QMainWindow, QMenu
 
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.program.translation import tr
 from brdf_qt.window.command_search import search
@@ -68,11 +60,8 @@ class CommandPalette(QFrame):
         self.found.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._empty = PlainLabel(tr("No matching command."))
         self._empty.setMargin(8)
-        box = QVBoxLayout(self)
+        box = fill_column(self, self.query, self.found, self._empty, spacing=6)
         box.setContentsMargins(8, 8, 8, 8)
-        box.addWidget(self.query)
-        box.addWidget(self.found)
-        box.addWidget(self._empty)
         self._all: list[tuple[str, QAction]] = []
         self.query.textChanged.connect(self._filter)
         self.query.installEventFilter(self)
@@ -116,16 +105,13 @@ class CommandPalette(QFrame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if watched is self.query and isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            row = self.found.currentRow()
-            if event.key() == Qt.Key.Key_Down:
-                self.found.setCurrentRow(min(self.found.count() - 1, row + 1))
-                return True
-            if event.key() == Qt.Key.Key_Up:
-                self.found.setCurrentRow(max(0, row - 1))
+            step = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1}.get(Qt.Key(event.key()))
+            if step is not None:
+                row = self.found.currentRow() + step
+                self.found.setCurrentRow(max(0, min(self.found.count() - 1, row)))
                 return True
             if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
-                item = self.found.currentItem()
-                if item is not None:
+                if item := self.found.currentItem():
                     self._run(item)
                 return True
         return super().eventFilter(watched, event)

@@ -60,9 +60,8 @@ def set_plain_text(box: QMessageBox, text: str, more: str) -> None:
     """Give a question its text and what is said below it, both drawn as they are: they hold names of files."""
     box.setText(text)
     box.setInformativeText(more)
-    for label in box.findChildren(
-        QLabel
-    ):  # the format that a box can be given is that of its first text alone
+    # The format that a box can be given is that of its first text alone.
+    for label in box.findChildren(QLabel):
         label.setTextFormat(Qt.TextFormat.PlainText)
 
 
@@ -73,12 +72,9 @@ class QtDialogs:
         self._window = window
 
     def unsaved(self, name: str) -> Answer:
-        """See :meth:`Dialogs.unsaved`."""
-        box = QMessageBox(self._window)
-        box.setIconPixmap(icon("floppy-disk").pixmap(_ICON, _ICON))
-        box.setWindowTitle(tr("Unsaved Changes"))
         question = tr("Save changes to “{name}”?").format(name=name)
-        set_plain_text(box, question, tr("Your changes will be lost if you don't save them."))
+        more = tr("Your changes will be lost if you don't save them.")
+        box = self._box("floppy-disk", tr("Unsaved Changes"), question, more)
         kinds = QMessageBox.StandardButton
         box.setStandardButtons(kinds.Save | kinds.Discard | kinds.Cancel)
         box.setDefaultButton(kinds.Save)
@@ -87,13 +83,9 @@ class QtDialogs:
         return answers.get(kinds(box.exec()), Answer.CANCEL)
 
     def changed_file(self, path: Path) -> Overwrite:
-        """See :meth:`Dialogs.changed_file`."""
-        box = QMessageBox(self._window)
-        box.setIconPixmap(icon("warning").pixmap(_ICON, _ICON))
-        box.setWindowTitle(tr("File Changed"))
         text = tr("“{name}” was changed by another program since it was opened or saved here.")
         more = tr("Overwriting discards the changes of the other program.") + f"\n{path}"
-        set_plain_text(box, text.format(name=path.name), more)
+        box = self._box("warning", tr("File Changed"), text.format(name=path.name), more)
         roles = QMessageBox.ButtonRole
         overwrite = box.addButton(tr("Overwrite"), roles.DestructiveRole)
         save_as = box.addButton(tr("Save As…"), roles.AcceptRole)
@@ -106,14 +98,19 @@ class QtDialogs:
             return Overwrite.OVERWRITE
         return Overwrite.SAVE_AS if clicked is save_as else Overwrite.CANCEL
 
+    def _box(self, sign: str, title: str, text: str, more: str) -> QMessageBox:
+        box = QMessageBox(self._window)
+        box.setIconPixmap(icon(sign).pixmap(_ICON, _ICON))
+        box.setWindowTitle(title)
+        set_plain_text(box, text, more)
+        return box
+
     def open_path(self, folder: Path, filters: str) -> Path | None:
-        """See :meth:`Dialogs.open_path`."""
         dialog = QFileDialog(self._window, tr("Open"), str(folder), filters)
         dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
         return _chosen(dialog)
 
     def save_path(self, suggested: Path, filters: str) -> Path | None:
-        """See :meth:`Dialogs.save_path`."""
         dialog = QFileDialog(self._window, tr("Save As"), str(suggested.parent), filters)
         dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
         # Added by the dialog and not afterwards, so that it asks about the file that is really written.

@@ -14,9 +14,9 @@ from PySide6.QtWidgets import (
     QMainWindow,
     QTreeWidget,
     QTreeWidgetItem,
-    QVBoxLayout,
 )
 
+from brdf_qt.fields.form import fill_column
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.command_palette import commands
 
@@ -34,13 +34,6 @@ GESTURES = (
 
 class ShortcutsWindow(QDialog):
     """Every command that has a shortcut, and the gestures of mouse and wheel."""
-
-    @classmethod
-    def show_for(cls, window: QMainWindow) -> ShortcutsWindow:
-        """Show the list of ``window``."""
-        dialog = cls(window)
-        dialog.show()
-        return dialog
 
     def __init__(self, window: QMainWindow) -> None:
         super().__init__(window)
@@ -61,20 +54,11 @@ class ShortcutsWindow(QDialog):
         rows.header().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         rows.header().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         rows.header().setStretchLastSection(False)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(8, 8, 8, 8)
-        box.addWidget(rows)
+        fill_column(self, rows).setContentsMargins(8, 8, 8, 8)
 
 
 class AboutWindow(QDialog):
     """What this program is, its version and licence."""
-
-    @classmethod
-    def show_for(cls, window: QMainWindow, program: str) -> AboutWindow:
-        """Show the about window of ``program``."""
-        dialog = cls(window, program)
-        dialog.show()
-        return dialog
 
     def __init__(self, window: QMainWindow, program: str) -> None:
         super().__init__(window)
@@ -88,6 +72,4 @@ class AboutWindow(QDialog):
         text = QLabel(f"<h3>BRDF Suite {program} {version('brdf-suite')}</h3><p>{what}</p><p>{licence}</p>")
         text.setTextFormat(Qt.TextFormat.RichText)
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(24, 16, 24, 16)
-        box.addWidget(text)
+        fill_column(self, text).setContentsMargins(24, 16, 24, 16)

@@ -19,8 +19,9 @@ from PySide6.QtGui import (
     QPaintEvent,
     QShortcut,
 )
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QMenu, QToolBar, QWidget
 
+from brdf_qt.fields.form import fill_column
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.application import error_relay
 from brdf_qt.program.icons import icon as icon_of
@@ -79,47 +80,26 @@ class SuiteWindow(QMainWindow):
         self.docks: dict[str, QDockWidget] = {}
         self._file_end: QAction | None = None
         self.setAcceptDrops(True)
+        titles = (tr("&File"), tr("&Edit"), tr("&View"), tr("&Paint"), tr("&Window"), tr("&Help"))
+        menus = [self.menuBar().addMenu(title) for title in titles]
         self.file_menu, self.edit_menu, self.view_menu, self.paint_menu, self.window_menu, self.help_menu = (
-            self.menuBar().addMenu(title)
-            for title in (
-                tr("&File"),
-                tr("&Edit"),
-                tr("&View"),
-                tr("&Paint"),
-                tr("&Window"),
-                tr("&Help"),
-            )
+            menus
         )
-        self.menus = {
-            "file": self.file_menu,
-            "edit": self.edit_menu,
-            "view": self.view_menu,
-            "paint": self.paint_menu,
-            "window": self.window_menu,
-            "help": self.help_menu,
-        }
-        self.toolbar = QToolBar(tr("Toolbar"))
+        self.menus = dict(zip(("file", "edit", "view", "paint", "window", "help"), menus, strict=True))
+        self.toolbar = QToolBar(tr("Toolbar"), movable=False, iconSize=QSize(18, 18))
         self.toolbar.setObjectName("toolbar")
-        self.toolbar.setMovable(False)
-        self.toolbar.setIconSize(QSize(18, 18))
         self.toolbar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self.addToolBar(self.toolbar)
         self.status = StatusLine()
         self.setStatusBar(self.status)
         self.messages = MessageBar()
         self.progress = ProgressStrip()
-        self._column = QVBoxLayout()
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self._column.setSpacing(0)
-        self._column.addWidget(self.messages)
-        self._column.addWidget(self.progress)
         inside = QWidget()
-        inside.setLayout(self._column)
+        self._column = fill_column(inside, self.messages, self.progress, spacing=0)
         self.setCentralWidget(inside)
+        self.panels_menu = QMenu(tr("&Panels"), self)
         self.inspector = Inspector()
-        self.inspector_dock = self.add_panel(
-            mark("Inspector"), self.inspector, Qt.DockWidgetArea.RightDockWidgetArea
-        )
+        self.inspector_dock = self.add_panel(mark("Inspector"), self.inspector)
         error_relay().reported.connect(self.messages.show_message)
         self._add_common_commands()
 
@@ -163,8 +143,6 @@ class SuiteWindow(QMainWindow):
         dock.setObjectName(f"panel_{title}")
         dock.setWidget(widget)
         self.addDockWidget(area, dock)
-        if not hasattr(self, "panels_menu"):
-            self.panels_menu = QMenu(tr("&Panels"), self)
         self.panels_menu.addAction(dock.toggleViewAction())
         return dock
 
@@ -184,7 +162,6 @@ class SuiteWindow(QMainWindow):
         return section
 
     def section(self, key: str) -> Section:
-        """Return the section of that key."""
         return self._sections[key]
 
     def add_dock(
@@ -247,7 +224,6 @@ class SuiteWindow(QMainWindow):
     # What is shown.
 
     def show_recent(self, paths: Sequence[Path]) -> None:
-        """Fill File ▸ Open Recent."""
         self.recent_menu.clear()
         for number, path in enumerate(paths, 1):
             action = self.recent_menu.addAction(f"&{number % 10} {path.name}")
@@ -258,11 +234,9 @@ class SuiteWindow(QMainWindow):
         self.recent_menu.setEnabled(bool(paths))
 
     def show_message(self, message: Message) -> None:
-        """Show a message in the window."""
         self.messages.show_message(message)
 
     def dismiss_message(self, key: str) -> None:
-        """Take a message away."""
         self.messages.dismiss(key)
 
     def set_centre(self, widget: QWidget, *, tab_hides_panels: bool = False) -> None:
@@ -320,16 +294,13 @@ class SuiteWindow(QMainWindow):
         self.view_menu.addMenu(language_menu(self.view_menu))
         self.view_menu.addMenu(self.panels_menu)
         self.add_action(self.view_menu, mark("Show or Hide P&anels"), self.toggle_panels, "F4")
-        self.palette_window = CommandPalette(self)
-        self.add_action(
-            self.help_menu, mark("Find a &Command…"), self.palette_window.open, "Ctrl+K", "magnifying-glass"
-        )
-        self.add_action(self.help_menu, mark("Keyboard &Shortcuts"), self._show_shortcuts, "F1", "keyboard")
-        self.add_action(self.help_menu, mark("&About BRDF Suite"), self._show_about, icon="info")
-        self.add_action(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
-        self.add_action(
-            self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "F11", "corners-out"
-        )
+        self.palette_window = palette = CommandPalette(self)
+        add, menu = self.add_action, self.help_menu
+        add(menu, mark("Find a &Command…"), palette.open, "Ctrl+K", "magnifying-glass")
+        add(menu, mark("Keyboard &Shortcuts"), lambda: ShortcutsWindow(self).show(), "F1", "keyboard")
+        add(menu, mark("&About BRDF Suite"), lambda: AboutWindow(self, self._program).show(), icon="info")
+        add(self.window_menu, mark("&Reset Layout"), self.reset_layout, icon="layout")
+        add(self.window_menu, mark("Full &Screen"), self._toggle_full_screen, "F11", "corners-out")
 
     def add_quit(self) -> None:
         """End the File menu with Quit; call after the program's own File commands."""
@@ -345,12 +316,6 @@ class SuiteWindow(QMainWindow):
             self._toggle_full_screen()
             return
         super().keyPressEvent(event)
-
-    def _show_shortcuts(self) -> None:
-        ShortcutsWindow.show_for(self)
-
-    def _show_about(self) -> None:
-        AboutWindow.show_for(self, self._program)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

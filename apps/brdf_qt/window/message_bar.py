@@ -23,7 +23,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip
+from brdf_qt.fields.form import icon_button
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import mark, tr
 from brdf_suite.errors import FileError, SuiteError
@@ -49,19 +50,16 @@ class Message:
 def message_of(error: BaseException, key: str, *, todo: str = "") -> Message:
     """Return the message for ``error``; a bug of ours is named as such, with where the log is."""
     if isinstance(error, FileError):
-        where = (
-            tr("{file}, at {place}").format(file=error.path, place=error.place) if error.place else error.path
-        )
+        where = error.path
+        if error.place:
+            where = tr("{file}, at {place}").format(file=where, place=error.place)
         reason = error.reason[:1].upper() + error.reason[1:]
         return Message(key, f"{reason}.", where=where, todo=todo, severity="error")
     if isinstance(error, SuiteError):
         return Message(key, str(error), todo=todo, severity="error")
-    return Message(
-        key,
-        tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}"),
-        todo=todo or tr("Your document is unchanged; save it. The log has the details."),
-        severity="error",
-    )
+    what = tr("Internal error: {fault}").format(fault=f"{type(error).__name__}: {error}")
+    todo = todo or tr("Your document is unchanged; save it. The log has the details.")
+    return Message(key, what, todo=todo, severity="error")
 
 
 class _Row(QFrame):
@@ -81,10 +79,10 @@ class _Row(QFrame):
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 6, 8, 6)
         row.setSpacing(8)
-        self._sign = sign = PlainLabel()
+        self._sign = PlainLabel()
         self._draw_sign()
-        sign.setAccessibleName(tr(_WORDS[message.severity]))
-        row.addWidget(sign, 0, Qt.AlignmentFlag.AlignTop)
+        self._sign.setAccessibleName(tr(_WORDS[message.severity]))
+        row.addWidget(self._sign, 0, Qt.AlignmentFlag.AlignTop)
         texts = QVBoxLayout()
         texts.setSpacing(2)
         self.what = self._label(message.what, bold=message.severity != "info")
@@ -96,9 +94,7 @@ class _Row(QFrame):
         for label in (*self._whole, self._line):
             texts.addWidget(label)
         row.addLayout(texts, 1)
-        self._arrow = QToolButton()
-        self._arrow.setArrowType(Qt.ArrowType.RightArrow)
-        self._arrow.setAutoRaise(True)
+        self._arrow = QToolButton(arrowType=Qt.ArrowType.RightArrow, autoRaise=True)
         self._arrow.setToolTip(tr("Show the whole message"))
         self._arrow.setAccessibleName(tr("Show the whole message"))
         self._arrow.clicked.connect(lambda: self.opened.emit(self.message.key))
@@ -110,12 +106,8 @@ class _Row(QFrame):
             button.clicked.connect(lambda _=False, slot=slot: self._act(slot))
             row.addWidget(button, 0, Qt.AlignmentFlag.AlignVCenter)
         if message.closable:
-            close = QToolButton()
-            close.setIcon(icon("x"))
+            close = icon_button("x", tr("Close this message"), lambda: self.closed.emit(self.message.key))
             close.setAutoRaise(True)
-            close.setToolTip(tr("Close this message"))
-            close.setAccessibleName(tr("Close this message"))
-            close.clicked.connect(lambda: self.closed.emit(self.message.key))
             row.addWidget(close, 0, Qt.AlignmentFlag.AlignTop)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -129,11 +121,9 @@ class _Row(QFrame):
 
     @property
     def is_brief(self) -> bool:
-        """Whether it is shown in one line."""
         return not self._line.isHidden()
 
     def set_brief(self, brief: bool) -> None:
-        """Show one line of it, or all."""
         for label in self._whole:
             label.setVisible(not brief)
         self._line.setVisible(brief)
@@ -153,9 +143,7 @@ class _Row(QFrame):
         label.setSizePolicy(policy)
         label.setMinimumWidth(80)
         if bold:
-            font = label.font()
-            font.setBold(True)
-            label.setFont(font)
+            set_bold(label, True)
         return label
 
     def _act(self, slot: Callable[[], None]) -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
 
+from brdf_qt.fields.form import fill_column, fill_row
 from brdf_qt.fields.labels import ElidedLabel
 from brdf_qt.program.translation import tr
 
@@ -26,9 +28,8 @@ class _Line(QWidget):
         self._bar.setTextVisible(False)
         self._bar.setMaximumHeight(12)
         self._bar.setMinimumWidth(_LEAST_BAR)
-        row = QHBoxLayout(self)
+        row = fill_row(self)
         row.setContentsMargins(8, 4, 8, 4)
-        row.setSpacing(8)
         row.addWidget(self._text)
         row.addWidget(self._bar, 1)
         if cancel is not None:
@@ -66,9 +67,7 @@ class ProgressStrip(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._lines: dict[str, _Line] = {}
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(0)
+        self._box = fill_column(self, spacing=0)
         self.hide()
 
     @property
@@ -93,7 +92,7 @@ class ProgressStrip(QWidget):
     def set_job(self, key: str, fraction: float, text: str, cancel: Callable[[], None] | None = None) -> None:
         """Show a job of this key at ``fraction`` (0…1), below those that are shown; ``cancel`` is of its first time."""
         if key not in self._lines:
-            stop = None if cancel is None else lambda: self._stop(key, cancel)
+            stop = None if cancel is None else partial(self._stop, key, cancel)
             self._lines[key] = line = _Line(stop)
             line.setObjectName(f"job_{key}")
             self._box.addWidget(line)

@@ -6,6 +6,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
+from brdf_qt.fields.form import fill_column
+from brdf_qt.fields.labels import set_bold
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 
@@ -33,9 +35,7 @@ class Section(QWidget):
         self._header.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self._header.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._header.setAccessibleName(tr("Section {title}").format(title=title))
-        font = self._header.font()
-        font.setBold(True)
-        self._header.setFont(font)
+        set_bold(self._header, True)
         self._header.clicked.connect(self.set_open)
         self._body = QWidget()
         self.body_layout = QVBoxLayout(self._body)
@@ -45,12 +45,7 @@ class Section(QWidget):
         line.setFrameShape(QFrame.Shape.HLine)
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(0)
-        box.addWidget(self._header)
-        box.addWidget(self._body)
-        box.addWidget(line)
+        fill_column(self, self._header, self._body, line, spacing=0)
         self._show(bool(settings().value(self._key, is_open, type=bool)))
 
     def add(self, widget: QWidget) -> QWidget:
@@ -60,7 +55,6 @@ class Section(QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether the body is shown."""
         return self._header.isChecked()
 
     def set_open(self, is_open: bool) -> None:
@@ -87,9 +81,7 @@ class Inspector(QScrollArea):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self._inside = QWidget()
-        self._box = QVBoxLayout(self._inside)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(0)
+        self._box = fill_column(self._inside, spacing=0)
         self._box.addStretch(1)
         self.setWidget(self._inside)
         self.sections: list[Section] = []

@@ -4,28 +4,24 @@ from __future__ import annotations
 
 from typing import Literal
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QPaintEvent, QPalette
 from PySide6.QtWidgets import QStatusBar, QWidget
 
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import ElidedLabel, PlainLabel, plain_tip, set_bold
 from brdf_qt.program.translation import tr
 
 State = Literal["fresh", "stale", "warning"]
-_LEAST = 8
-"""Characters that an elastic cell keeps."""
 
 
-class StatusCell(PlainLabel):
+class StatusCell(ElidedLabel):
     """One value; stale values are dimmed and bracketed, warnings are bold: never by colour alone.
 
     An ``elastic`` one gives way where the line is too short for all: it ends in an ellipsis, and its tip has the whole.
     """
 
-    def __init__(
-        self, name: str, tip: str = "", parent: QWidget | None = None, *, elastic: bool = False
-    ) -> None:
-        super().__init__("", parent)
+    def __init__(self, name: str, tip: str = "", *, elastic: bool = False) -> None:
+        super().__init__()
         self._elastic = elastic
         self.setObjectName(f"status_{name}")
         self.setAccessibleName(tr(name))
@@ -47,39 +43,21 @@ class StatusCell(PlainLabel):
         self.setToolTip(plain_tip("\n".join(part for part in (whole, tip, self._tip) if part)))
         self.setAccessibleDescription(text)
         # What is as it was is not drawn anew: a drag sets these a hundred times a second.
-        font = self.font()
-        if font.bold() != (state == "warning"):
-            font.setBold(state == "warning")
-            self.setFont(font)
+        if self.font().bold() != (state == "warning"):
+            set_bold(self, state == "warning")
         role = QPalette.ColorRole.PlaceholderText if state == "stale" else QPalette.ColorRole.WindowText
         if self.foregroundRole() != role:
             self.setForegroundRole(role)
         self.setVisible(bool(text))
 
-    @property
-    def shown_text(self) -> str:
-        """The text as it is drawn: shortened where there is no room for all of it."""
-        return self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self._room())
-
     def minimumSizeHint(self) -> QSize:
-        hint = super().minimumSizeHint()
-        if not self._elastic:
-            return hint
-        return QSize(min(hint.width(), self.fontMetrics().averageCharWidth() * _LEAST), hint.height())
+        return super().minimumSizeHint() if self._elastic else PlainLabel.minimumSizeHint(self)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if not self._elastic or self.shown_text == self.text():
+        if self._elastic:
             super().paintEvent(event)
-            return
-        painter = QPainter(self)
-        area = self.contentsRect().adjusted(self.margin(), 0, -self.margin(), 0)
-        flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        self.style().drawItemText(
-            painter, area, flags, self.palette(), True, self.shown_text, self.foregroundRole()
-        )
-
-    def _room(self) -> int:
-        return self.contentsRect().width() - 2 * self.margin()
+        else:
+            PlainLabel.paintEvent(self, event)
 
 
 class StatusLine(QStatusBar):
@@ -93,10 +71,6 @@ class StatusLine(QStatusBar):
     def cell(self, name: str, tip: str = "", *, right: bool = False, elastic: bool = False) -> StatusCell:
         """Return the cell ``name``; made on first use, at the left or the right end, elastic or not."""
         if name not in self._cells:
-            cell = StatusCell(name, tip, elastic=elastic)
-            self._cells[name] = cell
-            if right:
-                self.addPermanentWidget(cell)
-            else:
-                self.addWidget(cell)
+            self._cells[name] = cell = StatusCell(name, tip, elastic=elastic)
+            (self.addPermanentWidget if right else self.addWidget)(cell)
         return self._cells[name]

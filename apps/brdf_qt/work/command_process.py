@@ -47,7 +47,6 @@ class ChildProcess(QObject):
 
     @property
     def is_running(self) -> bool:
-        """Whether there is a process."""
         return self.process.state() != QProcess.ProcessState.NotRunning
 
     def launch(self, command: Sequence[str]) -> None:

@@ -13,7 +13,7 @@ from brdf_suite.documents.view import Camera, View
 from brdf_suite.output.turning import turned
 from brdf_suite.realtime.camera import dolly_to, frame, orbit, pan, resolve
 from brdf_suite.realtime.pictures.comparison import sides
-from brdf_viewer.camera.presets import look_from, signed_deg
+from brdf_viewer.camera.section import look_from, signed_deg
 from brdf_viewer.camera.turntable import Turntable
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -25,39 +25,23 @@ class CameraControl(ViewerFeature):
 
     def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
-        self._turntable = Turntable(self)
-        self._turntable.turned.connect(self._turn)
-        self._turntable.running_changed.connect(window.commands.turntable.setChecked)
-        self._turntable.running_changed.connect(self._turning)
+        commands, section = window.commands, window.camera
+        self.turntable = Turntable(state.history, tr("Turntable"), state.view.turntable_deg_s, self)
+        self.turntable.turned.connect(self._turn)
+        self.turntable.running_changed.connect(commands.turntable.setChecked)
         window.picture.canvas_changed.connect(self._listen)
         self._listen(window.picture.canvas)
-        commands, section = window.commands, window.camera
-        commands.frame_requested.connect(self.frame)
-        commands.preset_requested.connect(self.look_from)
-        commands.turntable.triggered.connect(self._turntable.set_running)
-        section.preset_chosen.connect(self.look_from)
+        commands.frame.triggered.connect(self._frame)
+        commands.turntable.triggered.connect(self.turntable.set_running)
+        # Each a step of its own, also close after another.
+        for signal in (commands.preset_requested, section.preset_chosen):
+            signal.connect(lambda preset: state.step_view(camera=look_from(self._camera, preset)))
         section.azimuth.edited.connect(lambda value: self._aim(azimuth_deg=value % 360.0))
         section.elevation.edited.connect(lambda value: self._aim(elevation_deg=value))
         section.focal_length.edited.connect(self._set_focal_length)
         section.turntable.edited.connect(lambda value: state.change_view(turntable_deg_s=value))
         state.view_changed.connect(self._show)
         self._show(None, state.view)
-
-    def frame(self) -> None:
-        """Fill the picture with the surface, from the same side."""
-        self._step(frame(self._camera))
-
-    def look_from(self, preset: str) -> None:
-        """Look from a named side."""
-        self._step(look_from(self._camera, preset))
-
-    def stop_turntable(self) -> None:
-        """Stop the turntable, where it runs."""
-        self._turntable.set_running(False)
-
-    def _step(self, camera: Camera) -> None:
-        """Move the camera at once: a step of its own, also close after another."""
-        self._state.step_view(camera=camera)
 
     @property
     def _camera(self) -> Camera:
@@ -72,30 +56,33 @@ class CameraControl(ViewerFeature):
 
     def _listen(self, canvas: QWidget) -> None:
         gestures = CameraGestures(canvas)
-        gestures.orbited.connect(self._orbit)
+        gestures.orbited.connect(
+            lambda azimuth, elevation: self._state.change_view(
+                camera=orbit(self._settled(), azimuth, elevation)
+            )
+        )
         gestures.panned.connect(self.pan)
         gestures.zoomed.connect(self._zoom)
         gestures.light_turned.connect(self._turn_light)
-        gestures.framed.connect(self.frame)
+        gestures.framed.connect(self._frame)
         gestures.started.connect(self._state.history.begin)
         gestures.finished.connect(self._state.history.end)
 
-    def _orbit(self, azimuth_deg: float, elevation_deg: float) -> None:
-        self._state.set_camera(orbit(self._settled(), azimuth_deg, elevation_deg))
+    def _frame(self) -> None:
+        self._state.step_view(camera=frame(self._camera))
 
     def pan(self, right: float, up: float) -> None:
         """Pan by fractions of the picture's height."""
-        height = self.picture_size[1]
-        self._state.set_camera(
-            pan(self._camera, self._state.bounds, self.picture_size, right * height, -up * height)
-        )
+        size = self.picture_size
+        camera = pan(self._camera, self._state.bounds, size, right * size[1], -up * size[1])
+        self._state.change_view(camera=camera)
 
     def _zoom(self, factor: float, right: float, up: float) -> None:
         whole, size = self._window.picture.device_size, self.picture_size
         # From the middle of the picture that the cursor is in.
         offset = (whole[0] - size[0]) / 2 / size[1]
         place = (right - offset if right >= 0.0 else right + offset, up)
-        self._state.set_camera(dolly_to(self._camera, self._state.bounds, size, factor, place))
+        self._state.change_view(camera=dolly_to(self._camera, self._state.bounds, size, factor, place))
 
     def _turn_light(self, degrees: float) -> None:
         self._state.change_view(rotation_deg=signed_deg(self._state.view.rotation_deg + degrees))
@@ -104,23 +91,15 @@ class CameraControl(ViewerFeature):
         settled = dataclasses.replace(self._state.view, camera=self._settled())
         self._state.history.amend(turned(settled, degrees, self._state.bounds.centre))
 
-    def _turning(self, running: bool) -> None:
-        """The turntable's whole run is one step."""
-        if running:
-            self._state.history.begin_running(tr("Turntable"))
-        else:
-            self._state.history.end_running()
-
     def _aim(self, **angles: Any) -> None:
-        self._state.set_camera(dataclasses.replace(self._settled(), **angles))
+        self._state.change_view(camera=dataclasses.replace(self._settled(), **angles))
 
     def _set_focal_length(self, millimetres: float) -> None:
         """Another lens keeps the size of the surface in the picture: the distance grows with it."""
-        camera = self._camera
-        distance = camera.distance
-        if distance is not None:
-            distance *= millimetres / camera.focal_length_mm
-        self._state.set_camera(dataclasses.replace(camera, focal_length_mm=millimetres, distance=distance))
+        changed: dict[str, Any] = {"focal_length_mm": millimetres}
+        if self._camera.distance is not None:
+            changed["distance"] = self._camera.distance * millimetres / self._camera.focal_length_mm
+        self._state.change_part("camera", **changed)
 
     def _settled(self) -> Camera:
         """Return the camera with its distance fixed, so that the surface keeps its size while it turns."""
@@ -131,10 +110,9 @@ class CameraControl(ViewerFeature):
     def _show(self, old: View | None, new: View) -> None:
         section = self._window.camera
         if old is None or old.turntable_deg_s != new.turntable_deg_s:
-            self._turntable.deg_per_second = new.turntable_deg_s
+            self.turntable.deg_per_second = new.turntable_deg_s
             section.turntable.set_value(new.turntable_deg_s)
-        if old is not None and old.camera == new.camera:
-            return
-        section.azimuth.set_value(signed_deg(new.camera.azimuth_deg))
-        section.elevation.set_value(new.camera.elevation_deg)
-        section.focal_length.set_value(new.camera.focal_length_mm)
+        if old is None or old.camera != new.camera:
+            section.azimuth.set_value(signed_deg(new.camera.azimuth_deg))
+            section.elevation.set_value(new.camera.elevation_deg)
+            section.focal_length.set_value(new.camera.focal_length_mm)

@@ -1,16 +1,41 @@
-"""From where the surface is seen."""
+"""From where the surface is seen; azimuth 0 is in front (+z), growing counter-clockwise seen from above."""
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from dataclasses import replace
+
+from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.number import NumberField
-from brdf_qt.program.translation import tr
+from brdf_qt.fields.number import NumberField, reach_of
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QGridLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from brdf_suite.documents.view import PARAMETERS, Camera
+
+PRESETS: dict[str, tuple[str, float, float]] = {
+    "front": (mark("Front"), 0.0, 6.0),
+    "three_quarter": (mark("¾ view"), 35.0, 7.0),
+    "side": (mark("Side"), 90.0, 4.0),
+    "top": (mark("Top"), 0.0, 89.0),
+}
+"""Key: title, azimuth and elevation in degrees; the first is on key 1."""
+
+
+def look_from(camera: Camera, preset: str) -> Camera:
+    """Return the camera at a preset, framing the whole object with its present lens."""
+    _, azimuth, elevation = PRESETS[preset]
+    return replace(camera, azimuth_deg=azimuth, elevation_deg=elevation, distance=None, target=None)
+
+
+def signed_deg(angle_deg: float) -> float:
+    """Return the same angle from -180 (excluded) to 180.
+
+    >>> signed_deg(350.0), signed_deg(180.0)
+    (-10.0, 180.0)
+    """
+    return 180.0 - (180.0 - angle_deg) % 360.0
 
 
 class CameraSection(Section):
@@ -18,35 +43,17 @@ class CameraSection(Section):
 
     preset_chosen = Signal(str)
 
-    def __init__(self, presets: dict[str, str], parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Camera"), "camera", parent)
         buttons = QWidget()
-        row = QGridLayout(buttons)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        self.presets = QButtonGroup(self)
-        self.presets.setExclusive(False)
-        for index, (key, title) in enumerate(presets.items()):
-            button = QToolButton()
-            button.setText(tr(title))
-            button.setObjectName(f"preset_{key}")
-            button.setToolTip(
-                plain_tip(tr("View: {view} ({key})").format(view=tr(title).lower(), key=index + 1))
-            )
-            button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
-            button.clicked.connect(lambda _=False, key=key: self.preset_chosen.emit(key))
-            self.presets.addButton(button)
-            row.addWidget(button, 0, index)
-        start = Camera()
+        self.presets = [self._preset_button(number, key) for number, key in enumerate(PRESETS, 1)]
+        fill_row(buttons, *self.presets, spacing=4, even=True)
+        start, speed = Camera(), PARAMETERS["turntable_deg_s"]
         self.azimuth = NumberField(tr("Azimuth"), "°", -180.0, 180.0, 1.0, 1, start.azimuth_deg)
         self.azimuth.setWrapping(True)
         self.elevation = NumberField(tr("Elevation"), "°", -89.0, 89.0, 1.0, 1, start.elevation_deg)
-        focal_length = start.focal_length_mm
-        self.focal_length = NumberField(tr("Focal length"), "mm", 12.0, 400.0, 1.0, 0, focal_length)
-        speed = PARAMETERS["turntable_deg_s"]
-        self.turntable = NumberField(
-            tr("Turntable"), speed.unit, speed.low, speed.high, 1.0, 1, speed.default
-        )
+        self.focal_length = NumberField(tr("Focal length"), "mm", 12.0, 400.0, 1.0, 0, start.focal_length_mm)
+        self.turntable = NumberField(tr("Turntable"), *reach_of(speed, 1.0, 1))
         form = Form()
         form.add_wide(buttons)
         form.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["camera.azimuth_deg"].meaning))
@@ -55,3 +62,13 @@ class CameraSection(Section):
         tip = tr("{meaning}; negative reverses. Space on the picture starts and stops it")
         form.add_row(tr("Turntable"), self.turntable, tip.format(meaning=tr(speed.meaning)))
         self.add(form)
+
+    def _preset_button(self, number: int, key: str) -> QToolButton:
+        title = tr(PRESETS[key][0])
+        button = QToolButton()
+        button.setText(title)
+        button.setObjectName(f"preset_{key}")
+        button.setToolTip(plain_tip(tr("View: {view} ({key})").format(view=title.lower(), key=number)))
+        button.setSizePolicy(button.sizePolicy().Policy.Expanding, button.sizePolicy().Policy.Fixed)
+        button.clicked.connect(lambda _=False: self.preset_chosen.emit(key))
+        return button

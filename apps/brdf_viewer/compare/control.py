@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtWidgets import QWidget
@@ -21,11 +21,12 @@ from brdf_suite.pipeline.material import is_file, paint_names
 from brdf_suite.realtime.pictures.comparison import ComparedPicture, divider_px
 from brdf_viewer.compare.divider_gesture import DividerGesture
 from brdf_viewer.compare.frozen_paints import freeze, frozen_title, touch
+from brdf_viewer.documents.file_kinds import AskFile
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.source_chooser import Source, title_of
+from brdf_viewer.fields.inspector import Source, set_note, title_of
 from brdf_viewer.overlay.overlay import OverlayLabel, Scale
 from brdf_viewer.scene.viewer_state import OWN_KEY, RealTimePicture, ViewerState
-from brdf_viewer.traced.words import RENDERER_TITLES
+from brdf_viewer.traced.section import RENDERER_TITLES
 from brdf_viewer.window import ViewerWindow
 
 if TYPE_CHECKING:
@@ -33,50 +34,43 @@ if TYPE_CHECKING:
 
 KIND = "compare"
 _OFFER = "no second paint"
+_TODO = mark("Choose another paint as B, or freeze the current one.")
 _OF = {"light": mark("of the light, before the tone curve"), "picture": mark("of the picture, as shown")}
-Ask = Callable[[QWidget, str], str]
 
 
 class CompareControl(ViewerFeature):
     """Keeps the viewer state's second paint and the window in step with ``view.compare``."""
 
-    def __init__(self, state: ViewerState, window: ViewerWindow, runner: TaskRunner, ask: Ask) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow, runner: TaskRunner, ask: AskFile) -> None:
         super().__init__(state, window)
         self._runner, self._ask = runner, ask
         self._names = paint_names()
         self._recent = RecentFiles(f"recent/{KIND}")
         self._loading: str | None = None
-        self._listed = False
         self._before_blink = "off"
         self._blink = make_timer(self, self.flip, single_shot=False)
         self._blinking = False
-        self._gesture: DividerGesture | None = None
         section, commands = window.compare, window.commands
-        section.mode.picked.connect(self.set_mode)
-        section.freeze.clicked.connect(self.freeze)
+        for box in (section.mode, commands.compare):
+            box.picked.connect(self.set_mode)
+        for signal in (section.freeze.clicked, commands.freeze.triggered):
+            signal.connect(self.freeze)
         section.chooser.chosen.connect(self.choose)
         section.chooser.browse_requested.connect(self._browse)
         section.basis.picked.connect(lambda key: self._change(basis=key))
         section.divider.edited.connect(lambda percent: self._change(divider=percent / 100.0))
         section.rate.edited.connect(lambda rate: self._change(rate_hz=rate))
         section.scale.edited.connect(lambda end: self._change(scale_delta_e=end))
-        commands.compare_requested.connect(self.set_mode)
-        commands.blink_requested.connect(self.toggle_blink)
-        commands.flip_requested.connect(self._flip_by_hand)
-        commands.freeze_requested.connect(self.freeze)
+        commands.blink.triggered.connect(self.toggle_blink)
+        commands.flip.triggered.connect(self._flip_by_hand)
         window.busy_cancelled.connect(self._cancel)
-        window.picture.canvas_changed.connect(self._listen)
+        window.picture.canvas_changed.connect(self._listen_again)
         state.view_changed.connect(self._view_changed)
         state.contents_changed.connect(self._show)
         state.traced_changed.connect(self._traced_changed)
         self._list()
-        self._listen(window.picture.canvas)
+        self._gesture = self._listen(window.picture.canvas)
         self._view_changed(None, state.view)
-
-    @property
-    def loading(self) -> str | None:
-        """The key of the second paint that is on its way; None where none is."""
-        return self._loading
 
     def set_mode(self, mode: str) -> None:
         """Show A and B in this way; without a B, say how to get one."""
@@ -93,18 +87,15 @@ class CompareControl(ViewerFeature):
 
     def freeze(self) -> None:
         """Keep the paint on show, as it is now, as B."""
-        if self._state.fit is None:
+        state = self._state
+        if state.fit is None:
             return
+        second = None if state.second is None else state.second.key
+        used = (state.view.compare.paint, second, state.paint_key)
         try:
-            second = self._state.second
-            used = (
-                self._state.view.compare.paint,
-                None if second is None else second.key,
-                self._state.paint_key,
-            )
-            key = freeze(self._state.paint, self._state.paint_key, used)
+            key = freeze(state.paint, state.paint_key, used)
         except SuiteError as error:
-            self._report(error)
+            self._report(error, KIND, tr(_TODO))
             return
         self.choose(key)
 
@@ -125,15 +116,12 @@ class CompareControl(ViewerFeature):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no second paint is being loaded."""
         return self._loading is None
 
     def close(self) -> None:
-        """Blink no more."""
         self._blink.stop()
 
     def _flip_by_hand(self) -> None:
-        """Show the other one and stay with it."""
         if self._state.view.compare.mode != "blink":
             self.toggle_blink()
         elif self._state.compared is not None:
@@ -141,14 +129,13 @@ class CompareControl(ViewerFeature):
         self._blink.stop()
 
     def _change(self, **fields: Any) -> None:
-        self._state.change_view(compare=dataclasses.replace(self._state.view.compare, **fields))
+        self._state.change_part("compare", **fields)
 
     def _view_changed(self, old: View | None, new: View) -> None:
         if old is not None and old.compare == new.compare:
             return
         if new.compare.paint is None:
-            self._runner.cancel(KIND)
-            self._ended()
+            self._end()
             self._state.set_second(None)
         elif self._state.second is None or self._state.second.key != new.compare.paint:
             self._load(new.compare.paint)
@@ -160,19 +147,12 @@ class CompareControl(ViewerFeature):
         if key == self._loading:
             return
         self._loading = key
-        self._window.messages.dismiss(KIND)
         self._window.set_busy(KIND, 0.0, f"B: {_title(key)}")
-        self._runner.submit(
-            KIND,
-            load_compared,
-            key,
-            done=lambda value: self._loaded(key, value),
-            failed=self._failed,
-            progress=lambda fraction, what: self._window.set_busy(KIND, fraction, f"B: {what}"),
-        )
+        loaded = partial(self._loaded, key)
+        self._run(self._runner, KIND, load_compared, key, loaded, self._failed, "B: ")
 
     def _loaded(self, key: str, value: LobeFit | ComparedPicture) -> None:
-        self._ended()
+        self._loading = None
         if key not in self._names:
             self._recent.add(key)
             self._list()
@@ -180,38 +160,33 @@ class CompareControl(ViewerFeature):
         self._state.set_second(key, value)
 
     def _failed(self, error: Exception) -> None:
-        self._ended()
-        self._report(error)
+        self._loading = None
+        self._report(error, KIND, tr(_TODO))
         self._keep_present()
 
     def _cancel(self, kind: str) -> None:
         if kind == KIND and self._loading is not None:
-            self._runner.cancel(KIND)
-            self._ended()
+            self._end()
             self._keep_present()
+
+    def _end(self) -> None:
+        self._loading = None
+        self._runner.cancel(KIND)
+        self._window.set_idle(KIND)
 
     def refused(self, error: Exception) -> None:
         """The graphics card did not take B."""
         self._state.set_second(None)
-        self._report(error)
+        self._report(error, KIND, tr(_TODO))
         self._keep_present()
 
     def _keep_present(self) -> None:
         """Another B cannot be had: the view names again the one that there is."""
         present = self._state.second
-        compare = dataclasses.replace(
-            self._state.view.compare, paint=None if present is None else present.key
-        )
+        compare = self._state.view.compare
+        compare = dataclasses.replace(compare, paint=None if present is None else present.key)
         self._state.follow_view(compare=compare)
         self._show()
-
-    def _ended(self) -> None:
-        self._loading = None
-        self._window.set_idle(KIND)
-
-    def _report(self, error: Exception) -> None:
-        todo = tr("Choose another paint as B, or freeze the current one.")
-        self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _offer(self) -> None:
         message = Message(
@@ -227,12 +202,16 @@ class CompareControl(ViewerFeature):
         if path:
             self.choose(path)
 
-    def _listen(self, canvas: QWidget) -> None:
-        self._gesture = DividerGesture(canvas)
-        self._gesture.moved.connect(lambda share: self._change(divider=share))
-        self._gesture.started.connect(self._state.history.begin)
-        self._gesture.finished.connect(self._state.history.end)
+    def _listen_again(self, canvas: QWidget) -> None:
+        self._gesture = self._listen(canvas)
         self._show()
+
+    def _listen(self, canvas: QWidget) -> DividerGesture:
+        gesture = DividerGesture(canvas)
+        gesture.moved.connect(lambda share: self._change(divider=share))
+        gesture.started.connect(self._state.history.begin)
+        gesture.finished.connect(self._state.history.end)
+        return gesture
 
     def _traced_changed(self) -> None:
         if self._listed != (self._state.renderer != "realtime"):
@@ -253,15 +232,14 @@ class CompareControl(ViewerFeature):
         key = self._loading or compare.paint
         window.compare.show_compare(compare)
         window.compare.chooser.show_source(key or "", "" if key is None else _title(key))
-        window.compare.set_facts("\n".join(second_facts(second.value)) if second is not None else "")
-        window.commands.show_compare(compare.mode)
+        set_note(window.compare.facts, "" if second is None else "\n".join(second_facts(second.value)))
+        window.commands.compare.show_choice(compare.mode)
         if second is not None or compare.mode == "off":
             window.messages.dismiss(_OFFER)
         shown = compare.mode if second is not None else "off"
         self._set_blinking(shown == "blink", compare.rate_hz)
         divider = compare.divider if shown == "swipe" else None
-        if self._gesture is not None:
-            self._gesture.set_divider(divider)
+        self._gesture.set_divider(divider)
         if second is None or state.fit is None:
             window.overlay.show_labels((), None, None)
             return

@@ -43,9 +43,7 @@ def freeze(paint: AnyPaint | None, key: str, used: Collection[str | None] = ()) 
 def touch(key: str) -> None:
     """A paint is on show: where it is a frozen one it is young again."""
     if frozen_title(key) is not None:
-        with contextlib.suppress(
-            OSError
-        ):  # a file that is gone, or of a disk that is read only, is reported elsewhere
+        with contextlib.suppress(OSError):  # a file that is gone or read-only is reported elsewhere
             os.utime(key)
 
 

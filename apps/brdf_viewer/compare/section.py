@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QPushButton, QWidget
 
 from brdf_suite.documents.view_settings import PARAMETERS, Compare
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.fields.source_chooser import SourceChooser
+from brdf_viewer.fields.inspector import ChoiceBox, SourceChooser, note
 
 MODE_TITLES = {
     "off": mark("Off"),
@@ -45,24 +43,23 @@ class CompareSection(Section):
         self.freeze.setToolTip(tr("Keep the current paint as B while A changes (Ctrl+B)"))
         divider, rate, scale = (PARAMETERS[f"compare.{n}"] for n in ("divider", "rate_hz", "scale_delta_e"))
         self.divider = NumberField(tr("Divider"), "%", 0.0, 100.0, 1.0, 1, 100.0 * divider.default)
-        self.rate = NumberField(tr("Rate"), rate.unit, rate.low, rate.high, 0.1, 1, rate.default)
-        self.scale = NumberField(tr("Maximum"), scale.unit, scale.low, scale.high, 0.5, 1, scale.default)
+        self.rate = NumberField(tr("Rate"), *reach_of(rate, 0.1, 1))
+        self.scale = NumberField(tr("Maximum"), *reach_of(scale, 0.5, 1))
         self.basis = ChoiceBox(BASIS_TITLES, BASIS_TIPS)
         self.facts = note()
         form = Form()
         form.add_row(tr("Show"), self.mode, tr("Comparison of A and B; press B to blink"))
-        form.add_row(
-            tr("Second (B)"), self.chooser, tr("Paint or picture that the current paint is compared with")
-        )
+        tip = tr("Paint or picture that the current paint is compared with")
+        form.add_row(tr("Second (B)"), self.chooser, tip)
         form.add_row("", self.freeze)
-        self._rows: dict[str, list[tuple[QWidget, QWidget]]] = {
-            "swipe": [(form.add_row(tr("Divider"), self.divider, tr(divider.meaning)), self.divider)],
-            "blink": [(form.add_row(tr("Rate"), self.rate, tr(rate.meaning)), self.rate)],
-            "difference": [
-                (form.add_row(tr("Basis"), self.basis, tr("Colours whose difference is shown")), self.basis),
-                (form.add_row(tr("Maximum"), self.scale, tr(scale.meaning)), self.scale),
-            ],
-        }
+        self._shown_in: dict[QWidget, str] = {}
+        for mode, label, field, tip in (
+            ("swipe", tr("Divider"), self.divider, tr(divider.meaning)),
+            ("blink", tr("Rate"), self.rate, tr(rate.meaning)),
+            ("difference", tr("Basis"), self.basis, tr("Colours whose difference is shown")),
+            ("difference", tr("Maximum"), self.scale, tr(scale.meaning)),
+        ):
+            self._shown_in |= {form.add_row(label, field, tip): mode, field: mode}
         form.add_wide(self.facts)
         self.add(form)
         self.show_compare(Compare())
@@ -74,11 +71,5 @@ class CompareSection(Section):
         self.divider.set_value(100.0 * compare.divider)
         self.rate.set_value(compare.rate_hz)
         self.scale.set_value(compare.scale_delta_e)
-        for mode, rows in self._rows.items():
-            for label, field in rows:
-                label.setVisible(mode == compare.mode)
-                field.setVisible(mode == compare.mode)
-
-    def set_facts(self, text: str) -> None:
-        """Say what there is to know of B, or of the difference."""
-        set_note(self.facts, text)
+        for widget, mode in self._shown_in.items():
+            widget.setVisible(mode == compare.mode)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,27 +16,15 @@ from brdf_suite.documents.studio import STUDIO_ENDING
 from brdf_suite.files.images.relief import IMAGE_ENDINGS
 from brdf_suite.files.meshes.reading import MESH_ENDINGS
 
+_MEASURED = (".alta", ".astm", ".bin", ".binary", ".brdf", ".brdftable", ".bsdf", ".dat", ".json", ".txt")
+"""They stand here and are not asked of their readers, which are much to import."""
 ENDINGS: dict[str, tuple[str, ...]] = {
-    "paint": (
-        PAINT_ENDING,
-        ".alta",
-        ".astm",
-        ".bin",
-        ".binary",
-        ".brdf",
-        ".brdftable",
-        ".bsdf",
-        ".dat",
-        ".json",
-        ".txt",
-    ),
+    "paint": (PAINT_ENDING, *_MEASURED),
     "palette": (PALETTE_ENDING,),
     "view": (VIEW_ENDING,),
     "environment": (".exr", ".hdr", STUDIO_ENDING),
     "surface": MESH_ENDINGS,
 }
-"""The measured ones among the paints stand here and are not asked of their readers, which are much to import."""
-
 TITLES = {
     "paint": mark("Paint or Measured File"),
     "palette": mark("Palette"),
@@ -56,8 +45,11 @@ ASKED: dict[str, tuple[str, ...]] = {
 }
 
 AskFile = Callable[[QWidget, str], str]
+"""Asks for a file of a kind to open; empty where the user gives none."""
 AskPicture = Callable[[QWidget, str], str]
-PICTURE_ENDING = ".png"
+"""Asks where to save a picture of that name; empty where nowhere."""
+AskTarget = Callable[[QWidget, str, str, str], str]
+"""Asks where to write: the window, a suggested name, what it is, the ending (empty: a folder); empty where nowhere."""
 
 
 def kind_of(path: str) -> str | None:
@@ -73,30 +65,58 @@ def all_endings() -> str:
 
 def ask_file(parent: QWidget, kind: str) -> str:
     """Ask for a file of a kind, starting where the last one was; empty where the user gives none."""
+    title = tr(TITLES[kind])
     patterns = " ".join(f"*{ending}" for ending in ASKED[kind])
-    start = str(settings().value(f"folder/{kind}", ""))
-    path, _ = QFileDialog.getOpenFileName(
-        parent,
-        tr("Open: {what}").format(what=tr(TITLES[kind])),
-        start,
-        f"{tr(TITLES[kind])} ({patterns});;" + tr("All files (*)"),
-    )
-    if path:
-        settings().setValue(f"folder/{kind}", str(Path(path).parent))
-    return path
+    forms = f"{title} ({patterns});;" + tr("All files (*)")
+    return ask_open(parent, tr("Open: {what}").format(what=title), forms, kind)
 
 
 def ask_picture(parent: QWidget, name: str) -> str:
-    """Ask where to save a picture called ``name``, starting where the last one was; empty where nowhere."""
-    start = Path(str(settings().value("folder/picture", "")))
-    dialog = QFileDialog(parent, tr("Save Picture"), str(start), tr("PNG picture (*.png)"))
+    """Ask where to save the picture called ``name`` as PNG; empty where nowhere."""
+    return ask_save(parent, tr("Save Picture"), name, tr("PNG picture (*.png)"), ".png", "picture")
+
+
+def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
+    """Ask where to export to, see :data:`AskTarget`."""
+    form = f"{tr(title)} (*{ending})" if ending else tr("New folder")
+    return ask_save(parent, tr("Export"), name, form, ending, "export")
+
+
+def ask_open(parent: QWidget, title: str, forms: str, kind: str) -> str:
+    """Ask for a file of the dialog's ``forms``, starting where the last one of that kind was; empty where none."""
+    path, _ = QFileDialog.getOpenFileName(parent, title, _folder(kind), forms)
+    return _remember(path, kind)
+
+
+def ask_save(parent: QWidget, title: str, name: str, form: str, ending: str, kind: str) -> str:
+    """Ask where to save what is called ``name``, starting where the last one of that kind was; empty where nowhere."""
+    dialog = QFileDialog(parent, title, _folder(kind), form)
     dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-    # Added by the dialog and not afterwards, so that it asks about the file that is really written.
-    dialog.setDefaultSuffix(PICTURE_ENDING)
-    dialog.selectFile(name + PICTURE_ENDING)
+    if ending:
+        # Added by the dialog and not afterwards, so that it asks about the file that is really written.
+        dialog.setDefaultSuffix(ending)
+    dialog.selectFile(name + ending)
     accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
     path = dialog.selectedFiles()[0] if accepted else ""
     dialog.deleteLater()
+    return _remember(path, kind)
+
+
+def file_name(name: str, other: str) -> str:
+    """Return a name with what a file's name cannot hold replaced; ``other`` where nothing is left of it."""
+    return re.sub(r"[^\w\- ]+", "_", name).strip(" _") or other
+
+
+def with_ending(path: Path, ending: str) -> Path:
+    """Return the path with ``ending`` where its name has none."""
+    return path if path.suffix or not ending else path.with_name(path.name + ending)
+
+
+def _folder(kind: str) -> str:
+    return str(settings().value(f"folder/{kind}", ""))
+
+
+def _remember(path: str, kind: str) -> str:
     if path:
-        settings().setValue("folder/picture", str(Path(path).parent))
+        settings().setValue(f"folder/{kind}", str(Path(path).parent))
     return path

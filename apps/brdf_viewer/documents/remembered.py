@@ -22,28 +22,24 @@ if TYPE_CHECKING:
 
 T = TypeVar("T", bound="DataclassInstance")
 _FIELDS = (
-    "environment",
-    "surface",
     "tone_curve",
     "background",
     "environment_layout",
     "fresnel",
     "look_up",
     "lamp_shading",
+    "turntable_deg_s",
 )
-
-
-_COMPARE = ("rate_hz", "scale_delta_e", "basis")
-_SPARKLE = ("mode", "light_count", "strength")
-_SURFACE_LOOK = ("occlusion", "ground")
-
-
-_PARTS = {"compare": _COMPARE, "sparkle": _SPARKLE, "surface_look": _SURFACE_LOOK}
+_PARTS = {
+    "compare": ("rate_hz", "scale_delta_e", "basis"),
+    "sparkle": ("mode", "light_count", "strength"),
+    "surface_look": ("occlusion", "ground"),
+}
 
 
 def remember(store: QSettings, view: View) -> None:
     """Keep what is worth it."""
-    for name in (*_FIELDS, "turntable_deg_s"):
+    for name in ("environment", "surface", *_FIELDS):
         store.setValue(f"view/{name}", getattr(view, name))
     store.setValue("view/background_colour", " ".join(f"{value:.6g}" for value in view.background_colour))
     for group, names in _PARTS.items():
@@ -53,23 +49,17 @@ def remember(store: QSettings, view: View) -> None:
 
 def recall(store: QSettings) -> View:
     """Return the default view with what was remembered; what is gone or damaged is left at its default."""
-    view = default_view()
-    names = {"environment": environment_names(), "surface": surface_names()}
-    for field in _FIELDS:
-        value = store.value(f"view/{field}")
-        if value is None or (field in names and value not in names[field] and not Path(str(value)).is_file()):
-            continue
-        try:
-            view = dataclasses.replace(view, **{field: value})
-        except ValueRangeError:
-            continue  # an edited settings file, or one of another version
-    view = _with(view, store, "view", ("turntable_deg_s", "background_colour"))
+    default = view = default_view()
+    shipped = environment_names()
+    for field, names in (("environment", shipped), ("surface", surface_names())):
+        found = str(store.value(f"view/{field}", ""))
+        if found in names or Path(found).is_file():
+            view = _with(view, store, "view", (field,))
+    view = _with(view, store, "view", (*_FIELDS, "background_colour"))
     for group, parts in _PARTS.items():
         view = dataclasses.replace(view, **{group: _with(getattr(view, group), store, group, parts)})
-    if view.environment in names["environment"]:
-        view = dataclasses.replace(
-            view, environment_layout=default_view().environment_layout
-        )  # of a file that is gone
+    if view.environment in shipped:  # the layout is that of a file, which is gone
+        view = dataclasses.replace(view, environment_layout=default.environment_layout)
     return view
 
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from brdf_qt.documents.recent_files import RecentFiles
+from brdf_qt.documents.recent_files import RecentFiles, folder_beside
 from brdf_qt.documents.stamp import FileStamp, stamp_of
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs, Overwrite
-from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QStandardPaths
+from brdf_qt.window.message_bar import Message
 
 from brdf_suite.documents.store import VIEW_ENDING, load_view, save_view
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import resolve
+from brdf_viewer.documents.file_kinds import with_ending
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -31,16 +31,12 @@ class ViewFiles(ViewerFeature):
         super().__init__(state, window)
         self._dialogs = dialogs
         self._recent = RecentFiles(f"recent/{KIND}")
-        self._path: Path | None = None
-        self._stamp: FileStamp | None = None
-        window.commands.view_save_requested.connect(self.save)
-        window.commands.view_save_as_requested.connect(self.save_as)
-        self._list()
-
-    @property
-    def path(self) -> Path | None:
+        self.path: Path | None = None
         """The file that Save writes to; None before the first one."""
-        return self._path
+        self._stamp: FileStamp | None = None
+        window.commands.save_view.triggered.connect(self.save)
+        window.commands.save_view_as.triggered.connect(self.save_as)
+        self._list()
 
     def open(self, path: str | None = None) -> bool:
         """Show the view in a file, asking for one where none is given; True where that was done."""
@@ -54,7 +50,7 @@ class ViewFiles(ViewerFeature):
         try:
             view = load_view(file)
         except SuiteError as error:
-            self._report(error, tr("The picture is unchanged. Choose another view."))
+            self._report(error, KIND, tr("The picture is unchanged. Choose another view."))
             return False
         self._take(file, stamp)
         history = self._state.history
@@ -66,28 +62,26 @@ class ViewFiles(ViewerFeature):
 
     def save(self) -> bool:
         """Write the view to its file, or ask for one; True where it was written."""
-        if self._path is None:
+        if self.path is None:
             return self.save_as()
-        present = stamp_of(self._path)
+        present = stamp_of(self.path)
         if present is not None and (self._stamp is None or not present.same_content(self._stamp)):
-            answer = self._dialogs.changed_file(self._path)
+            answer = self._dialogs.changed_file(self.path)
             if answer is not Overwrite.OVERWRITE:
                 return answer is Overwrite.SAVE_AS and self.save_as()
-        return self._write(self._path)
+        return self._write(self.path)
 
     def save_as(self) -> bool:
         """Ask for a file and write the view to it; True where it was written."""
-        suggested = self._path or self._folder() / f"view{VIEW_ENDING}"
+        suggested = self.path or self._folder() / f"view{VIEW_ENDING}"
         path = self._dialogs.save_path(suggested, _filters())
-        if path is None:
-            return False
-        return self._write((path if path.suffix else path.with_name(path.name + VIEW_ENDING)).absolute())
+        return path is not None and self._write(with_ending(path, VIEW_ENDING).absolute())
 
     def _write(self, path: Path) -> bool:
         try:
             save_view(self._seen(), path)
         except SuiteError as error:
-            self._report(error, tr("Choose another name or folder."))
+            self._report(error, KIND, tr("Choose another name or folder."))
             return False
         self._take(path, stamp_of(path))
         self._window.status.showMessage(tr("Saved: {path}").format(path=path.name), _MESSAGE_MS)
@@ -99,32 +93,22 @@ class ViewFiles(ViewerFeature):
 
     def _seen(self) -> View:
         """The view with its camera where it stands: a picture of it elsewhere is framed as it is here."""
-        view, state = self._state.view, self._state
+        state, view = self._state, self._state.view
         if state.surface is None:
             return view
-        camera = resolve(view.camera, state.bounds, self._window.picture.device_size)
-        return replace(view, camera=camera)
+        return replace(view, camera=resolve(view.camera, state.bounds, self._window.picture.device_size))
 
     def _take(self, path: Path, stamp: FileStamp | None) -> None:
-        self._path, self._stamp = path, stamp
+        self.path, self._stamp = path, stamp
         self._window.messages.dismiss(KIND)
         self._recent.add(str(path))
         self._list()
-
-    def _report(self, error: SuiteError, todo: str) -> None:
-        self._window.messages.show_message(message_of(error, KIND, todo=todo))
 
     def _list(self) -> None:
         self._window.commands.set_recent(KIND, self._recent.paths())
 
     def _folder(self) -> Path:
-        if self._path is not None:
-            return self._path.parent
-        recent = self._recent.paths()
-        if recent:
-            return Path(recent[0]).parent
-        documents = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.DocumentsLocation)
-        return Path(documents) if Path(documents).is_dir() else Path.home()
+        return folder_beside(self.path, self._recent.paths())
 
 
 def _filters() -> str:

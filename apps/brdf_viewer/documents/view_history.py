@@ -6,8 +6,8 @@ to know when a drag begins. Callers that know it call :meth:`ViewHistory.begin`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import fields
+from typing import Any
 
 from brdf_qt.documents.open_document import DocumentStore
 from brdf_qt.program.translation import mark, tr
@@ -72,7 +72,6 @@ class ViewHistory(QObject):
 
     @property
     def value(self) -> View:
-        """The view as it is now."""
         return self._store.value
 
     @property
@@ -139,12 +138,10 @@ class ViewHistory(QObject):
         self._store.set(after, name)
 
     def undo(self) -> None:
-        """Take the newest step back."""
         self.end()
         self._store.undo()
 
     def redo(self) -> None:
-        """Do the step again that was taken back last."""
         self.end()
         self._store.redo()
 
@@ -161,20 +158,18 @@ def changed_fields(old: View, new: View) -> tuple[str, ...]:
     >>> changed_fields(View(), View(exposure_ev=1.0))
     ('exposure_ev',)
     """
-    return tuple(_changed(old, new))
-
-
-def _changed(old: View, new: View) -> Iterator[str]:
-    for field in fields(View):
-        before, after = getattr(old, field.name), getattr(new, field.name)
-        if before == after:
-            continue
-        if field.name in PARTS and field.name != "camera":
-            for inner in fields(before):
-                if getattr(before, inner.name) != getattr(after, inner.name):
-                    yield f"{field.name}.{inner.name}"
+    names: list[str] = []
+    for name in _differing(old, new):
+        if name in PARTS and name != "camera":
+            names += [f"{name}.{inner}" for inner in _differing(getattr(old, name), getattr(new, name))]
         else:
-            yield field.name
+            names.append(name)
+    return tuple(names)
+
+
+def _differing(old: Any, new: Any) -> list[str]:
+    names = [field.name for field in fields(old)]
+    return [name for name in names if getattr(old, name) != getattr(new, name)]
 
 
 def step_name(names: tuple[str, ...]) -> str:

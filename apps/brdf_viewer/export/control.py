@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
-import re
-from collections.abc import Callable
 from pathlib import Path
 
-from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtWidgets import QFileDialog, QWidget
+from brdf_qt.window.message_bar import Message
+from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
 from brdf_suite.realtime.camera import frame, resolve
+from brdf_viewer.documents.file_kinds import AskTarget, ask_open, ask_target, file_name, with_ending
 from brdf_viewer.export.dialog import ExportDialog
-from brdf_viewer.export.job import ExportJob, ExportSettings
-from brdf_viewer.export.process import ExportProcess
+from brdf_viewer.export.job import ExportJob, ExportProcess, ExportSettings
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -26,94 +23,58 @@ from brdf_viewer.window import ViewerWindow
 KIND = "export"
 _MESSAGE_MS = 8000
 
-AskTarget = Callable[[QWidget, str, str, str], str]
-"""Asks where to write: the window, a suggested name, what it is, the ending (empty: a folder)."""
-AskSource = Callable[[QWidget], str]
-
-
-def ask_target(parent: QWidget, name: str, title: str, ending: str) -> str:
-    """Ask where to export to, starting where the last one went; empty where nowhere."""
-    folder = Path(str(settings().value("folder/export", "")))
-    form = f"{tr(title)} (*{ending})" if ending else tr("New folder")
-    dialog = QFileDialog(parent, tr("Export"), str(folder), form)
-    dialog.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-    if ending:
-        dialog.setDefaultSuffix(ending)
-    dialog.selectFile(name + ending)
-    accepted = dialog.exec() == QFileDialog.DialogCode.Accepted
-    path = dialog.selectedFiles()[0] if accepted else ""
-    dialog.deleteLater()
-    if path:
-        settings().setValue("folder/export", str(Path(path).parent))
-    return path
-
 
 def ask_source(parent: QWidget) -> str:
     """Ask for a palette, or for a folder by any paint in it; empty where the user gives none."""
-    folder = str(settings().value("folder/palette", ""))
     forms = tr("Palettes") + f" (*{PALETTE_ENDING});;" + tr("A paint: all paints of its folder (*.brdfpaint)")
-    path, _ = QFileDialog.getOpenFileName(parent, tr("Paints of the Sheet"), folder, forms)
-    if not path:
-        return ""
-    settings().setValue("folder/palette", str(Path(path).parent))
-    return path if path.lower().endswith(PALETTE_ENDING) else str(Path(path).parent)
+    path = ask_open(parent, tr("Paints of the Sheet"), forms, "palette")
+    return path if not path or path.lower().endswith(PALETTE_ENDING) else str(Path(path).parent)
 
 
 class ExportControl(ViewerFeature):
     """File ▸ Export: the dialog, then one export at a time."""
 
-    def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        *,
-        target: AskTarget = ask_target,
-        source: AskSource = ask_source,
-    ) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
-        self.ask = target
+        self.ask: AskTarget = ask_target
         self.process: ExportProcess | None = None
         self._given_up = False
-        self.dialog = ExportDialog(lambda: window.picture.device_size, source, window)
+        self.dialog = ExportDialog(lambda: window.picture.device_size, ask_source, window)
         self.dialog.export_requested.connect(self.export)
         window.commands.export_requested.connect(self.dialog.open_for)
         window.busy_cancelled.connect(self._cancelled_by_user)
 
     @property
     def running(self) -> bool:
-        """Whether an export runs."""
         return self.process is not None
 
     def export(self, wanted: ExportSettings) -> None:
         """Ask for the file and begin; errors are reported in the window."""
         if self.running:
             return
-        messages = self._window.messages
         fit = self._state.fit
         if fit is None or self._state.surface is None or not self._state.is_complete:
             todo = tr("Wait until paint, surface and environment are loaded, then export.")
-            messages.show_message(Message(KIND, tr("There is no picture yet."), todo=todo, severity="error"))
+            self._refuse(KIND, tr("There is no picture yet."), todo)
             return
         if self._state.edited_light:
             todo = tr("Save it with File ▸ Studio ▸ Save Studio, then export.")
             what = tr("The light has unsaved changes, which an export would not include.")
-            messages.show_message(Message(KIND, what, todo=todo, severity="error"))
+            self._refuse(KIND, what, todo)
             return
         # As it is when the user asks: the paint may change while the dialog is open.
         view, paint, key = self._view(wanted), self._state.paint, self._state.paint_key
         stem = Path(wanted.source).stem if wanted.kind == "sheet" else fit.name
-        name = re.sub(r"[^\w\- ]+", "_", stem).strip(" _") or wanted.kind
+        name = file_name(stem, wanted.kind)
         chosen = self.ask(self.dialog, name, wanted.form.title, wanted.form.ending)
         if not chosen:
             return
-        path = Path(chosen)
-        if wanted.form.ending and not path.suffix:
-            path = path.with_name(path.name + wanted.form.ending)
-        messages.dismiss(KIND)
+        path = with_ending(Path(chosen), wanted.form.ending)
+        self._window.messages.dismiss(KIND)
         try:
             job = ExportJob(wanted, path, view, paint, key)
         except (SuiteError, OSError) as error:
-            messages.show_message(message_of(error, KIND))
+            self._report(error, KIND)
             return
         self.process = process = ExportProcess(job, self)
         process.moved.connect(lambda fraction, what: self._show(fraction, f"{path.name}: {what}"))
@@ -126,18 +87,16 @@ class ExportControl(ViewerFeature):
         process.start()
 
     def close(self) -> None:
-        """Stop what runs: the Viewer is closing."""
         if self.process is not None:
             self.process.stop()
 
     def _view(self, wanted: ExportSettings) -> View:
         view = self._state.exposed_view
+        camera = view.camera
         if wanted.kind == "picture":
-            camera = resolve(view.camera, self._state.bounds, self._window.picture.device_size)
+            camera = resolve(camera, self._state.bounds, self._window.picture.device_size)
         elif wanted.kind == "sheet":
-            camera = frame(view.camera)
-        else:
-            camera = view.camera
+            camera = frame(camera)
         return dataclasses.replace(view, camera=camera)
 
     def _show(self, fraction: float, what: str) -> None:

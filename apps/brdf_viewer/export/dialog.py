@@ -4,25 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_row
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QHBoxLayout,
-    QLineEdit,
-    QPushButton,
-    QSpinBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
 from brdf_suite.output.picture_file import colour_space_title
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
-from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.fields.inspector import note, set_note
 
 _SIZES = {
     "picture": ((1280, 720), (1920, 1080), (3840, 2160), (7680, 4320), (16384, 9216)),
@@ -76,7 +67,7 @@ class ExportDialog(QDialog):
         self.browse_button = QPushButton(tr("Choose…"))
         self.export_button = QPushButton(tr("Export…"), default=True)
         self._message = note()
-        self._rows: dict[str, list[QWidget]] = {}
+        self._rows: dict[QWidget, tuple[str, ...]] = {}
         self._busy = False
         self._build()
         self.kind.currentIndexChanged.connect(self._show_kind)
@@ -89,7 +80,6 @@ class ExportDialog(QDialog):
         self._show_kind()
 
     def open_for(self, kind: str) -> None:
-        """Show the window for a kind of export."""
         self.kind.setCurrentIndex(self.kind.findData(kind))
         if kind == "picture" and not self.isVisible():
             self._set_size(self._screen_size())
@@ -98,7 +88,6 @@ class ExportDialog(QDialog):
         self.activateWindow()
 
     def settings(self) -> ExportSettings:
-        """Return what is asked for at present."""
         return ExportSettings(
             kind=self.kind.currentData(),
             form=self._form(),
@@ -118,29 +107,19 @@ class ExportDialog(QDialog):
         self.export_button.setEnabled(not busy and self._ready())
 
     def _build(self) -> None:
-        size = QWidget()
-        row = QHBoxLayout(size)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.width_field, 1)
-        row.addWidget(PlainLabel("×"))
-        row.addWidget(self.height_field, 1)
-        chosen = QWidget()
-        row = QHBoxLayout(chosen)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.source, 1)
-        row.addWidget(self.browse_button)
+        size, chosen = QWidget(), QWidget()
+        times = PlainLabel("×")
+        times.setSizePolicy(times.sizePolicy().Policy.Maximum, times.sizePolicy().Policy.Preferred)
+        fill_row(size, self.width_field, times, self.height_field, even=True)
+        fill_row(chosen, self.source, self.browse_button)
         form = Form()
         form.add_row(tr("Export"), self.kind)
         self._add(form, tr("Paints"), chosen, "sheet")
         self._add(form, tr("Size"), self.preset)
         self._add(form, "", size)
         self._add(form, tr("Format"), self.format)
-        self._add(
-            form,
-            tr("Colours"),
-            self.colour_space,
-            tip=tr("Colour space; the ICC profile is embedded in the file"),
-        )
+        tip = tr("Colour space; the ICC profile is embedded in the file")
+        self._add(form, tr("Colours"), self.colour_space, tip=tip)
         self._add(form, tr("Samples"), self.samples, tip=tr("Per pixel, limited by the graphics card"))
         self._add(form, "", self.transparent, "picture", "turntable")
         self._add(form, tr("Frames"), self.frames, "turntable", tip=tr("Frames per turn"))
@@ -153,32 +132,26 @@ class ExportDialog(QDialog):
         box.addWidget(self.export_button, 0, Qt.AlignmentFlag.AlignRight)
 
     def _add(self, form: Form, label: str, field: QWidget, *kinds: str, tip: str = "") -> None:
-        row = [form.add_row(label, field, tip), field]
-        for kind in KIND_TITLES:
-            if kinds and kind not in kinds:
-                self._rows.setdefault(kind, []).extend(row)
+        """Add a row that is shown for these kinds of export, for all where none is given."""
+        for widget in (form.add_row(label, field, tip), field):
+            self._rows[widget] = kinds or tuple(KIND_TITLES)
 
     def _show_kind(self) -> None:
         kind = self.kind.currentData()
-        for other in KIND_TITLES:
-            for widget in self._rows.get(other, []):
-                widget.show()
-        for widget in self._rows.get(kind, []):
-            widget.hide()
-        self.preset.blockSignals(True)
-        self.preset.clear()
-        if kind != "sheet":
-            self.preset.addItem(tr("As on screen"), "screen")
-        for size in _SIZES[kind]:
-            self.preset.addItem("{} × {}".format(*size), size)
-        self.preset.addItem(tr("Other"), None)
-        self.preset.blockSignals(False)
+        for widget, kinds in self._rows.items():
+            widget.setVisible(kind in kinds)
+        with QSignalBlocker(self.preset):
+            self.preset.clear()
+            if kind != "sheet":
+                self.preset.addItem(tr("As on screen"), "screen")
+            for size in _SIZES[kind]:
+                self.preset.addItem("{} × {}".format(*size), size)
+            self.preset.addItem(tr("Other"), None)
         self._set_size(self._screen_size() if kind == "picture" else _SIZES[kind][1])
-        self.format.blockSignals(True)
-        self.format.clear()
-        for form in FORMATS[kind]:
-            self.format.addItem(tr(form.title), form)
-        self.format.blockSignals(False)
+        with QSignalBlocker(self.format):
+            self.format.clear()
+            for form in FORMATS[kind]:
+                self.format.addItem(tr(form.title), form)
         self._show_format()
 
     def _form(self) -> Format:
@@ -211,24 +184,17 @@ class ExportDialog(QDialog):
 
     def _set_size(self, size: tuple[int, int]) -> None:
         for field, edge in zip((self.width_field, self.height_field), size, strict=True):
-            field.blockSignals(True)
-            field.setValue(edge)
-            field.blockSignals(False)
+            with QSignalBlocker(field):
+                field.setValue(edge)
         self._show_preset()
 
     def _show_preset(self) -> None:
         size = (self.width_field.value(), self.height_field.value())
         known = [self.preset.itemData(i) for i in range(self.preset.count())]
-        index = next(
-            (i for i, item in enumerate(known) if item not in (None, "screen") and tuple(item) == size), -1
-        )
-        if index < 0:
-            index = (
-                known.index("screen") if "screen" in known and size == self._screen_size() else len(known) - 1
-            )
-        self.preset.blockSignals(True)
-        self.preset.setCurrentIndex(index)
-        self.preset.blockSignals(False)
+        sizes = [item if item in (None, "screen") else tuple(item) for item in known]
+        shown = size if size in sizes else "screen" if size == self._screen_size() else None
+        with QSignalBlocker(self.preset):
+            self.preset.setCurrentIndex(sizes.index(shown if shown in sizes else None))
 
     def _choose_source(self) -> None:
         chosen = self.ask_source(self)

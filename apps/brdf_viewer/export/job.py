@@ -1,7 +1,8 @@
-"""What is to be exported, as a frozen value, and the command that does it."""
+"""What is to be exported, as a frozen value, and the command that does it in a process of its own."""
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import tempfile
 from dataclasses import dataclass
@@ -10,6 +11,8 @@ from pathlib import Path
 from typing import Literal
 
 from brdf_qt.program.translation import mark
+from brdf_qt.work.command_process import CommandProcess
+from PySide6.QtCore import QObject
 
 from brdf_suite.documents.store import PAINT_ENDING, VIEW_ENDING, AnyPaint, save_paint, save_view
 from brdf_suite.documents.view import View
@@ -92,14 +95,13 @@ class ExportJob:
     def arguments(self) -> list[str]:
         """Return the arguments of ``brdf-suite`` that do it."""
         s = self.settings
-        width, height = s.size
         words = {
             "picture": ["render", self._paint],
             "turntable": ["turntable", self._paint, f"--frames={s.frames}", f"--fps={s.frames_per_second:g}"],
             "sheet": ["sheet", s.source, *([f"--columns={s.columns}"] if s.columns else [])],
         }[s.kind]
-        words += ["-o", str(self.path), "--view", str(self._view), f"--size={width}x{height}"]
-        words.append(f"--samples={s.samples}")
+        words += ["-o", str(self.path), "--view", str(self._view)]
+        words += ["--size={}x{}".format(*s.size), f"--samples={s.samples}"]
         if len(s.form.colour_spaces) > 1:
             words.append(f"--colour-space={s.colour_space}")
         if s.form.bits is not None:
@@ -115,6 +117,23 @@ class ExportJob:
 
     def tidy(self) -> None:
         """Take the scene's files away."""
-        shutil.rmtree(
-            self.folder, ignore_errors=True
-        )  # in the system's temporary folder, which is emptied anyway
+        shutil.rmtree(self.folder, ignore_errors=True)  # in the temporary folder, which is emptied anyway
+
+
+class ExportProcess(CommandProcess):
+    """Runs one export; its signals are those of the command, ``done`` with the lines that it printed."""
+
+    def __init__(self, job: ExportJob, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.job = job
+
+    def start(self) -> None:
+        self.run_command(*self.job.arguments())
+
+    def clean_up(self, *, forced: bool) -> None:
+        """Remove the scene's files; after an end by force also the unfinished export."""
+        if forced:
+            for path in self.job.leftovers():
+                with contextlib.suppress(OSError):  # another process may still hold it
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+        self.job.tidy()

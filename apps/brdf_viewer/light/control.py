@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import dataclasses
 from pathlib import Path
-from typing import Any
 
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.scene import environment_names
+from brdf_viewer.camera.section import signed_deg
 from brdf_viewer.camera.turntable import Turntable
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.light.lamps_section import placed, polar
-from brdf_viewer.light.presets import preset_of, with_preset
+from brdf_viewer.light.section import placed, polar, preset_of, with_preset
 from brdf_viewer.paint.relit import RelitPaint
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -33,21 +31,22 @@ class LightingControl(ViewerFeature):
     def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
         self._meter = make_timer(self, self._measure, METER_AFTER_MS)
-        self._round = Turntable(self)
-        self._round.deg_per_second = 45.0
+        self._round = Turntable(state.history, tr("Move Lamps"), 45.0, self)
         self._round.turned.connect(self._move_lamps)
         self._relit = RelitPaint(state, self)
         self._relit.state_changed.connect(self._show_colour)
         self._second_relit = RelitPaint(state, self, second=True)
         section = window.lighting
         self._round.running_changed.connect(section.lamps.moving.setChecked)
-        self._round.running_changed.connect(self._moving)
         section.preset_chosen.connect(self.choose)
-        section.illuminant.picked.connect(lambda key: self._change_colour(illuminant=key))
-        section.adapted.clicked.connect(lambda on: self._change_colour(adapted=on))
+        for field, signal in (
+            ("illuminant", section.illuminant.picked),
+            ("adapted", section.adapted.clicked),
+            ("brightness", section.brightness.edited),
+        ):
+            signal.connect(lambda value, field=field: state.change_part("light_colour", **{field: value}))
         section.exposure_mode.picked.connect(self.set_exposure_mode)
         section.lamps.edited.connect(lambda lamps: state.change_view(lamps=lamps))
-        section.brightness.edited.connect(lambda value: self._change_colour(brightness=value))
         section.lamps.shading.picked.connect(lambda key: state.change_view(lamp_shading=key))
         section.lamps.moving.clicked.connect(self._round.set_running)
         state.view_changed.connect(self._changed)
@@ -55,11 +54,9 @@ class LightingControl(ViewerFeature):
         self._show(state.view)
 
     def choose(self, key: str) -> None:
-        """Take a preset's light."""
         self._state.set_view(with_preset(self._state.view, key))
 
     def close(self) -> None:
-        """End the threads."""
         self._relit.close()
         self._second_relit.close()
 
@@ -74,23 +71,15 @@ class LightingControl(ViewerFeature):
             self._state.metered_ev = None
             self._state.change_view(exposure_mode="automatic", exposure_ev=0.0)
 
-    def _change_colour(self, **fields: Any) -> None:
-        colour = dataclasses.replace(self._state.view.light_colour, **fields)
-        self._state.change_view(light_colour=colour)
-
-    def _moving(self, running: bool) -> None:
-        """All that lamps move until they stop is one step of the history."""
-        if running:
-            self._state.history.begin_running(tr("Move Lamps"))
-        else:
-            self._state.history.end_running()
-
     def _move_lamps(self, degrees: float) -> None:
-        lamps = self._state.view.lamps
-        if not lamps:
+        moved = []
+        for lamp in self._state.view.lamps:
+            azimuth, elevation, distance = polar(lamp)
+            moved.append(placed(lamp, signed_deg(azimuth + degrees), elevation, distance))
+        if moved:
+            self._state.follow_view(lamps=tuple(moved))
+        else:
             self._round.set_running(False)
-            return
-        self._state.follow_view(lamps=tuple(_moved(lamp, degrees) for lamp in lamps))
 
     def _changed(self, old: View, new: View) -> None:
         self._show(new)
@@ -129,20 +118,12 @@ class LightingControl(ViewerFeature):
         self._show_exposure(view)
 
     def _show_exposure(self, view: View) -> None:
-        cell = self._window.status.cell("exposure")
-        if view.exposure_mode == "locked":
-            cell.set(f"{view.exposure_ev:+.1f} EV", tr("Exposure, locked"))
-        else:
+        text, tip = f"{view.exposure_ev:+.1f} EV", tr("Exposure, locked")
+        if view.exposure_mode == "automatic":
             total = exposed(view, self._state.metered_ev).exposure_ev
-            cell.set(
-                tr("{total:+.1f} EV automatic").format(total=total),
-                tr("Exposure: automatic value plus {value:+.1f} EV").format(value=view.exposure_ev),
-            )
-
-
-def _moved(lamp: Lamp, degrees: float) -> Lamp:
-    azimuth, elevation, distance = polar(lamp)
-    return placed(lamp, (azimuth + degrees + 180.0) % 360.0 - 180.0, elevation, distance)
+            text = tr("{total:+.1f} EV automatic").format(total=total)
+            tip = tr("Exposure: automatic value plus {value:+.1f} EV").format(value=view.exposure_ev)
+        self._window.status.cell("exposure").set(text, tip)
 
 
 def names_a_light(key: str) -> bool:

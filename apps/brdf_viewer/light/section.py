@@ -1,22 +1,241 @@
-"""The light booth's buttons, the colour of its lamps, how the eye takes it, and how the exposure is found."""
+"""The light booth: its presets, the colour of its lamps, lamps beside it, how the eye takes it, the exposure."""
 
 from __future__ import annotations
 
-from typing import Literal
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import hypot
+from types import MappingProxyType
+from typing import Any, Literal
 
-from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import plain_tip
-from brdf_qt.fields.number import NumberField
+from brdf_qt.fields.form import Form, fill_column, fill_row, icon_button
+from brdf_qt.fields.labels import plain_tip, set_bold
+from brdf_qt.fields.number import NumberField, reach_of
+from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QGridLayout, QToolButton, QWidget
 
-from brdf_suite.documents.view_settings import PARAMETERS, LightColour
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.light.lamps_section import LampFields
-from brdf_viewer.light.presets import PRESETS, is_tinted
+from brdf_suite.documents.view import View
+from brdf_suite.documents.view_settings import MOST_LAMPS, PARAMETERS, Illuminant, Lamp, LightColour
+from brdf_viewer.fields.inspector import ChoiceBox, note, set_note
+from brdf_viewer.light.studio import places
+
+
+@dataclass(frozen=True)
+class Preset:
+    """What a button sets: environment, its lamps' colour and brightness, and lamps beside it; ``tip`` explains it."""
+
+    title: str
+    environment: str
+    illuminant: Illuminant
+    tip: str
+    lamps: tuple[Lamp, ...] = ()
+    brightness: float = 1.0
+
+
+POINT = Lamp(kind="point", position=(0.9, 1.6, 1.1), strength=6.0, temperature_k=6500.0)
+THREE = (
+    Lamp(kind="point", position=(-1.3, 1.2, 0.7), strength=3.0, temperature_k=6500.0),
+    Lamp(kind="point", position=(0.6, 1.7, 1.2), strength=4.0, temperature_k=5000.0),
+    Lamp(kind="point", position=(1.5, 0.6, -0.4), strength=2.5, temperature_k=9000.0),
+)
+_MOVABLE = mark("Light booth with one small movable lamp, for sparkle")
+_ONLY_LAMPS = mark("Three movable lamps, no environment – best for factored paints")
+
+PRESETS: Mapping[str, Preset] = MappingProxyType(
+    {
+        "d65": Preset("D65", "booth", "D65", mark("Light booth, average daylight")),
+        "d50": Preset("D50", "booth", "D50", mark("Light booth, warm daylight (graphic arts)")),
+        "a": Preset("A", "booth", "A", mark("Light booth, incandescent lamps of 2,856 K")),
+        "tl84": Preset("TL84", "booth", "TL84", mark("Light booth, three-band fluorescent lamps (CIE F11)")),
+        "cwf": Preset("CWF", "booth", "CWF", mark("Light booth, cool white fluorescent lamps (CIE F2)")),
+        "led": Preset("LED", "booth", "LED", mark("Light booth, white LEDs of 4,100 K (CIE LED-B3)")),
+        "sun": Preset(mark("Sun and sky"), "sunny", "environment", mark("Clear sky with the sun")),
+        "overcast": Preset(mark("Overcast"), "overcast", "environment", mark("Even, cloudy sky, no sun")),
+        "point": Preset(mark("Point source"), "booth", "D65", _MOVABLE, (POINT,)),
+        "three": Preset(mark("Three lamps"), "booth", "D65", _ONLY_LAMPS, THREE, 0.0),
+    }
+)
+
+
+def with_preset(view: View, key: str) -> View:
+    """Return the view in a preset's light; adaptation, exposure and rotation stay.
+
+    The environment is named; who shows the view loads it.
+    """
+    preset = PRESETS[key]
+    return replace(
+        view,
+        environment=preset.environment,
+        environment_layout="auto",
+        light_colour=replace(view.light_colour, illuminant=preset.illuminant, brightness=preset.brightness),
+        lamps=preset.lamps,
+    )
+
+
+def preset_of(view: View) -> str:
+    """Return the preset that the view's light is, wherever its lamps stand; empty where it is another.
+
+    >>> preset_of(View())
+    'd65'
+    """
+    illuminant = view.light_colour.illuminant
+    if illuminant == "environment" and view.environment == "booth":
+        illuminant = "D65"  # the booth's own lamps are neutral
+    dark = view.light_colour.brightness == 0.0
+    lamps = [lamp.kind for lamp in view.lamps]
+    for key, preset in PRESETS.items():
+        same_light = (view.environment, illuminant) == (preset.environment, preset.illuminant)
+        same_lamps = lamps == [lamp.kind for lamp in preset.lamps]
+        if same_light and same_lamps and dark == (preset.brightness == 0.0):
+            return key
+    return ""
+
+
+def is_tinted(colour: LightColour) -> bool:
+    """Whether the picture takes the lamp's colour on, or would to an eye that has not adapted."""
+    return colour.illuminant not in ("environment", "D65")
+
+
+SHADING_TITLES = {"each": mark("Exact, per pixel"), "ball": mark("Together, by a ball")}
+SHADING_TIPS = {
+    "each": mark("Each lamp is evaluated in the maps at every pixel: correct for point lamps and grain"),
+    "ball": mark(
+        "A ball of the paint is drawn in the light of all lamps, and looked up by the normal: one look-up for any "
+        "number of lamps, as if they and the viewer were far away"
+    ),
+}
+KIND_TITLES = {"point": mark("Point"), "directional": mark("Directional")}
+_NEW = Lamp()
+
+
+class LampFields(QWidget):
+    """Every lamp in the same fields: direction and, for a point, distance; strength; colour.
+
+    ``edited(lamps)`` is emitted with the whole new tuple. ``moving`` is checked where the lamps are to go round,
+    ``shading`` is how factored paints are lit by them.
+    """
+
+    edited = Signal(tuple)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.lamps: tuple[Lamp, ...] = ()
+        self.list = QuietComboBox()
+        self.list.setAccessibleName(tr("Lamps"))
+        self.list.activated.connect(lambda _index: self._show())
+        self.add_button = icon_button("plus", tr("Add a lamp to the environment"), self._add)
+        self.remove_button = icon_button("trash", tr("Remove this lamp"), self._remove)
+        row = QWidget()
+        fill_row(row, self.list, self.add_button, self.remove_button, spacing=4)
+        self.kind = ChoiceBox(KIND_TITLES)
+        self.kind.picked.connect(lambda key: self._change(kind=key))
+        self.azimuth = NumberField(tr("Azimuth"), "°", -180.0, 180.0, 1.0, 1, 30.0)
+        self.azimuth.setWrapping(True)
+        self.elevation = NumberField(tr("Elevation"), "°", -90.0, 90.0, 1.0, 1, 45.0)
+        self.distance = NumberField(tr("Distance"), "m", 0.05, 1000.0, 0.05, 2, 2.0)
+        for field in (self.azimuth, self.elevation, self.distance):
+            field.edited.connect(self._placed)
+        strength, kelvin = PARAMETERS["lamp.strength"], PARAMETERS["lamp.temperature_k"]
+        self.strength = NumberField(tr("Strength"), *reach_of(strength, 0.1, 2))
+        self.strength.edited.connect(lambda value: self._change(strength=value))
+        self.temperature = NumberField(tr("Colour"), *reach_of(kelvin, 50.0, 0))
+        self.temperature.edited.connect(lambda value: self._change(temperature_k=value))
+        self.moving = QCheckBox(tr("Moves round"))
+        self.moving.setToolTip(tr("Rotate the lamps around the surface to see flakes and highlights move"))
+        self.shading = ChoiceBox(SHADING_TITLES, SHADING_TIPS)
+        form, self._fields = Form(), Form()
+        tip = tr("Small lamps in addition to the environment; flakes sparkle in their light")
+        form.add_row(tr("Lamps"), row, tip)
+        self._fields.add_row(tr("Kind"), self.kind)
+        self._fields.add_row(tr("Azimuth"), self.azimuth, tr(PARAMETERS["lamp.azimuth_deg"].meaning))
+        self._fields.add_row(tr("Elevation"), self.elevation, tr(PARAMETERS["lamp.elevation_deg"].meaning))
+        tip = tr("From the centre of the scene")
+        self._distance_label = self._fields.add_row(tr("Distance"), self.distance, tip)
+        self._fields.add_row(tr("Strength"), self.strength, tr(strength.meaning))
+        self._fields.add_row(tr("Colour"), self.temperature, tr(kelvin.meaning))
+        self._fields.add_row("", self.moving)
+        self._fields.add_row(tr("Factored"), self.shading, tr("Shading of factored paints by the lamps"))
+        fill_column(self, form, self._fields)
+        self.set_lamps(())
+
+    def set_lamps(self, lamps: tuple[Lamp, ...]) -> None:
+        """Show lamps, without a signal; the one that was chosen stays so."""
+        chosen = max(0, self.list.currentIndex())
+        if [lamp.kind for lamp in lamps] != [lamp.kind for lamp in self.lamps] or not lamps:
+            self.list.clear()
+            titles = [f"{number}: {tr(KIND_TITLES[lamp.kind])}" for number, lamp in enumerate(lamps, 1)]
+            self.list.addItems(titles or [tr("None")])
+            self.list.setCurrentIndex(min(chosen, self.list.count() - 1))
+        self.lamps = lamps
+        self._show()
+
+    def _show(self) -> None:
+        lamp = self._chosen()
+        self._fields.setVisible(lamp is not None)
+        self.list.setEnabled(lamp is not None)
+        self.add_button.setEnabled(len(self.lamps) < MOST_LAMPS)
+        self.remove_button.setEnabled(lamp is not None)
+        if lamp is None:
+            return
+        self.kind.show_choice(lamp.kind)
+        azimuth, elevation, distance = polar(lamp)
+        self.azimuth.set_value(azimuth)
+        self.elevation.set_value(elevation)
+        self.distance.set_value(distance)
+        for widget in (self.distance, self._distance_label):
+            widget.setVisible(lamp.kind == "point")
+        self.strength.set_value(lamp.strength)
+        self.temperature.set_value(lamp.temperature_k)
+
+    def _chosen(self) -> Lamp | None:
+        index = self.list.currentIndex()
+        return self.lamps[index] if 0 <= index < len(self.lamps) else None
+
+    def _add(self) -> None:
+        self.set_lamps((*self.lamps, _NEW))
+        self.list.setCurrentIndex(len(self.lamps) - 1)
+        self._show()
+        self.edited.emit(self.lamps)
+
+    def _remove(self) -> None:
+        index = self.list.currentIndex()
+        self.set_lamps(self.lamps[:index] + self.lamps[index + 1 :])
+        self.edited.emit(self.lamps)
+
+    def _placed(self, _value: float) -> None:
+        azimuth, elevation = self.azimuth.value(), self.elevation.value()
+        position = places.point_at(azimuth, elevation, self.distance.value())
+        self._change(position=position, azimuth_deg=azimuth, elevation_deg=elevation)
+
+    def _change(self, **fields: Any) -> None:
+        lamp, index = self._chosen(), self.list.currentIndex()
+        if lamp is not None:
+            changed = dataclasses.replace(lamp, **fields)
+            self.set_lamps((*self.lamps[:index], changed, *self.lamps[index + 1 :]))
+            self.edited.emit(self.lamps)
+
+
+def polar(lamp: Lamp) -> tuple[float, float, float]:
+    """Return azimuth and elevation in degrees and the distance in metres of where a lamp's light comes from.
+
+    >>> [round(value, 3) for value in polar(Lamp(position=(0.0, 3.0, 3.0)))]
+    [0.0, 45.0, 4.243]
+    """
+    if lamp.kind == "directional":
+        return (lamp.azimuth_deg + 180.0) % 360.0 - 180.0, lamp.elevation_deg, hypot(*lamp.position)
+    azimuth, elevation, distance = places.polar(lamp.position)
+    return azimuth, elevation, max(0.05, distance)
+
+
+def placed(lamp: Lamp, azimuth_deg: float, elevation_deg: float, distance: float) -> Lamp:
+    """Return the lamp at another place; both forms of it are kept in step, so that a change of kind keeps it."""
+    position = places.point_at(azimuth_deg, elevation_deg, distance)
+    return dataclasses.replace(lamp, position=position, azimuth_deg=azimuth_deg, elevation_deg=elevation_deg)
+
 
 ILLUMINANT_TITLES = {
     "environment": mark("From environment"),
@@ -58,9 +277,7 @@ class LightingSection(Section):
         self.metamerism = note()
         self.exposure_mode = ChoiceBox(EXPOSURE_TITLES)
         light = PARAMETERS["light_colour.brightness"]
-        self.brightness = NumberField(
-            tr("Environment"), light.unit, light.low, light.high, 0.05, 2, light.default
-        )
+        self.brightness = NumberField(tr("Environment"), *reach_of(light, 0.05, 2))
         self.lamps = LampFields()
         form = Form()
         form.add_wide(self._preset_buttons())
@@ -105,9 +322,7 @@ class LightingSection(Section):
         """Press the button of the present light; none where the key is empty."""
         for name, button in self.preset_buttons.items():
             button.setChecked(name == key)
-            font = button.font()
-            font.setBold(name == key)  # the choice is shown by more than a shade of grey
-            button.setFont(font)
+            set_bold(button, name == key)  # the choice is shown by more than a shade of grey
 
     def show_colour(self, colour: LightColour, spectra: Spectra) -> None:
         """Show the light's colour, and what it can say about the paint."""
@@ -122,9 +337,9 @@ def colour_note(colour: LightColour, spectra: Spectra) -> str:
     """Return what is to be known about a paint's colour in the light; empty where nothing is assumed."""
     if not is_tinted(colour):
         return ""
-    if spectra != "unknown":
-        if spectra == "in work":
-            return tr("Colours are being computed from the paint's spectra.")
+    if spectra == "in work":
+        return tr("Colours are being computed from the paint's spectra.")
+    if spectra == "used":
         return tr("Colours were computed from the paint's spectra.")
     if colour.adapted:
         return tr(

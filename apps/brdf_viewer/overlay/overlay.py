@@ -84,7 +84,7 @@ class PictureOverlay(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        paint_overlay(painter, QRectF(self.rect()), self)
+        _paint(painter, QRectF(self.rect()), self)
 
     def _changed(self) -> None:
         words = [*(label.text for label in self.labels), *self.figures, *([self.mark] if self.mark else [])]
@@ -97,8 +97,7 @@ class PictureOverlay(QWidget):
         self.raise_()
 
 
-def paint_overlay(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> None:
-    """Draw what an overlay shows into ``area``; for the screen, and for pictures of the window."""
+def _paint(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> None:
     metrics = QFontMetricsF(painter.font())
     for label in overlay.labels:
         room = area.width() * label.share - 2 * _MARGIN
@@ -112,13 +111,8 @@ def paint_overlay(painter: QPainter, area: QRectF, overlay: PictureOverlay) -> N
         # A line of its own below all else: figures and scale stand on it, at any width.
         tall = metrics.height() + 2 * _PADDING
         wide = min(metrics.horizontalAdvance(overlay.mark) + 2 * _PADDING, area.width() - 2 * _MARGIN)
-        _chip(
-            painter,
-            metrics,
-            QPointF(area.right() - _MARGIN - wide, bottom - tall),
-            (overlay.mark,),
-            area.width() - 2 * _MARGIN,
-        )
+        corner = QPointF(area.right() - _MARGIN - wide, bottom - tall)
+        _chip(painter, metrics, corner, (overlay.mark,), area.width() - 2 * _MARGIN)
         if overlay.scale is not None or overlay.figures:
             area = area.adjusted(0.0, 0.0, 0.0, -tall - _PADDING)
             bottom = area.bottom() - _MARGIN
@@ -137,13 +131,17 @@ def _chip(
     shown = [metrics.elidedText(line, Qt.TextElideMode.ElideRight, inside) for line in lines]
     wide = max(metrics.horizontalAdvance(line) for line in shown) + 2 * _PADDING
     box = QRectF(corner.x(), corner.y(), wide, len(shown) * metrics.height() + 2 * _PADDING)
+    _draw_paper(painter, box)
+    for row, line in enumerate(shown):
+        base = box.top() + _PADDING + row * metrics.height() + metrics.ascent()
+        painter.drawText(QPointF(box.left() + _PADDING, base), line)
+
+
+def _draw_paper(painter: QPainter, box: QRectF) -> None:
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(_PAPER)
     painter.drawRoundedRect(box, 4.0, 4.0)
     painter.setPen(_INK)
-    for row, line in enumerate(shown):
-        base = box.top() + _PADDING + row * metrics.height() + metrics.ascent()
-        painter.drawText(QPointF(box.left() + _PADDING, base), line)
 
 
 def _divider(painter: QPainter, area: QRectF, share: float) -> None:
@@ -168,16 +166,13 @@ def _scale(painter: QPainter, metrics: QFontMetricsF, area: QRectF, scale: Scale
     width = min(_SCALE_WIDTH, area.width() - 2 * _MARGIN - 2 * _PADDING)
     tall = 2 * metrics.height() + _SCALE_HEIGHT + 3 * _PADDING
     box = QRectF(area.left() + _MARGIN, area.bottom() - _MARGIN - tall, width + 2 * _PADDING, tall)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(_PAPER)
-    painter.drawRoundedRect(box, 4.0, 4.0)
+    _draw_paper(painter, box)
     inner = box.adjusted(_PADDING, _PADDING, -_PADDING, -_PADDING)
-    painter.setPen(_INK)
     title = metrics.elidedText(f"ΔE00 {scale.of}", Qt.TextElideMode.ElideRight, inner.width())
     painter.drawText(QPointF(inner.left(), inner.top() + metrics.ascent()), title)
     bar = QRectF(inner.left(), inner.top() + metrics.height() + 0.5 * _PADDING, inner.width(), _SCALE_HEIGHT)
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
-    painter.drawImage(bar, scale_image())
+    painter.drawImage(bar, _scale_image())
     under = QRectF(bar.left(), bar.bottom(), bar.width(), metrics.height() + 0.5 * _PADDING)
     flags = Qt.AlignmentFlag
     painter.drawText(under, flags.AlignLeft | flags.AlignBottom, "0")
@@ -186,8 +181,7 @@ def _scale(painter: QPainter, metrics: QFontMetricsF, area: QRectF, scale: Scale
     return box.top()
 
 
-def scale_image() -> QImage:
-    """Return the colours of the scale as a row of pixels."""
+def _scale_image() -> QImage:
     image = QImage(STEPS + 1, 1, QImage.Format.Format_RGB32)
     for i, (red, green, blue) in enumerate(scale_table().tolist()):
         image.setPixelColor(i, 0, QColor.fromRgbF(red, green, blue))

@@ -139,13 +139,12 @@ def _of_picture(
     if picture.is_light:
         lab = working_to_lab(value * 2.0**view.exposure_ev)
         return PixelReading("B", _triple(lab), _triple(value), point)
-    return PixelReading(
-        "B", _triple(working_to_lab(srgb_decode(value / 255.0) @ REC709_TO_WORKING.T)), None, point
-    )
+    lab = working_to_lab(srgb_decode(value / 255.0) @ REC709_TO_WORKING.T)
+    return PixelReading("B", _triple(lab), None, point)
 
 
 def _triple(values: np.ndarray) -> Lab:
-    x, y, z = (float(v) for v in values)
+    x, y, z = values.tolist()
     return (x, y, z)
 
 
@@ -164,18 +163,16 @@ def lab_words(lab: Lab) -> str:
 def short_words(reading: CursorReading) -> str:
     """Return the reading for the status bar."""
     first = reading.readings[0]
+    words = f"{first.which}  {lab_words(first.lab)}".strip()
     if reading.delta_e is not None:
         words = f"ΔE00 {reading.delta_e:.2f}"
-    else:
-        words = f"{first.which}  {lab_words(first.lab)}".strip()
     if reading.angles is None:
         return words
     view, aspecular = reading.angles
+    text = tr("{words}  view {view:.0f}°  aspecular {aspecular:.0f}°")
     if aspecular is None:
-        return tr("{words}  view {view:.0f}°").format(words=words, view=view)
-    return tr("{words}  view {view:.0f}°  aspecular {aspecular:.0f}°").format(
-        words=words, view=view, aspecular=aspecular
-    )
+        text = tr("{words}  view {view:.0f}°")
+    return text.format(words=words, view=view, aspecular=aspecular)
 
 
 def long_lines(reading: CursorReading) -> list[str]:
@@ -193,16 +190,14 @@ def long_lines(reading: CursorReading) -> list[str]:
         lines.append(tr("background"))
         return lines
     view, aspecular = reading.angles
-    angles = (
-        tr("view {view:.1f}°") if aspecular is None else tr("view {view:.1f}°   aspecular {aspecular:.1f}°")
-    )
+    angles, light = tr("view {view:.1f}°   aspecular {aspecular:.1f}°"), tr("from {light}")
+    if aspecular is None:
+        angles, light = tr("view {view:.1f}°"), tr("facing away from {light}")
     lines.append(angles.format(view=view, aspecular=aspecular))
     if reading.light is None:
         lines.append(tr("no aspecular angle: no dominant light source"))
-    elif aspecular is None:
-        lines.append(tr("facing away from {light}").format(light=reading.light.words))
     else:
-        lines.append(tr("from {light}").format(light=reading.light.words))
+        lines.append(light.format(light=reading.light.words))
     x, y, z = (1e3 * value for value in point.position)
     where = tr("x {x:.1f}  y {y:.1f}  z {z:.1f} mm on {part} ({material})")
     lines.append(where.format(x=x, y=y, z=z, part=point.part, material=point.material).replace("-", "−"))

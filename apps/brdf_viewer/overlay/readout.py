@@ -1,21 +1,28 @@
-"""The readout under the cursor: in the status bar, and in full among the figures over the picture.
+"""The readout under the cursor, the frame time, and the figures over the picture (H), which have both in full.
 
-It is read when hand and picture have come to rest for a moment, never while something is dragged, so it costs no
-frame of an interaction.
+The readout is read when hand and picture have come to rest for a moment, never while something is dragged, so it
+costs no frame of an interaction.
 """
 
 from __future__ import annotations
 
+from collections import deque
+from statistics import median
+
+from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
+from brdf_qt.window.status_line import StatusCell
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QMouseEvent
 from PySide6.QtWidgets import QWidget
 
+from brdf_suite.documents.view import View
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.overlay.pixel_reading import CursorReading, long_lines, read_pixel, short_words
 from brdf_viewer.scene.viewer_state import ViewerState
+from brdf_viewer.tone.section import TONE_TITLES
 from brdf_viewer.traced.trace_input import first_size
 from brdf_viewer.window import ViewerWindow
 
@@ -89,12 +96,100 @@ class Readout(ViewerFeature):
         if reading == self.reading:
             return
         self.reading = reading
-        cell = self._window.status.cell("readout", right=True)
-        if reading is None:
-            cell.set("")
-        else:
+        text, tip = "", None
+        if reading is not None:
             light = tr("no dominant light source") if reading.light is None else reading.light.words
-            cell.set(
-                short_words(reading), f"{tr(_TIP).format(light=light)}\n" + "\n".join(long_lines(reading))
-            )
+            text, tip = short_words(reading), "\n".join((tr(_TIP).format(light=light), *self.lines))
+        self._window.status.cell("readout", right=True).set(text, tip)
         self.changed.emit(reading)
+
+
+_KEY = "figures"
+_FRAMES = 15
+_SHOW_EVERY_MS = 250
+SPARKLE_WORDS = {"off": mark("no sparkle"), "texture": mark("flake texture"), "glints": mark("glints")}
+FRESNEL_WORDS = {
+    "off": mark("no Fresnel"),
+    "raised": mark("Fresnel raised"),
+    "multi_angle": mark("Fresnel by angle"),
+}
+
+
+class FrameMeter(QObject):
+    """Shows the median of the last frames' milliseconds: one that changes with each frame could not be read.
+
+    ``shown()`` is emitted each time that the status bar was renewed.
+    """
+
+    shown = Signal()
+
+    def __init__(self, cell: StatusCell, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._cell = cell
+        self._frames: deque[float] = deque(maxlen=_FRAMES)
+        self._timer = make_timer(self, self._show, _SHOW_EVERY_MS)
+
+    def add(self, milliseconds: float) -> None:
+        self._frames.append(milliseconds)
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def clear(self) -> None:
+        """There is no picture: show no time."""
+        self._frames.clear()
+        self._timer.stop()
+        self._cell.set("")
+
+    @property
+    def words(self) -> str:
+        """The frame time as it is shown; empty while there is none."""
+        return self._cell.text()
+
+    def _show(self) -> None:
+        tip = tr("Frame time: median of the last {count}; slowest {slowest:.1f} ms")
+        tip = tip.format(count=len(self._frames), slowest=max(self._frames))
+        self._cell.set(f"{median(self._frames):.1f} ms", tip)
+        self.shown.emit()
+
+
+class FiguresOverlay(ViewerFeature):
+    """Shows and hides the figures; remembers which."""
+
+    def __init__(self, state: ViewerState, window: ViewerWindow, meter: FrameMeter, readout: Readout) -> None:
+        super().__init__(state, window)
+        self._meter, self._readout = meter, readout
+        self._action = window.commands.figures
+        self._action.setChecked(bool(settings().value(_KEY, False, type=bool)))
+        self._action.toggled.connect(self._toggle)
+        meter.shown.connect(self._show)
+        readout.changed.connect(self._show)
+        state.view_changed.connect(self._show)
+        state.contents_changed.connect(self._show)
+
+    def _toggle(self, on: bool) -> None:
+        settings().setValue(_KEY, on)
+        self._show()
+
+    def _show(self, *_: object) -> None:
+        lines = self._lines() if self._action.isChecked() and self._state.is_complete else []
+        self._window.overlay.show_figures(tuple(lines))
+
+    def _lines(self) -> list[str]:
+        state, size = self._state, self._window.picture.device_size
+        lines = [f"{self._meter.words or '–'}   {size[0]} × {size[1]}"]
+        if state.fit is not None:
+            lines[0] += "   " + tr("{count} lobes").format(count=len(state.fit.weights.exponents))
+        return [*lines, how(state.exposed_view), *self._readout.lines]
+
+
+def how(view: View) -> str:
+    """Return in one line how a view is drawn.
+
+    >>> how(View(fresnel="off"))
+    'Faithful, soft highlights   +0.0 EV   no Fresnel   glints, 8 lights'
+    """
+    sparkle = tr(SPARKLE_WORDS[view.sparkle.mode])
+    if view.sparkle.mode != "off":
+        sparkle = tr("{sparkle}, {count} lights").format(sparkle=sparkle, count=view.sparkle.light_count)
+    tone, fresnel = tr(TONE_TITLES[view.tone_curve]), tr(FRESNEL_WORDS[view.fresnel])
+    return "   ".join((tone, f"{view.exposure_ev:+.1f} EV", fresnel, sparkle))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.link.link import LiveLink
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import Message, message_of
+from brdf_qt.window.message_bar import Message
 from brdf_qt.work.exact_fit import ExactFit
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from brdf_qt.work.tasks import TaskRunner
@@ -32,8 +33,7 @@ from brdf_suite.pipeline.material import (
 )
 from brdf_suite.progress import Progress, report, subrange
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.note import set_note
-from brdf_viewer.fields.source_chooser import Source, title_of
+from brdf_viewer.fields.inspector import Source, set_note, title_of
 from brdf_viewer.paint.patches import Patch
 from brdf_viewer.paint.sequence import OpenPalette, is_swatch, stepped
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -67,7 +67,7 @@ class PaintControl(ViewerFeature):
         super().__init__(state, window)
         self._runner = runner
         self._first = first
-        self._loading: str | None = None
+        self._loading: str | None = None  # by name or file, in the background
         self._palette: OpenPalette | None = None
         self._paints: dict[str, AnyPaint] = {}
         self._stepped_to = ""
@@ -80,9 +80,11 @@ class PaintControl(ViewerFeature):
         self._exact.arrived.connect(lambda fit: self._set_fit(fit, state.paint_key))
         # The same fit again: it no longer says that an exact one follows.
         self._exact.failed.connect(lambda fit, _error: self.show_fit(fit, self._state.paint_key))
-        self._following = follow
+        self.following = follow
+        """Whether Designer's paint is shown as soon as there is one."""
         self._offers = not follow
-        self._of_designer: AnyPaint | None = None
+        self.of_designer: AnyPaint | None = None
+        """The newest paint that Designer has published; it stays when Designer closes."""
         link.received.connect(self._received)
         link.peers_changed.connect(self._show_following)
         window.paint.follow.clicked.connect(self.set_following)
@@ -91,49 +93,32 @@ class PaintControl(ViewerFeature):
         window.commands.paint_requested.connect(self.open)
         window.commands.set_paints(self._shipped())
         window.commands.step_requested.connect(self.step)
-        window.commands.palette_close_requested.connect(self.close_palette)
+        window.commands.palette_close.triggered.connect(self._close_palette)
         window.busy_cancelled.connect(self._cancel)
         self._list()
         self._show_following()
 
-    @property
-    def loading(self) -> str | None:
-        """What is loaded in the background, by name or file; None where none is."""
-        return self._loading
-
-    @property
-    def following(self) -> bool:
-        """Whether Designer's paint is shown as soon as there is one."""
-        return self._following
-
-    @property
-    def of_designer(self) -> AnyPaint | None:
-        """The newest paint that Designer has published; it stays when Designer closes."""
-        return self._of_designer
-
     def set_following(self, following: bool) -> None:
         """Follow Designer or not; its newest paint is shown at once."""
-        if following == self._following:
+        if following == self.following:
             return
-        self._following = following
+        self.following = following
         self._show_following()
-        if following and self._of_designer is not None:
-            self._show(self._of_designer, DESIGNER)
+        if following and self.of_designer is not None:
+            self._show(self.of_designer, DESIGNER)
 
     def _received(self, topic: str, value: dict[str, Any]) -> None:
         """Take what Designer has published; ``value`` has passed the link's check."""
         if topic == _KEY:
-            self._of_designer = paint_from_json(value, "Designer")
-            if self._following:
-                self._show(self._of_designer, DESIGNER)
+            self.of_designer = paint_from_json(value, "Designer")
+            if self.following:
+                self._show(self.of_designer, DESIGNER)
 
     @property
     def is_idle(self) -> bool:
-        """Whether no paint is being loaded."""
         return self._loading is None
 
     def start(self) -> None:
-        """Show the first paint."""
         file = is_file(self._first) and self._first not in self._names
         if file and document_kind(self._first) != "paint":
             self._show_default()  # until the file is read
@@ -172,7 +157,7 @@ class PaintControl(ViewerFeature):
         try:
             palette = load_palette_file(path).palette
         except SuiteError as error:
-            self._report(error)
+            self._complain(error)
             return
         self._palette = OpenPalette(path, palette)
         self._paints = self._palette.paints
@@ -181,7 +166,7 @@ class PaintControl(ViewerFeature):
         self._list()
         self.step(1)
 
-    def close_palette(self) -> None:
+    def _close_palette(self) -> None:
         """Go through the shipped paints again; the paint on show stays."""
         self._palette, self._paints = None, {}
         self._list()
@@ -204,7 +189,7 @@ class PaintControl(ViewerFeature):
         try:
             document = load_document(key)
         except SuiteError as error:
-            self._report(error)
+            self._complain(error)
             return False
         if document is None:
             self._load(key)
@@ -218,16 +203,9 @@ class PaintControl(ViewerFeature):
         """Load and fit what is no paint document in the background; the paint on show stays until it is there."""
         self._loading = key
         title = title_of(key, {})
-        self._window.messages.dismiss(_KEY)
         self._window.set_busy(_KEY, 0.0, title)
-        self._runner.submit(
-            _KEY,
-            _load_and_fit,
-            key,
-            done=lambda fit: self._loaded(key, fit),
-            failed=self._not_loaded,
-            progress=lambda fraction, what: self._window.set_busy(_KEY, fraction, f"{title}: {what}"),
-        )
+        loaded = partial(self._loaded, key)
+        self._run(self._runner, _KEY, _load_and_fit, key, loaded, self._not_loaded, f"{title}: ")
 
     def _loaded(self, key: str, fit: LobeFit | None) -> None:
         self._cancel(_KEY)
@@ -242,8 +220,7 @@ class PaintControl(ViewerFeature):
 
     def _not_loaded(self, error: Exception) -> None:
         self._cancel(_KEY)
-        self._report(error)
-        self._show_choice()
+        self._complain(error)
 
     def _cancel(self, kind: str) -> None:
         """Give up what is loaded in the background."""
@@ -258,7 +235,6 @@ class PaintControl(ViewerFeature):
         self._list()
 
     def close(self) -> None:
-        """Drop a fit that is still worked at."""
         self.fitter.close()
 
     def _show(self, paint: AnyPaint, key: str) -> None:
@@ -267,7 +243,7 @@ class PaintControl(ViewerFeature):
         try:
             fit = self.fitter.fit(paint) if isinstance(paint, Paint) else fit_material(material_of(paint))
         except SuiteError as error:
-            self._report(error)
+            self._complain(error)
             return
         self._window.messages.dismiss(_KEY)
         self._exact.watch(fit)
@@ -277,36 +253,50 @@ class PaintControl(ViewerFeature):
         self._state.set_fit(fit, key)
         self.show_fit(fit, key)
 
-    def _report(self, error: Exception) -> None:
+    def _complain(self, error: Exception) -> None:
         fit = self._state.fit
         shown = default_paint_name().capitalize() if fit is None else fit.name
         todo = tr("The picture shows {shown}. Choose another paint, or correct this one.").format(shown=shown)
-        self._window.messages.show_message(message_of(error, _KEY, todo=todo))
+        self._report(error, _KEY, todo)
 
     def show_fit(self, fit: LobeFit, key: str) -> None:
         """Show name, notices, error and time of a fit in the window."""
         section = self._window.paint
         self._show_choice()
-        self._name_designer()
+        self._window.paint.chooser.rename(DESIGNER, self._designer_title())
         self._show_place(key)
-        section.patches.set_patches(_patches(fit))
+        # A designed paint's readings, or the usual angles that the fit looked at.
+        section.patches.set_patches(
+            [
+                Patch(
+                    row.aspecular_deg,
+                    row.lab,
+                    row.lab_fitted,
+                    row.delta_e_2000,
+                    fit.time_limited,
+                    fit.exact_follows,
+                    row.illumination_deg,
+                )
+                for row in fit.compared
+            ]
+        )
         worst, follows = fit.worst_delta_e, fit.exact_follows
         section.set_fit_error(worst, fit.time_limited, follows)
-        set_note(section.facts, "\n".join((*fit.notices, *_ways_of_light(fit))))
+        facts = list(fit.notices)
+        if fit.material.paint is None and is_factored(fit.reflectance):
+            facts.append(tr("Factored paint: lamps use its maps, the environment uses fitted lobes."))
+        set_note(section.facts, "\n".join(facts))
         limited = ", " + tr("time-limited") if fit.time_limited else ""
-        self._window.status.cell("lobes").set(
-            tr("{count} lobes").format(count=len(fit.weights.exponents)), tr("Cosine lobes of the fit")
-        )
-        large = worst is not None and is_large(worst)
-        message = "" if worst is None else f" · {marked(f'ΔE {worst:.2f}', worst)}"
-        tips = [tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")]
-        if worst is None:
-            tips = [tr("Duration of the lobe fit; no measured angles to compare with")]
-        if more := fit_tips(worst, fit.time_limited, follows):
-            tips.append(more)
+        count = tr("{count} lobes").format(count=len(fit.weights.exponents))
+        self._window.status.cell("lobes").set(count, tr("Cosine lobes of the fit"))
+        large, message = False, ""
+        tip = tr("Duration of the lobe fit; no measured angles to compare with")
+        if worst is not None:
+            large, message = is_large(worst), f" · {marked(f'ΔE {worst:.2f}', worst)}"
+            tip = tr("Duration of the lobe fit, and its maximum ΔE00 at the measured angles")
         self._window.status.cell("fit").set(
             tr("fit {ms} ms").format(ms=f"{fit.fit_seconds * 1e3:.2f}") + f"{message}{limited}",
-            "\n".join(tips),
+            f"{tip}\n{fit_tips(worst, fit.time_limited, follows)}".strip(),
             "warning" if large or fit.time_limited else "fresh",
         )
 
@@ -322,17 +312,14 @@ class PaintControl(ViewerFeature):
 
     def _designer_title(self) -> str:
         """Return what Designer's paint is called; a program that has gone is not named as if it were there."""
-        name = tr("Paint") if self._of_designer is None else self._of_designer.name
+        name = tr("Paint") if self.of_designer is None else self.of_designer.name
         is_open = _DESIGNER in self._link.peers
         return f"{name} (Designer)" if is_open else tr("{name} (closed)").format(name=name)
 
-    def _name_designer(self) -> None:
-        self._window.paint.chooser.rename(DESIGNER, self._designer_title())
-
     def _show_following(self, *_: object) -> None:
         linked = _DESIGNER in self._link.peers
-        following = self._following
-        self._name_designer()
+        following = self.following
+        self._window.paint.chooser.rename(DESIGNER, self._designer_title())
         self._offer(linked, following)
         self._window.paint.set_following(following, linked)
         self._window.commands.follow.setChecked(following)
@@ -340,9 +327,8 @@ class PaintControl(ViewerFeature):
         if linked:
             text = tr("Designer connected") if following else tr("Designer connected (not following)")
         others = ", ".join(self._link.peers) or tr("none")
-        self._window.status.cell("link", right=True).set(
-            text, tr("Other programs on the link: {programs}").format(programs=others)
-        )
+        tip = tr("Other programs on the link: {programs}").format(programs=others)
+        self._window.status.cell("link", right=True).set(text, tip)
 
     def _offer(self, linked: bool, following: bool) -> None:
         """Say once that a Designer is open, where Viewer was asked to show another paint at its start."""
@@ -372,32 +358,9 @@ class PaintControl(ViewerFeature):
         commands.palette_close.setEnabled(self._palette is not None)
 
 
-def _ways_of_light(fit: LobeFit) -> tuple[str, ...]:
-    """Say of a factored paint what is drawn by its factors."""
-    if fit.material.paint is not None or not is_factored(fit.reflectance):
-        return ()
-    return (tr("Factored paint: lamps use its maps, the environment uses fitted lobes."),)
-
-
 def _load_and_fit(key: str, progress: Progress) -> LobeFit | None:
     """Return the fit of a name or file; None of a palette with several paints."""
     report(progress, 0.0, "reading")
     if is_file(key) and file_kind(key) == "palette":
         return None
     return fit_material(load_material(key), progress=subrange(progress, 0.1, 1.0))
-
-
-def _patches(fit: LobeFit) -> list[Patch]:
-    """A designed paint's readings, or the usual angles that the fit looked at."""
-    return [
-        Patch(
-            row.aspecular_deg,
-            row.lab,
-            row.lab_fitted,
-            row.delta_e_2000,
-            fit.time_limited,
-            fit.exact_follows,
-            row.illumination_deg,
-        )
-        for row in fit.compared
-    ]

@@ -48,7 +48,7 @@ class PaintPatches(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._patches: tuple[Patch, ...] = ()
+        self.patches: tuple[Patch, ...] = ()
         self._colours: list[tuple[QColor, QColor, bool]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMinimumHeight(_HEIGHT)
@@ -58,25 +58,20 @@ class PaintPatches(QWidget):
         """Show ``patches``, by light and from the smallest aspecular angle on; many angles are thinned."""
         ordered = sorted(patches, key=lambda patch: (patch.illumination_deg, patch.aspecular_deg))
         keep = np.unique(np.linspace(0, len(ordered) - 1, min(_MOST, len(ordered))).round().astype(int))
-        self._patches = tuple(ordered[i] for i in keep) if ordered else ()
+        self.patches = tuple(ordered[i] for i in keep) if ordered else ()
         self.setMinimumHeight(_HEIGHT + (self._line() if self.names_lights else 0))
         self.updateGeometry()
         self._colours = [
             (_screen(p.asked), _screen(p.fitted), bool(in_srgb_gamut(np.array(p.asked))))
-            for p in self._patches
+            for p in self.patches
         ]
-        self.setAccessibleDescription("; ".join(_words(patch) for patch in self._patches))
+        self.setAccessibleDescription("; ".join(_words(patch) for patch in self.patches))
         self.update()
-
-    @property
-    def patches(self) -> tuple[Patch, ...]:
-        """The patches that are shown."""
-        return self._patches
 
     @property
     def names_lights(self) -> bool:
         """Whether there are readings under more than one light, which are then named."""
-        return len({patch.illumination_deg for patch in self._patches}) > 1
+        return len({patch.illumination_deg for patch in self.patches}) > 1
 
     def sizeHint(self) -> QSize:
         return QSize(240, self.minimumHeight())
@@ -87,14 +82,13 @@ class PaintPatches(QWidget):
         label = self.fontMetrics().height()
         below = label + 4 + (self._line() if self.names_lights else 0)
         for patch, (asked, fitted, inside), box in zip(
-            self._patches, self._colours, self._boxes(), strict=True
+            self.patches, self._colours, self._boxes(), strict=True
         ):
             body = box.adjusted(0, 0, 0, -below)
             split = round(body.height() * 0.7)  # whole pixels: no seam where both colours are one
             painter.fillRect(QRectF(body.left(), body.top(), body.width(), split), asked)
-            painter.fillRect(
-                QRectF(body.left(), body.top() + split, body.width(), body.height() - split), fitted
-            )
+            below_split = QRectF(body.left(), body.top() + split, body.width(), body.height() - split)
+            painter.fillRect(below_split, fitted)
             if not inside:
                 _mark_out_of_gamut(painter, body, asked)
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
@@ -112,7 +106,7 @@ class PaintPatches(QWidget):
         font = painter.font()
         font.setBold(False)
         painter.setFont(font)
-        placed = zip(self._patches, self._boxes(), strict=True)
+        placed = zip(self.patches, self._boxes(), strict=True)
         for degrees, group in itertools.groupby(placed, key=lambda item: item[0].illumination_deg):
             boxes = [box for _, box in group]
             area = QRectF(boxes[0].left(), self.height() - label, boxes[-1].right() - boxes[0].left(), label)
@@ -126,7 +120,7 @@ class PaintPatches(QWidget):
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            for patch, box in zip(self._patches, self._boxes(), strict=True):
+            for patch, box in zip(self.patches, self._boxes(), strict=True):
                 if box.contains(QPointF(event.pos())):
                     QToolTip.showText(event.globalPos(), plain_tip(_words(patch)), self)
                     return True
@@ -135,11 +129,11 @@ class PaintPatches(QWidget):
         return super().event(event)
 
     def _boxes(self) -> list[QRectF]:
-        count = max(1, len(self._patches))
+        count = max(1, len(self.patches))
         lefts = [round(i * (self.width() + _GAP) / count) for i in range(count + 1)]
         return [
             QRectF(left, 0, right - _GAP - left, self.height()) for left, right in itertools.pairwise(lefts)
-        ][: len(self._patches)]
+        ][: len(self.patches)]
 
 
 def _screen(lab: Lab) -> QColor:
@@ -160,19 +154,15 @@ def _words(patch: Patch) -> str:
     def lab(values: Lab) -> str:
         return f"L* {values[0]:.1f}  a* {values[1]:.1f}  b* {values[2]:.1f}"
 
-    shown = (
-        ""
-        if in_srgb_gamut(np.array(patch.asked))
-        else "\n" + tr("Outside this screen's colours: shown clipped")
-    )
-    large = ""
+    angles = tr("Light {light:g}°, aspecular {aspecular:g}°")
+    lines = [
+        angles.format(light=patch.illumination_deg, aspecular=patch.aspecular_deg),
+        tr("target") + f" {lab(patch.asked)}",
+        tr("fit") + f" {lab(patch.fitted)}",
+        f"ΔE00 {patch.delta_e_2000:.2f}",
+    ]
     if is_large(patch.delta_e_2000):
-        large = f"\n{large_error_tip(patch.time_limited, patch.exact_follows)}"
-    target, fit = tr("target"), tr("fit")
-    light = tr("Light {light:g}°, aspecular {aspecular:g}°").format(
-        light=patch.illumination_deg, aspecular=patch.aspecular_deg
-    )
-    return (
-        f"{light}\n{target} {lab(patch.asked)}\n{fit} {lab(patch.fitted)}\n"
-        f"ΔE00 {patch.delta_e_2000:.2f}{large}{shown}"
-    )
+        lines.append(large_error_tip(patch.time_limited, patch.exact_follows))
+    if not in_srgb_gamut(np.array(patch.asked)):
+        lines.append(tr("Outside this screen's colours: shown clipped"))
+    return "\n".join(lines)

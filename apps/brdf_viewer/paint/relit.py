@@ -9,8 +9,7 @@ from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import has_spectra
-from brdf_viewer.light.presets import is_tinted
-from brdf_viewer.light.section import Spectra
+from brdf_viewer.light.section import Spectra, is_tinted
 from brdf_viewer.scene.viewer_state import ViewerState
 
 _KEY = "relit"
@@ -44,7 +43,6 @@ class RelitPaint(QObject):
         return "used" if present is not None else "in work"
 
     def close(self) -> None:
-        """End the thread."""
         self._runner.stop()
 
     def _follow(self) -> None:
@@ -63,8 +61,7 @@ class RelitPaint(QObject):
         self.state_changed.emit()
 
     def _done(self, fit: LobeFit) -> None:
-        take = self._state.set_second_relit if self._second else self._state.set_relit
-        take(fit)
+        self._state.set_relit(fit, second=self._second)
         self.state_changed.emit()
 
     def _not_fitted(self, _error: Exception) -> None:

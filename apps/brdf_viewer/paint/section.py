@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import plain_tip
+from brdf_qt.fields.labels import plain_tip, set_bold
 from brdf_qt.program.translation import tr
 from brdf_qt.window.section import Section
 from brdf_qt.work.fit_error import fit_tips, is_large, marked
 from PySide6.QtWidgets import QCheckBox, QWidget
 
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.fields.source_chooser import SourceChooser
+from brdf_viewer.fields.inspector import SourceChooser, note, set_note
 from brdf_viewer.paint.patches import PaintPatches
 
 
@@ -41,12 +40,9 @@ class PaintSection(Section):
             bound = tr("Fit: maximum ΔE00 {worst:.2f} at the measured angles{limited}")
             text = marked(bound.format(worst=worst_delta_e, limited=limited), worst_delta_e)
         set_note(self.fit, text)
-        font = self.fit.font()
-        font.setBold(worst_delta_e is not None and is_large(worst_delta_e))
-        self.fit.setFont(font)
+        set_bold(self.fit, worst_delta_e is not None and is_large(worst_delta_e))
         self.fit.setToolTip(plain_tip(fit_tips(worst_delta_e, time_limited, exact_follows)))
 
     def set_following(self, following: bool, linked: bool) -> None:
-        """Show whether Designer is followed, and whether it is there."""
         self.follow.setChecked(following)
         self.follow.setText(tr("Follow Designer") if linked else tr("Follow Designer (not open)"))

@@ -33,7 +33,6 @@ class OpenPalette:
 
     @property
     def paints(self) -> dict[str, AnyPaint]:
-        """The paints by their keys."""
         return dict(zip(self.keys, (to_paint(entry.content) for entry in self.palette), strict=True))
 
     def words(self, key: str) -> str:
@@ -46,9 +45,8 @@ class OpenPalette:
         if key not in keys:
             return ""
         name = self.palette.name or Path(self.path).stem
-        return tr("{name}, {number} of {count}").format(
-            name=name, number=keys.index(key) + 1, count=len(keys)
-        )
+        text = tr("{name}, {number} of {count}")
+        return text.format(name=name, number=keys.index(key) + 1, count=len(keys))
 
 
 def is_swatch(key: str) -> bool:

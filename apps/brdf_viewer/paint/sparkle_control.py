@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Any
-
 from brdf_suite.documents.view import View
 from brdf_viewer.feature import ViewerFeature
+from brdf_viewer.fields.inspector import set_note
+from brdf_viewer.paint.sparkle_section import flake_facts
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
 
@@ -16,25 +15,20 @@ class SparkleControl(ViewerFeature):
 
     def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
-        self._section, self._commands = window.sparkle, window.commands
-        section = self._section
-        for signal in (section.mode.picked, window.commands.sparkle_requested):
-            signal.connect(lambda mode: self._change(mode=mode))
-        section.lights.edited.connect(lambda count: self._change(light_count=round(count)))
-        section.strength.edited.connect(lambda strength: self._change(strength=strength))
+        section = window.sparkle
+        for box in (section.mode, window.commands.sparkle):
+            box.picked.connect(lambda mode: state.change_part("sparkle", mode=mode))
+        section.lights.edited.connect(lambda count: state.change_part("sparkle", light_count=round(count)))
+        section.strength.edited.connect(lambda strength: state.change_part("sparkle", strength=strength))
         state.view_changed.connect(self._show_view)
         state.contents_changed.connect(self._show_flakes)
         self._show_view(None, state.view)
         self._show_flakes()
 
-    def _change(self, **fields: Any) -> None:
-        sparkle = dataclasses.replace(self._state.view.sparkle, **fields)
-        self._state.change_view(sparkle=sparkle)
-
     def _show_view(self, _old: View | None, new: View) -> None:
-        self._section.set_sparkle(new.sparkle)
-        self._commands.show_sparkle(new.sparkle.mode)
+        self._window.sparkle.set_sparkle(new.sparkle)
+        self._window.commands.sparkle.show_choice(new.sparkle.mode)
 
     def _show_flakes(self) -> None:
         fit = self._state.fit
-        self._section.set_flakes(None if fit is None else fit.flakes)
+        set_note(self._window.sparkle.facts, flake_facts(None if fit is None else fit.flakes))

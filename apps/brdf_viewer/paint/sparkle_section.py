@@ -1,17 +1,53 @@
-"""Drawing of individual flakes, and what the paint says of its flakes."""
+"""How lobes follow the angle of view and are looked up; how flakes are drawn, and what the paint says of them."""
 
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
+from brdf_qt.fields.number import reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view_settings import PARAMETERS, Sparkle
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.fields.slider import SliderField
+from brdf_viewer.fields.inspector import ChoiceBox, SliderField, note
+
+FRESNEL_TITLES = {"raised": mark("Raised"), "multi_angle": mark("Several angles"), "off": mark("Off")}
+FRESNEL_TIPS = {
+    "raised": mark(
+        "The lobes fitted at 45°, with the coat brightened and the base dimmed by the exact Fresnel equations"
+    ),
+    "multi_angle": mark(
+        "Lobes fitted at 16 angles of incidence and interpolated, also in their shape; measured files, "
+        "which have no separate coat, are raised"
+    ),
+    "off": mark("The lobes of 45° at every angle"),
+}
+LOOK_UP_TITLES = {"shifted": mark("Shifted (exact horizon)"), "paper": mark("Mirror direction (paper)")}
+LOOK_UP_TIPS = {
+    "shifted": mark(
+        "Each lobe is looked up between mirror direction and normal: only light above the surface counts"
+    ),
+    "paper": mark(
+        "Each lobe is looked up in the mirror direction and dimmed by its cosine, as published by Westlund and "
+        "Meyer: broad lobes take light from below the surface, towards grazing angles"
+    ),
+}
+
+
+class FresnelSection(Section):
+    """The Fresnel mode and the form of the look-up, words of :class:`documents.view.View`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(tr("Fresnel"), "fresnel", parent)
+        self.mode = ChoiceBox(FRESNEL_TITLES, FRESNEL_TIPS)
+        self.look_up = ChoiceBox(LOOK_UP_TITLES, LOOK_UP_TIPS)
+        form = Form()
+        form.add_row(tr("Coat and base"), self.mode, tr("Dependence on the viewing angle"))
+        tip = tr("Direction in which a lobe is looked up in the filtered light")
+        form.add_row(tr("Look-up"), self.look_up, tip)
+        self.add(form)
+
 
 SPARKLE_TITLES = {
     "glints": mark("Glints, at any distance"),
@@ -33,29 +69,22 @@ class SparkleSection(Section):
         super().__init__(tr("Sparkle"), "sparkle", parent)
         self.mode = ChoiceBox(SPARKLE_TITLES, SPARKLE_TIPS)
         lights, strength = PARAMETERS["sparkle.light_count"], PARAMETERS["sparkle.strength"]
-        self.lights = SliderField(tr("Lights"), "", lights.low, lights.high, 1.0, 0, lights.default)
-        self.strength = SliderField(
-            tr("Strength"), "×", strength.low, strength.high, 0.1, 1, strength.default
-        )
-        self._form = Form()
-        self._form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
-        self._form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
-        self._form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
-        self.add(self._form)
+        self.lights = SliderField(tr("Lights"), *reach_of(lights, 1.0, 0))
+        self.strength = SliderField(tr("Strength"), *reach_of(strength, 0.1, 1))
+        form = Form()
+        form.add_row(tr("Flakes"), self.mode, tr("Drawing of individual flakes"))
+        form.add_row(tr("Lights"), self.lights, tr(lights.meaning))
+        form.add_row(tr("Strength"), self.strength, tr(strength.meaning))
+        self.add(form)
         self.facts = note(tr(NO_FLAKES))
         self.add(self.facts)
 
     def set_sparkle(self, sparkle: Sparkle) -> None:
-        """Show the view's settings, without a signal."""
         self.mode.show_choice(sparkle.mode)
         self.lights.set_value(float(sparkle.light_count))
         self.strength.set_value(sparkle.strength)
         for field in (self.lights, self.strength):
             field.setEnabled(sparkle.mode != "off")
-
-    def set_flakes(self, flakes: Flakes | None) -> None:
-        """Show what the paint says of its flakes."""
-        set_note(self.facts, flake_facts(flakes))
 
 
 def flake_facts(flakes: Flakes | None) -> str:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 from brdf_qt.documents.recent_files import RecentFiles
 from brdf_qt.documents.watch import FileWatch
 from brdf_qt.program.translation import mark, tr
-from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import Signal
 
@@ -19,9 +19,8 @@ from brdf_suite.pipeline.scene import PreparedEnvironment, default_view, environ
 from brdf_suite.realtime.camera import frame
 from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.note import set_note
-from brdf_viewer.fields.source_chooser import Source, title_of
-from brdf_viewer.light.environment_figures import environment_facts
+from brdf_viewer.fields.inspector import Source, set_note, title_of
+from brdf_viewer.light.environment_section import environment_facts
 from brdf_viewer.scene.loading import ENVIRONMENT, SURFACE, SceneLoader
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -55,11 +54,11 @@ class SceneControl(ViewerFeature):
         self._layout = state.view.environment_layout
         self._watch = FileWatch(self)
         self._watch.changed.connect(self._changed_on_disk)
-        for kind, names in self._names.items():
-            window.commands.set_sources(kind, [Source(n, title_of(n, SHIPPED_TITLES)) for n in names])
-        window.commands.source_requested.connect(self.open)
         for kind, chooser in self._choosers.items():
-            chooser.chosen.connect(lambda key, kind=kind: self.open(kind, key))
+            group = window.commands.sources[kind]
+            group.add({name: title_of(name, SHIPPED_TITLES) for name in self._names[kind]})
+            for signal in (chooser.chosen, group.picked):
+                signal.connect(partial(self.open, kind))
             self._list(kind)
             self._show(kind)
         self.loader.loaded.connect(self._loaded)
@@ -79,20 +78,16 @@ class SceneControl(ViewerFeature):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no environment and no surface is being loaded."""
         return not self._loading
 
     def start(self) -> None:
-        """Load what the view names."""
         self.open(SURFACE, self._state.view.surface)
         self._open_environment(self._state.view.environment, self._state.view.environment_layout)
 
     def open(self, kind: str, key: str) -> None:
         """Load a shipped name or a file of a kind; the old picture stays until it is there."""
         if kind == ENVIRONMENT:
-            self._open_environment(key, AUTOMATIC)
-            return
-        self._window.messages.dismiss(kind)
+            self._layout = AUTOMATIC
         self._begin(kind, key)
 
     def set_layout(self, layout: str) -> None:
@@ -100,7 +95,6 @@ class SceneControl(ViewerFeature):
         self._open_environment(self._state.view.environment, layout)
 
     def _open_environment(self, key: str, layout: str) -> None:
-        self._window.messages.dismiss(ENVIRONMENT)
         self._layout = layout
         self._begin(ENVIRONMENT, key)
 
@@ -109,7 +103,9 @@ class SceneControl(ViewerFeature):
         if ENVIRONMENT not in self._loading or self._loading[ENVIRONMENT] == path:
             self._open_environment(path, self._layout)
 
-    def _begin(self, kind: str, key: str) -> None:
+    def _begin(self, kind: str, key: str, *, keep_message: bool = False) -> None:
+        if not keep_message:
+            self._window.messages.dismiss(kind)
         if key not in self._names[kind]:
             key = str(Path(key).absolute())
         self._loading[kind] = key
@@ -118,7 +114,6 @@ class SceneControl(ViewerFeature):
         self.loader.load(kind, key, self._layout, self._state.view.surface_look)
 
     def close(self) -> None:
-        """End what is loaded, and load no more."""
         self.loader.stop()
 
     def cancel(self, kind: str) -> None:
@@ -136,7 +131,7 @@ class SceneControl(ViewerFeature):
         drawn = self._drawn_key(kind)
         if drawn:
             self._state.change_view(**{kind: drawn})
-        self._report(kind, error)
+        self._complain(kind, error)
 
     def _loaded(self, kind: str, key: str, value: PreparedEnvironment | Mesh) -> None:
         if isinstance(value, PreparedEnvironment):
@@ -230,34 +225,28 @@ class SceneControl(ViewerFeature):
     def _not_loaded(self, kind: str, key: str, error: Exception) -> None:
         if kind == ENVIRONMENT:
             self._take_partial_back()
-        self._report(kind, error)
-        self._keep_drawn(kind, key)
+        self._complain(kind, error)
+        drawn = self._drawn_key(kind)
+        if drawn and getattr(self._state.view, kind) == key:
+            self._state.follow_view(**{kind: drawn})  # the view names again what is drawn
         self._show(kind)
         default = getattr(default_view(), kind)
         if not self._drawn_key(kind) and key != default:
             self._layout = AUTOMATIC
-            self._begin(kind, default)  # a picture with a message beats a message alone
+            self._begin(kind, default, keep_message=True)  # a picture with a message beats a message alone
 
-    def _keep_drawn(self, kind: str, key: str) -> None:
-        """A view names what cannot be had: it names again what is drawn."""
-        drawn = self._drawn_key(kind)
-        if drawn and getattr(self._state.view, kind) == key:
-            self._state.follow_view(**{kind: drawn})
-
-    def _report(self, kind: str, error: Exception) -> None:
+    def _complain(self, kind: str, error: Exception) -> None:
         shown = title_of(self._drawn_key(kind) or getattr(default_view(), kind), SHIPPED_TITLES)
         todo = tr(
             "The picture shows {shown}. Choose another one in the inspector, or drop a file on the picture."
-        ).format(shown=shown)
-        self._window.messages.show_message(message_of(error, kind, todo=todo))
+        )
+        self._report(error, kind, todo.format(shown=shown))
         self.failed.emit(kind, str(error))
 
     def report_unknown(self, path: str, known: str) -> None:
         """A file was dropped that the Viewer does not open."""
         what = tr("Viewer opens files that end in {endings}.").format(endings=known)
-        self._window.messages.show_message(
-            Message("dropped", what, where=path, todo=tr("Drop one of these."), severity="error")
-        )
+        self._refuse("dropped", what, tr("Drop one of these."), where=path)
 
     def _moved(self, kind: str, fraction: float, what: str) -> None:
         title = title_of(self._loading.get(kind, ""), SHIPPED_TITLES)
@@ -296,29 +285,25 @@ class SceneControl(ViewerFeature):
             if (key if on_disk else "") != self._watch.path and (on_disk or not loading):
                 self._watch.watch(key if on_disk else "")
         self._choosers[kind].show_source(key, title_of(key, SHIPPED_TITLES))
-        self._window.commands.show_source(kind, key)
+        self._window.commands.sources[kind].show_choice(key)
         self._show_environment_cell()
 
     def _view_changed(self, old: View, new: View) -> None:
         for kind in self._choosers:
             if getattr(old, kind) != getattr(new, kind):
                 self._show(kind)
-        if (old.environment, old.environment_layout) != (new.environment, new.environment_layout):
-            self._bring(ENVIRONMENT, new.environment, new.environment_layout)
-        if old.surface != new.surface:
-            self._bring(SURFACE, new.surface, new.environment_layout)
+        # What a view names that was undone or opened is loaded, unless it is drawn or on its way.
+        layout = new.environment_layout
+        if (old.environment, old.environment_layout) != (new.environment, layout) and not (
+            self._is_there(ENVIRONMENT, new.environment) and layout == self._layout
+        ):
+            self._open_environment(new.environment, layout)
+        if old.surface != new.surface and not self._is_there(SURFACE, new.surface):
+            self.open(SURFACE, new.surface)
 
-    def _bring(self, kind: str, key: str, layout: str) -> None:
-        """Load what a view names that was undone or opened, unless it is drawn or on its way."""
-        is_environment = kind == ENVIRONMENT
-        drawn = self._drawn_key(kind) == key and kind not in self._loading
-        coming = self._loading.get(kind) == key
-        if (drawn or coming) and not (is_environment and layout != self._layout):
-            return
-        if is_environment:
-            self._open_environment(key, layout)
-        else:
-            self.open(kind, key)
+    def _is_there(self, kind: str, key: str) -> bool:
+        """Whether this is loaded, or drawn and nothing else loaded."""
+        return self._loading.get(kind, self._drawn_key(kind)) == key
 
     def _show_environment_cell(self) -> None:
         loading = self._loading.get(ENVIRONMENT)
@@ -327,17 +312,13 @@ class SceneControl(ViewerFeature):
         if present is None or present.value.is_final:
             cell.set(title, tr("Loading") if loading else tr("Environment"), "stale" if loading else "fresh")
             return
-        title = title_of(present.key, SHIPPED_TITLES)
-        if present.value.draft:
-            cell.set(
-                tr("{title}, draft").format(title=title), tr("Full quality follows after editing"), "stale"
-            )
-            return
+        text, tip = tr("{title}, draft"), tr("Full quality follows after editing")
         made, wanted = present.value.wanted - present.value.missing, present.value.wanted
-        tip = tr("Refining reflections") if loading else tr("Stopped; select the light again to finish")
-        cell.set(
-            tr("{title}, maps {made} of {wanted}").format(title=title, made=made, wanted=wanted), tip, "stale"
-        )
+        if not present.value.draft:
+            text = tr("{title}, maps {made} of {wanted}")
+            tip = tr("Refining reflections") if loading else tr("Stopped; select the light again to finish")
+        title = title_of(present.key, SHIPPED_TITLES)
+        cell.set(text.format(title=title, made=made, wanted=wanted), tip, "stale")
 
 
 def _surface_facts(mesh: Mesh) -> str:

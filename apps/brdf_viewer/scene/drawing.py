@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from brdf_qt.work.angle_fits import AngleFits
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from brdf_viewer.traced.process import TracedPicture
 
 Grey = tuple[float, float, float]
-SECOND_MATERIALS = {PAINT_MATERIAL: SECOND_MATERIAL}
 
 
 class SceneDrawer:
@@ -55,7 +55,7 @@ class SceneDrawer:
         self.angle_fits.arrived.connect(state.contents_changed)
         self.scene_renderer = SceneRenderer(context, self.angle_fits.angles)
         # The first picture waits for no map and no program that it does not show; see prepare_edits.
-        self.scene_renderer.renderer.only_needed = True
+        self.renderer.only_needed = True
         self._prepared = True
         self.uploads: dict[str, Callable[[Any], None]] = {
             "environment": self.scene_renderer.set_environment,
@@ -66,11 +66,7 @@ class SceneDrawer:
         self._images: SurfaceImages | None = None
         self._fit: object = None
         self._second: LoadedAsset[Any] | None = None
-        self._comparison: ComparisonRenderer | None = None
-        self._probe: PixelProbe | None = None
-        self._traced: TracedLight | None = None
         self._traced_picture: TracedPicture | None = None
-        self._with_own: ComparisonRenderer | None = None
         state.contents_changed.connect(self._prepare)
         state.view_changed.connect(self._prepare)
         self._prepare()
@@ -85,12 +81,24 @@ class SceneDrawer:
         """The renderer below, for what draws or reads outside the frames; its context must be current."""
         return self.scene_renderer.renderer
 
-    @property
+    @cached_property
     def probe(self) -> PixelProbe:
         """Reads single pixels; the context must be current."""
-        if self._probe is None:
-            self._probe = PixelProbe(self.scene_renderer.renderer)
-        return self._probe
+        return PixelProbe(self.renderer)
+
+    @cached_property
+    def _traced(self) -> TracedLight:
+        return TracedLight(self.renderer)
+
+    @cached_property
+    def _comparison(self) -> ComparisonRenderer:
+        """Draws the picture with the second paint or picture."""
+        return ComparisonRenderer(self.renderer, {PAINT_MATERIAL: SECOND_MATERIAL})
+
+    @cached_property
+    def _with_own(self) -> ComparisonRenderer:
+        """Draws the traced picture with its own in real time."""
+        return ComparisonRenderer(self.renderer, {})
 
     @property
     def is_complete(self) -> bool:
@@ -130,21 +138,20 @@ class SceneDrawer:
 
     def traced_light(self, size: tuple[int, int]) -> TracedLight | None:
         """Return what shows the traced picture where there is one of this size on the viewer state."""
-        there = self._traced is not None and self._traced_picture is not None and self._traced.size == size
+        there = self._traced_picture is not None and self._traced.size == size
         return self._traced if there else None
 
     def meter(self, view: View, size: tuple[int, int]) -> None:
         """Measure the exposure of what is drawn, for the viewer state to show it at; 0 EV where no object is seen."""
         if self._fit is not None:
-            self._state.metered_ev = automatic_ev(self.scene_renderer.renderer, view, size) or 0.0
+            self._state.metered_ev = automatic_ev(self.renderer, view, size) or 0.0
 
     def prepare_edits(self) -> None:
         """Upload what the first picture did without, and compile it with the next frame, so that no edit waits."""
-        self.scene_renderer.renderer.only_needed = False
+        self.renderer.only_needed = False
         self._prepared = False
 
     def release(self) -> None:
-        """Give every OpenGL object back."""
         self._state.contents_changed.disconnect(self._prepare)
         self._state.view_changed.disconnect(self._prepare)
         self.scene_renderer.release()
@@ -170,8 +177,6 @@ class SceneDrawer:
         wanted = self._state.drawn_second
         if wanted is self._second:
             return False
-        if self._comparison is None:
-            self._comparison = ComparisonRenderer(self.scene_renderer.renderer, SECOND_MATERIALS)
         value = None if wanted is None else wanted.value
         picture = value if isinstance(value, ComparedPicture) else None
         self._second = wanted
@@ -188,11 +193,7 @@ class SceneDrawer:
         """Return what draws two pictures, where there are two."""
         if self._second is not None:
             return self._comparison
-        if self._state.compared is None:
-            return None
-        if self._with_own is None:
-            self._with_own = ComparisonRenderer(self.scene_renderer.renderer, {})
-        return self._with_own
+        return None if self._state.compared is None else self._with_own
 
     def _bring_traced(self) -> bool:
         """Bring the newest traced picture; return whether one was uploaded."""
@@ -200,8 +201,6 @@ class SceneDrawer:
         if wanted is self._traced_picture:
             return False
         self._traced_picture = wanted
-        if self._traced is None:
-            self._traced = TracedLight(self.scene_renderer.renderer)
         try:
             if wanted is not None:
                 self._traced.set_picture(wanted.pixels)

@@ -7,15 +7,16 @@ its maps are filtered, at most every two seconds.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable
+from functools import partial
 from time import monotonic
 
-from brdf_qt.work.tasks import TaskRunner, Work
+from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject, Qt, Signal
 
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.lighting.environment import Environment
-from brdf_suite.lighting.statistics import EnvironmentStatistics, environment_statistics
+from brdf_suite.lighting.statistics import environment_statistics
 from brdf_suite.pipeline.scene import Partial, PreparedEnvironment, load_environment
 from brdf_suite.pipeline.surface import load_shaped
 from brdf_suite.progress import Progress
@@ -26,15 +27,6 @@ SURFACE = "surface"
 _STATISTICS = "statistics"
 _BETWEEN_PARTIAL_S = 2.0
 """Each step that is shown costs a frame: on a software renderer as long as filtering the next map."""
-
-
-@dataclass(frozen=True)
-class EnvironmentRequest:
-    """What a worker is to read, and what it calls as soon as there is something to show."""
-
-    key: str
-    layout: str
-    partial: Partial
 
 
 class SceneLoader(QObject):
@@ -78,42 +70,41 @@ class SceneLoader(QObject):
         """
         if self._stopped:
             return
+        request: tuple[object, ...] = (key, look or SurfaceLook())
         if kind == ENVIRONMENT:
             self.generation += 1
-            generation = self.generation
-
-            shown = -math.inf
-
-            def partial(value: PreparedEnvironment) -> None:
-                nonlocal shown
-                if monotonic() - shown >= _BETWEEN_PARTIAL_S:
-                    shown = monotonic()
-                    self.partly_made.emit(generation, key, value)  # from the worker's thread to this one
-
-            self._submit(kind, key, prepare_environment, EnvironmentRequest(key, layout, partial))
-        else:
-            self._submit(kind, key, _surface, (key, look or SurfaceLook()))
-
-    def _submit(self, kind: str, key: str, work: Work, request: object) -> None:
+            request = (key, layout, self._hand_out(self.generation, key))
         self.moved.emit(kind, 0.0, "waiting")
         self._runner.submit(
             kind,
-            work,
+            prepare_environment if kind == ENVIRONMENT else _load_surface,
             request,
-            done=lambda value: self._done(kind, key, value),
-            failed=lambda error: self._failed(kind, key, error),
-            progress=lambda fraction, what: self.moved.emit(kind, fraction, what),
+            done=lambda value: self._end(kind, partial(self.loaded.emit, kind, key, value)),
+            failed=lambda error: self._end(kind, partial(self.failed.emit, kind, key, error)),
+            progress=partial(self.moved.emit, kind),
         )
+
+    def _hand_out(self, generation: int, key: str) -> Partial:
+        """Return what a worker calls with what there is of an environment; not each time is passed on."""
+        shown = -math.inf
+
+        def hand_out(value: PreparedEnvironment) -> None:
+            nonlocal shown
+            if monotonic() - shown >= _BETWEEN_PARTIAL_S:
+                shown = monotonic()
+                self.partly_made.emit(generation, key, value)  # from the worker's thread to this one
+
+        return hand_out
 
     def count(self, key: str, environment: Environment) -> None:
         """Begin to count an environment's figures; those of an older one are dropped."""
         if not self._stopped:
             self._runner.submit(
                 _STATISTICS,
-                _statistics,
+                lambda environment, _progress: environment_statistics(environment),
                 environment,
-                done=lambda value: self.counted.emit(key, value),
-                failed=lambda error: self.failed.emit(ENVIRONMENT, key, error),
+                done=partial(self.counted.emit, key),
+                failed=partial(self.failed.emit, ENVIRONMENT, key),
             )
 
     def cancel(self, kind: str) -> None:
@@ -133,25 +124,18 @@ class SceneLoader(QObject):
         if generation == self.generation:
             self.partly_loaded.emit(key, value)
 
-    def _done(self, kind: str, key: str, value: object) -> None:
+    def _end(self, kind: str, report: Callable[[], None]) -> None:
         self.ended.emit(kind)
-        self.loaded.emit(kind, key, value)
-
-    def _failed(self, kind: str, key: str, error: Exception) -> None:
-        self.ended.emit(kind)
-        self.failed.emit(kind, key, error)
+        report()
 
 
-def prepare_environment(request: EnvironmentRequest, progress: Progress) -> PreparedEnvironment:
+def prepare_environment(request: tuple[str, str, Partial], progress: Progress) -> PreparedEnvironment:
     """Return an environment with its filtered maps and glint lights, for a worker."""
-    prepared = load_environment(request.key, progress, layout=request.layout, partial=request.partial)
+    key, layout, hand_out = request
+    prepared = load_environment(key, progress, layout=layout, partial=hand_out)
     _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return prepared
 
 
-def _statistics(environment: Environment, _progress: Progress) -> EnvironmentStatistics:
-    return environment_statistics(environment)
-
-
-def _surface(request: tuple[str, SurfaceLook], progress: Progress) -> Mesh:
+def _load_surface(request: tuple[str, SurfaceLook], progress: Progress) -> Mesh:
     return load_shaped(*request, progress)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from brdf_suite.documents.view import Camera, View
+from brdf_suite.documents.view import View
 from brdf_suite.pipeline.exposure import exposed
 from brdf_suite.pipeline.lobe_fit import LobeFit
 from brdf_suite.pipeline.scene import PreparedEnvironment
@@ -20,7 +21,6 @@ from brdf_viewer.documents.view_history import ViewHistory
 if TYPE_CHECKING:
     from brdf_suite.documents.store import AnyPaint
     from brdf_suite.lighting.statistics import EnvironmentStatistics
-    from brdf_suite.pipeline.lobe_fit import LobeFit
     from brdf_suite.realtime.pictures.comparison import ComparedPicture
     from brdf_viewer.traced.process import TracedPicture
     from brdf_viewer.traced.request import Renderer
@@ -41,6 +41,11 @@ class LoadedSurface(LoadedAsset[Mesh]):
     """A surface; ``baked`` is the occlusion that was baked for it, None until it is there."""
 
     baked: BakedMesh | None = None
+
+    @cached_property
+    def bounds(self) -> Bounds:
+        """Its box in metres."""
+        return Bounds.of([part.positions for part in self.value.parts])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,13 +95,11 @@ class ViewerState(QObject):
         """The title of a light that is shown and edited, and in no file as it is: the view names another."""
         self._environment: LoadedAsset[PreparedEnvironment] | None = None
         self._whole_environment: LoadedAsset[PreparedEnvironment] | None = None
-        self._surface: LoadedSurface | None = None
-        self._bounds = Bounds.of([])
+        self.surface: LoadedSurface | None = None
         self.images: SurfaceImages | None = None
 
     @property
     def view(self) -> View:
-        """How it is looked at."""
         return self.history.value
 
     @property
@@ -144,27 +147,20 @@ class ViewerState(QObject):
             self._whole_environment = environment
 
     @property
-    def surface(self) -> LoadedSurface | None:
-        """The surface that carries the paint."""
-        return self._surface
-
-    @surface.setter
-    def surface(self, surface: LoadedSurface | None) -> None:
-        self._surface = surface
-        self._bounds = Bounds.of([] if surface is None else [part.positions for part in surface.value.parts])
-
-    @property
     def bounds(self) -> Bounds:
         """The surface's box in metres; a unit box while there is none."""
-        return self._bounds
+        return Bounds.of([]) if self.surface is None else self.surface.bounds
 
     def set_view(self, view: View) -> None:
         """Take ``view``, as a step that can be undone; nothing is emitted where it is equal."""
         self.history.set(view)
 
     def change_view(self, **fields: Any) -> None:
-        """Replace fields of the view."""
         self.set_view(dataclasses.replace(self.view, **fields))
+
+    def change_part(self, part: str, **fields: Any) -> None:
+        """Replace fields of a part of the view, as of ``compare``."""
+        self.change_view(**{part: dataclasses.replace(getattr(self.view, part), **fields)})
 
     def step_view(self, **fields: Any) -> None:
         """Replace fields of the view: a step of its own, also close after another change of them."""
@@ -176,10 +172,6 @@ class ViewerState(QObject):
         """Replace fields of the view, to be undone with the step before: what follows from it, or goes on by itself."""
         self.history.amend(dataclasses.replace(self.view, **fields))
 
-    def set_camera(self, camera: Camera) -> None:
-        """Replace the camera."""
-        self.change_view(camera=camera)
-
     def set_fit(self, fit: LobeFit, key: str = "") -> None:
         """Draw this paint from the next frame on; ``key`` is where it is from."""
         if fit is not self.fit:
@@ -187,16 +179,13 @@ class ViewerState(QObject):
         self.fit, self.paint_key = fit, key
         self.contents_changed.emit()
 
-    def set_relit(self, fit: LobeFit) -> None:
-        """Draw the present paint as its spectra look under the view's lamp, from the next frame on."""
-        self.relit = fit
-        self.contents_changed.emit()
-
-    def set_second_relit(self, fit: LobeFit) -> None:
-        """Draw the paint that is compared with so, too."""
-        if self.second is not None:
+    def set_relit(self, fit: LobeFit, *, second: bool = False) -> None:
+        """Draw the paint, or the ``second`` one, as its spectra look under the view's lamp, from the next frame on."""
+        if not second:
+            self.relit = fit
+        elif self.second is not None:
             self.second_relit = LoadedAsset(self.second.key, fit)
-            self.contents_changed.emit()
+        self.contents_changed.emit()
 
     def set_second(self, key: str | None, value: LobeFit | ComparedPicture | None = None) -> None:
         """Compare with this paint or picture from the next frame on; None: with nothing."""
@@ -222,14 +211,11 @@ class ViewerState(QObject):
         self.environment = LoadedAsset(key, environment)
         self.contents_changed.emit()
 
-    def take_partial_back(self) -> bool:
-        """Light again with the last whole environment; False where there is none, and what is shown stays."""
-        if self._whole_environment is None:
-            return False
-        if self.environment is not self._whole_environment:
-            self.environment = self._whole_environment
+    def take_partial_back(self) -> None:
+        """Light again with the last whole environment; where there is none, what is shown stays."""
+        if self._whole_environment not in (None, self._environment):
+            self._environment = self._whole_environment
             self.contents_changed.emit()
-        return True
 
     def set_surface(self, key: str, surface: Mesh) -> None:
         """Draw this surface from the next frame on."""
@@ -243,6 +229,6 @@ class ViewerState(QObject):
 
     def set_baked(self, baked: BakedMesh) -> None:
         """Draw the surface with what was baked for it from the next frame on."""
-        if self._surface is not None:
-            self._surface = dataclasses.replace(self._surface, baked=baked)
+        if self.surface is not None:
+            self.surface = dataclasses.replace(self.surface, baked=baked)
             self.contents_changed.emit()

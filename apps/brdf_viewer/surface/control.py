@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
-from typing import Any, Literal
+from functools import partial
+from typing import Literal
 
 import numpy as np
 from brdf_qt.program.translation import tr
-from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
@@ -22,7 +21,7 @@ from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.baked import BakedMesh
 from brdf_suite.surface.picking import pick
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.fields.note import set_note
+from brdf_viewer.fields.inspector import set_note
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.loading import SURFACE
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -42,15 +41,14 @@ class SurfaceControl(ViewerFeature):
 
     def __init__(self, state: ViewerState, window: ViewerWindow, scene: SceneControl) -> None:
         super().__init__(state, window)
-        self._scene = scene
         self._section = window.surface
         self._runner = TaskRunner(self, threads=1)
         self._mesh: Mesh | None = None
         self._baking: Mesh | None = None
         self._declined: Mesh | None = None
         self._pressed: QPointF | None = None
-        self._reload = make_timer(self, self._load_again, _RELOAD_MS)
-        self._section.edited.connect(self._edited)
+        self._reload = make_timer(self, lambda: scene.open(SURFACE, state.view.surface), _RELOAD_MS)
+        self._section.edited.connect(lambda field, value: state.change_part("surface_look", **{field: value}))
         self._section.parts.material_edited.connect(self._material_edited)
         self._section.again.clicked.connect(self.bake)
         state.view_changed.connect(self._view_changed)
@@ -62,7 +60,6 @@ class SurfaceControl(ViewerFeature):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no occlusion is being baked."""
         return self._baking is None
 
     def bake(self) -> None:
@@ -70,39 +67,27 @@ class SurfaceControl(ViewerFeature):
         surface = self._state.surface
         if surface is None:
             return
-        mesh = surface.value
-        self._baking, self._declined = mesh, None
-        self._window.messages.dismiss(OCCLUSION)
+        self._baking, self._declined = surface.value, None
+        baked = partial(self._baked, surface.value)
+        self._run(self._runner, OCCLUSION, baked_occlusion, surface.value, baked, self._failed)
         self._show_state()
-        self._runner.submit(
-            OCCLUSION,
-            baked_occlusion,
-            mesh,
-            done=lambda baked: self._baked(mesh, baked),
-            failed=self._failed,
-            progress=lambda fraction, what: self._window.set_busy(OCCLUSION, fraction, what),
-        )
 
     def close(self) -> None:
-        """End what runs."""
         self._reload.stop()
         self._runner.stop(_CLOSING_MS)
 
-    def pick_at(self, place: QPointF, *, add: bool = False) -> str | None:
+    def _pick_at(self, place: QPointF, *, add: bool) -> None:
         """Pick the part that is seen at ``place`` of the picture (widget pixels, from the upper left)."""
         surface, canvas = self._state.surface, self._window.picture.canvas
         if surface is None:
-            return None
+            return
         size = self._window.picture.device_size
         camera = matrices(self._state.view.camera, self._state.bounds, size)
         right = (2.0 * place.x() / max(1, canvas.width()) - 1.0) * camera.half_tangents[0]
         up = (1.0 - 2.0 * place.y() / max(1, canvas.height())) * camera.half_tangents[1]
         hit = pick(surface.value, camera.eye, camera.view_to_world @ np.array([right, up, -1.0]))
-        if hit is None:
-            return None
-        name = surface.value.parts[hit.part].name
-        self._section.parts.pick(name, add=add)
-        return name
+        if hit is not None:
+            self._section.parts.pick(surface.value.parts[hit.part].name, add=add)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Notice clicks, and leave every event to the camera's gestures."""
@@ -115,22 +100,18 @@ class SurfaceControl(ViewerFeature):
                 self._pressed = None
                 if abs(moved.x()) + abs(moved.y()) < _CLICK_PIXELS:
                     held = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-                    self.pick_at(event.position(), add=bool(held))
+                    self._pick_at(event.position(), add=bool(held))
         return super().eventFilter(watched, event)
 
     def _watch(self, canvas: QObject) -> None:
         canvas.installEventFilter(self)
 
-    def _edited(self, field: str, value: Any) -> None:
-        look = dataclasses.replace(self._state.view.surface_look, **{field: value})
-        self._state.change_view(surface_look=look)
-
     def _material_edited(self, names: list[str], material: Material | Literal[""]) -> None:
-        look = self._state.view.surface_look
-        chosen = {item.part: item for item in look.materials if item.part not in names}
+        present = self._state.view.surface_look.materials
+        chosen = {item.part: item for item in present if item.part not in names}
         if material:
             chosen |= {name: PartMaterial(name, material) for name in names}
-        self._state.change_view(surface_look=dataclasses.replace(look, materials=tuple(chosen.values())))
+        self._state.change_part("surface_look", materials=tuple(chosen.values()))
 
     def _view_changed(self, old: View, new: View) -> None:
         if old.surface_look == new.surface_look:
@@ -142,9 +123,6 @@ class SurfaceControl(ViewerFeature):
             self._stop()
         else:
             self._bake_where_wanted()
-
-    def _load_again(self) -> None:
-        self._scene.open(SURFACE, self._state.view.surface)
 
     def _contents_changed(self) -> None:
         surface = self._state.surface
@@ -158,25 +136,21 @@ class SurfaceControl(ViewerFeature):
 
     def _bake_where_wanted(self) -> None:
         surface = self._state.surface
-        wanted = wants_baking(self._state.view.surface_look)
-        if surface is None or not wanted or surface.baked is not None or self._baking is surface.value:
-            self._show_state()
-        elif self._declined is not surface.value:
+        wanted = surface is not None and surface.baked is None and wants_baking(self._state.view.surface_look)
+        if surface is not None and wanted and surface.value not in (self._baking, self._declined):
             self.bake()
         else:
             self._show_state()
 
     def _baked(self, mesh: Mesh, baked: BakedMesh) -> None:
-        self._end()
+        self._baking = None
         if self._state.surface is not None and self._state.surface.value is mesh:
             self._state.set_baked(baked)
         self._show_state()
 
     def _failed(self, error: Exception) -> None:
-        self._declined = self._baking
-        self._end()
-        todo = tr("The surface is shown without ambient occlusion.")
-        self._window.messages.show_message(message_of(error, OCCLUSION, todo=todo))
+        self._declined, self._baking = self._baking, None
+        self._report(error, OCCLUSION, tr("The surface is shown without ambient occlusion."))
         self._show_state()
 
     def _cancelled(self, kind: str) -> None:
@@ -187,20 +161,13 @@ class SurfaceControl(ViewerFeature):
     def _stop(self) -> None:
         if self._baking is not None:
             self._runner.cancel(OCCLUSION)
-            self._end()
+            self._baking = None
+            self._window.set_idle(OCCLUSION)
         self._show_state()
 
-    def _end(self) -> None:
-        self._baking = None
-        self._window.set_idle(OCCLUSION)
-
     def _show_state(self) -> None:
-        surface = self._state.surface
-        declined = (
-            surface is not None
-            and self._declined is surface.value
-            and wants_baking(self._state.view.surface_look)
-        )
+        surface, wanted = self._state.surface, wants_baking(self._state.view.surface_look)
+        declined = wanted and surface is not None and self._declined is surface.value
         text = tr("Computing ambient occlusion…") if self._baking is not None else ""
         if declined:
             text = tr("Shown without ambient occlusion; it has not been computed.")

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from brdf_qt.fields.form import Form
+from brdf_qt.fields.form import Form, fill_row, icon_button
 from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.number import NumberField
-from brdf_qt.program.icons import icon
+from brdf_qt.fields.number import NumberField, reach_of
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.section import Section
-from PySide6.QtCore import Signal, SignalInstance
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QToolButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_suite.documents.paint import OrangePeel
-from brdf_suite.documents.parameter import Parameter
 from brdf_suite.documents.view_settings import PARAMETERS, Relief, TwoTone
 from brdf_suite.surface.orange_peel import height_rms_um
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
-from brdf_viewer.fields.source_chooser import SourceChooser, title_of
+from brdf_viewer.fields.inspector import ChoiceBox, SourceChooser, note, set_note, title_of
 
 PROJECTION_TITLES = {
     "uv": mark("Tiled"),
@@ -30,29 +26,13 @@ PROJECTION_TITLES = {
 class FileChoice(QWidget):
     """A file that may be none: its name, a button that asks for one, and one that takes it away."""
 
-    browse_requested = Signal()
-    cleared = Signal()
-
     def __init__(self, open_tip: str, clear_tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.name = PlainLabel(tr("None"))
         self.name.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self.open = QToolButton()
-        self.open.setIcon(icon("folder-open"))
-        self.open.setToolTip(plain_tip(open_tip))
-        self.open.setAccessibleName(open_tip)
-        self.open.clicked.connect(self.browse_requested)
-        self.clear = QToolButton()
-        self.clear.setIcon(icon("x"))
-        self.clear.setToolTip(plain_tip(clear_tip))
-        self.clear.setAccessibleName(clear_tip)
-        self.clear.clicked.connect(self.cleared)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(4)
-        row.addWidget(self.name, 1)
-        row.addWidget(self.open)
-        row.addWidget(self.clear)
+        self.open = icon_button("folder-open", open_tip)
+        self.clear = icon_button("x", clear_tip)
+        fill_row(self, self.name, self.open, self.clear, spacing=4)
         self.setFocusProxy(self.open)
         self.set_path(None)
 
@@ -64,53 +44,43 @@ class FileChoice(QWidget):
 
 
 class ReliefSection(Section):
-    """Emits ``relief_edited(field, value)`` and ``two_tone_edited(field, value)``; setters are silent.
+    """Emits ``edited(part, field, value)``, the part of the view being ``relief`` or ``two_tone``; setters are silent.
 
-    ``browse_requested(kind)`` asks for a file: ``normal_map``, ``tangent_map`` or ``mask``;
-    the button of ``paint`` for a second paint.
+    ``browse_requested(part, field)`` asks for a file.
     """
 
-    relief_edited = Signal(str, object)
-    two_tone_edited = Signal(str, object)
-    browse_requested = Signal(str)
+    edited = Signal(str, str, object)
+    browse_requested = Signal(str, str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(tr("Relief and two-tone"), "relief", parent)
-        self.orange_peel = self._number("orange_peel", PARAMETERS["relief.orange_peel"], 0.02, 2)
-        self.orange_peel_mm = self._number("orange_peel_mm", PARAMETERS["relief.orange_peel_mm"], 0.5, 1)
+        self.orange_peel = self._number("relief", "orange_peel", 0.02, 2)
+        self.orange_peel_mm = self._number("relief", "orange_peel_mm", 0.5, 1)
         self.peel_facts = note()
         self._relief = Relief()
         self._own_peel: OrangePeel | None = None
-        self.normal_map = self._file(
-            "normal_map", tr("Open a normal map"), tr("Remove the normal map"), self.relief_edited
-        )
-        self.tangent_map = self._file(
-            "tangent_map", tr("Open a tangent map"), tr("Remove the tangent map"), self.relief_edited
-        )
-        self.normal_strength = self._number("normal_strength", PARAMETERS["relief.normal_strength"], 0.1, 2)
-        self.normal_width_mm = self._number("normal_width_mm", PARAMETERS["relief.normal_width_mm"], 10.0, 1)
+        files = (tr("Open a normal map"), tr("Remove the normal map"))
+        self.normal_map = self._file("relief", "normal_map", *files)
+        files = (tr("Open a tangent map"), tr("Remove the tangent map"))
+        self.tangent_map = self._file("relief", "tangent_map", *files)
+        self.normal_strength = self._number("relief", "normal_strength", 0.1, 2)
+        self.normal_width_mm = self._number("relief", "normal_width_mm", 10.0, 1)
         self.paint = SourceChooser(tr("Open a second paint"))
-        self.paint.chosen.connect(lambda key: self.two_tone_edited.emit("paint", key or None))
-        self.mask_file = self._file("mask", tr("Open a mask"), tr("Remove the mask"), self.two_tone_edited)
+        self.paint.chosen.connect(lambda key: self.edited.emit("two_tone", "paint", key or None))
+        self.paint.browse_requested.connect(lambda: self.browse_requested.emit("two_tone", "paint"))
+        self.mask_file = self._file("two_tone", "mask", tr("Open a mask"), tr("Remove the mask"))
         self.projection = ChoiceBox(PROJECTION_TITLES)
-        self.projection.picked.connect(lambda key: self.two_tone_edited.emit("projection", key))
-        self.mask_width_mm = NumberField(
-            tr("Mask width"), *_of(PARAMETERS["two_tone.mask_width_mm"], 50.0, 1)
-        )
-        self.mask_width_mm.edited.connect(lambda value: self.two_tone_edited.emit("mask_width_mm", value))
+        self.projection.picked.connect(lambda key: self.edited.emit("two_tone", "projection", key))
+        self.mask_width_mm = self._number("two_tone", "mask_width_mm", 50.0, 1, tr("Mask width"))
         self.two_tone_facts = note()
         form = Form()
         form.add_row(tr("Orange peel"), self.orange_peel, tr(PARAMETERS["relief.orange_peel"].meaning))
         form.add_row(tr("Wavelength"), self.orange_peel_mm, tr(PARAMETERS["relief.orange_peel_mm"].meaning))
         form.add_wide(self.peel_facts)
-        form.add_row(
-            tr("Normal map"), self.normal_map, tr("An image of normals (PNG, EXR …), tiled over the paint")
-        )
-        form.add_row(
-            tr("Tangent map"),
-            self.tangent_map,
-            tr("An image of the grain's direction in anisotropic factored paints"),
-        )
+        tip = tr("An image of normals (PNG, EXR …), tiled over the paint")
+        form.add_row(tr("Normal map"), self.normal_map, tip)
+        tip = tr("An image of the grain's direction in anisotropic factored paints")
+        form.add_row(tr("Tangent map"), self.tangent_map, tip)
         form.add_row(tr("Strength"), self.normal_strength, tr(PARAMETERS["relief.normal_strength"].meaning))
         form.add_row(tr("Tile width"), self.normal_width_mm, tr(PARAMETERS["relief.normal_width_mm"].meaning))
         form.add_row(tr("Second paint"), self.paint, tr("Shown where the mask is white"))
@@ -121,7 +91,6 @@ class ReliefSection(Section):
         self.add(form)
 
     def set_relief(self, relief: Relief) -> None:
-        """Show the present relief."""
         for name in ("orange_peel", "orange_peel_mm", "normal_strength", "normal_width_mm"):
             getattr(self, name).set_value(getattr(relief, name))
         self.normal_map.set_path(relief.normal_map)
@@ -144,7 +113,8 @@ class ReliefSection(Section):
         elif own is not None:
             text = tr(
                 "The paint's own: {height:g} µm (RMS height), {length:g} mm. A slope set here replaces it."
-            ).format(height=own.amplitude_um, length=own.wavelength_mm)
+            )
+            text = text.format(height=own.amplitude_um, length=own.wavelength_mm)
         set_note(self.peel_facts, text)
 
     def set_two_tone(self, two_tone: TwoTone, title: str) -> None:
@@ -161,18 +131,15 @@ class ReliefSection(Section):
             missing = tr("Choose a second paint to see the mask.")
         set_note(self.two_tone_facts, missing)
 
-    def _number(self, field: str, parameter: Parameter, step: float, decimals: int) -> NumberField:
-        made = NumberField(*(tr(parameter.label), *_of(parameter, step, decimals)))
-        made.edited.connect(lambda value: self.relief_edited.emit(field, value))
+    def _number(self, part: str, field: str, step: float, decimals: int, label: str = "") -> NumberField:
+        parameter = PARAMETERS[f"{part}.{field}"]
+        made = NumberField(label or tr(parameter.label), *reach_of(parameter, step, decimals))
+        made.edited.connect(lambda value: self.edited.emit(part, field, value))
         return made
 
-    def _file(self, field: str, open_tip: str, clear_tip: str, edited: SignalInstance) -> FileChoice:
+    def _file(self, part: str, field: str, open_tip: str, clear_tip: str) -> FileChoice:
         made = FileChoice(open_tip, clear_tip)
         made.setObjectName(f"relief_{field}")
-        made.browse_requested.connect(lambda: self.browse_requested.emit(field))
-        made.cleared.connect(lambda: edited.emit(field, None))
+        made.open.clicked.connect(lambda: self.browse_requested.emit(part, field))
+        made.clear.clicked.connect(lambda: self.edited.emit(part, field, None))
         return made
-
-
-def _of(parameter: Parameter, step: float, decimals: int) -> tuple[str, float, float, float, int, float]:
-    return (parameter.unit, parameter.low, parameter.high, step, decimals, parameter.default)

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from brdf_qt.program.monitor_profile import Monitor, monitor_of
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QTimer
-from PySide6.QtGui import QImage, QScreen
+from PySide6.QtGui import QImage
 
 from brdf_suite.appearance.colour.display_space import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
 from brdf_viewer.feature import ViewerFeature
-from brdf_viewer.scene.drawing import SceneDrawer
+from brdf_viewer.fields.inspector import set_note
 from brdf_viewer.scene.viewer_state import ViewerState
+from brdf_viewer.tone.section import describe_clipping
 from brdf_viewer.window import ViewerWindow
 
 COUNT_AFTER_MS = 300
@@ -27,23 +26,10 @@ _PROFILE_KEY = "tone/monitor_profile"
 
 
 class ToneControl(ViewerFeature):
-    """Puts the section's edits into the view, and the monitor's colours into the renderer.
+    """Puts the section's edits into the view, and the monitor's colours into the renderer."""
 
-    Parameters
-    ----------
-    find_monitor
-        Returns what is known of a screen.
-    """
-
-    def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        *,
-        find_monitor: Callable[[QScreen | None], Monitor] = monitor_of,
-    ) -> None:
+    def __init__(self, state: ViewerState, window: ViewerWindow) -> None:
         super().__init__(state, window)
-        self._find_monitor = find_monitor
         self._monitor = Monitor(SRGB_SPACE, "", False)
         self._used = bool(settings().value(_PROFILE_KEY, True, type=bool))
         self._marked_by_curve = False
@@ -51,12 +37,12 @@ class ToneControl(ViewerFeature):
         self.counted: Unshowable | None = None
         self._count = make_timer(self, self._measure, COUNT_AFTER_MS)
         section = window.tone
-        for signal in (section.curve.picked, window.commands.tone_curve_requested):
-            signal.connect(self.set_curve)
+        for box in (section.curve, window.commands.tone):
+            box.picked.connect(self._set_curve)
         section.clipping.clicked.connect(lambda on: state.change_view(clipping_marks=on))
         section.gamut.clicked.connect(lambda on: state.change_view(gamut_marks=on))
         section.style_box.picked.connect(lambda key: state.change_view(mark_style=key))
-        section.profile.clicked.connect(self.use_profile)
+        section.profile.clicked.connect(self._use_profile)
         state.view_changed.connect(self._changed)
         state.contents_changed.connect(self._count.start)
         state.traced_changed.connect(self._count.start)
@@ -64,7 +50,7 @@ class ToneControl(ViewerFeature):
         window.installEventFilter(self)
         self._show(state.view)
 
-    def set_curve(self, key: str) -> None:
+    def _set_curve(self, key: str) -> None:
         """Take a tone curve; the linear one comes with its clipping marked, and takes the marks along."""
         fields: dict[str, object] = {"tone_curve": key}
         if key == "linear" and not self._state.view.clipping_marks:
@@ -73,20 +59,16 @@ class ToneControl(ViewerFeature):
             fields["clipping_marks"] = self._marked_by_curve = False
         self._state.change_view(**fields)
 
-    def use_profile(self, used: bool) -> None:
+    def _use_profile(self, used: bool) -> None:
         """Show the colours by the monitor's profile, or in sRGB; remembered."""
         self._used = used
         settings().setValue(_PROFILE_KEY, used)
         self._show_monitor()
 
-    def find(self) -> None:
+    def _find(self) -> None:
         """Ask again what the window's screen is."""
-        self._monitor = self._find_monitor(self._window.screen())
+        self._monitor = monitor_of(self._window.screen())
         self._show_monitor()
-
-    def prepare(self, drawer: SceneDrawer) -> None:
-        """Give a new drawer its display space."""
-        drawer.renderer.screen = self.display
 
     def grab_srgb(self) -> QImage:
         """Return the picture as it is on screen, in sRGB whatever the monitor is."""
@@ -102,7 +84,7 @@ class ToneControl(ViewerFeature):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """The window was shown, or went to another monitor."""
         if event.type() in (QEvent.Type.Show, QEvent.Type.ScreenChangeInternal):
-            QTimer.singleShot(0, self, self.find)
+            QTimer.singleShot(0, self, self._find)
         return super().eventFilter(watched, event)
 
     def _show_monitor(self) -> None:
@@ -112,14 +94,12 @@ class ToneControl(ViewerFeature):
         if space is not self.display.space:
             self.display = SRGB if space is SRGB_SPACE else Display(space)
             if (drawer := self._window.drawer) is not None:
-                self.prepare(drawer)
+                drawer.renderer.screen = self.display
                 self._window.picture.redraw()
             self._count.start()
-        text = (
-            monitor.description
-            if used or not monitor.is_measured
-            else tr("sRGB; {profile} is not used").format(profile=monitor.description)
-        )
+        text = monitor.description
+        if monitor.is_measured and not used:
+            text = tr("sRGB; {profile} is not used").format(profile=text)
         self._window.tone.set_profile(text, monitor.is_measured, used)
 
     def _changed(self, _old: View, new: View) -> None:
@@ -132,7 +112,8 @@ class ToneControl(ViewerFeature):
 
     def _show(self, view: View) -> None:
         section = self._window.tone
-        section.curve.show_choice(view.tone_curve)
+        for box in (section.curve, self._window.commands.tone):
+            box.show_choice(view.tone_curve)
         section.set_marks(view.clipping_marks, view.gamut_marks, view.mark_style)
 
     def _measure(self) -> None:
@@ -148,8 +129,9 @@ class ToneControl(ViewerFeature):
             traced = drawer.traced_light(whole)
             if traced is not None:  # its pixels are there, and in no other size
                 self.counted = traced.count_unshowable(view, whole, self.display)
-                return
-            self.counted = drawer.renderer.count_unshowable(view, size, self.display)
+            else:
+                self.counted = drawer.renderer.count_unshowable(view, size, self.display)
 
         picture.with_context(count, redraw=False)
-        self._window.tone.set_counted(self.counted)
+        text = "" if self.counted is None else describe_clipping(self.counted)
+        set_note(self._window.tone.counted, text)

@@ -8,8 +8,7 @@ from brdf_qt.window.section import Section
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from brdf_suite.realtime.pictures.display import Unshowable
-from brdf_viewer.fields.choice_box import ChoiceBox
-from brdf_viewer.fields.note import note, set_note
+from brdf_viewer.fields.inspector import ChoiceBox, note, set_note
 
 TONE_TITLES = {
     "faithful": mark("Faithful, soft highlights"),
@@ -52,31 +51,22 @@ class ToneSection(Section):
         self.profile.setToolTip(tr("Convert colours with the system's profile of this monitor"))
         self.profile_note = note()
         form = Form()
-        form.add_row(
-            tr("Tone curve"), self.curve, tr("Mapping of radiance to the screen, before its transfer curve")
-        )
+        tip = tr("Mapping of radiance to the screen, before its transfer curve")
+        form.add_row(tr("Tone curve"), self.curve, tip)
         form.add_row(tr("Show clipping"), self.clipping)
         form.add_row("", self.gamut)
-        form.add_row(
-            tr("Style"),
-            self.style_box,
-            tr("Style of the marks; stripes keep the colour between them visible"),
-        )
+        tip = tr("Style of the marks; stripes keep the colour between them visible")
+        form.add_row(tr("Style"), self.style_box, tip)
         form.add_wide(self.counted)
         form.add_row(tr("Screen"), self.profile)
         form.add_wide(self.profile_note)
         self.add(form)
 
     def set_marks(self, clipping: bool, gamut: bool, style: str) -> None:
-        """Show what is marked, and how."""
         self.clipping.setChecked(clipping)
         self.gamut.setChecked(gamut)
         self.style_box.show_choice(style)
         self.style_box.setEnabled(clipping or gamut)
-
-    def set_counted(self, counted: Unshowable | None) -> None:
-        """Show how much of the object the screen cannot show; None while nothing has been counted."""
-        set_note(self.counted, "" if counted is None else describe_clipping(counted))
 
     def set_profile(self, text: str, usable: bool, used: bool) -> None:
         """Say whose colours are shown; ``usable``: the monitor has a profile that can be turned on and off."""
@@ -94,9 +84,9 @@ def describe_clipping(counted: Unshowable) -> str:
     if counted.pixels == 0:
         return tr("The object is outside the picture")
     bright, colourful = (_share(part, counted.pixels) for part in (counted.too_bright, counted.too_colourful))
-    if counted.too_bright == 0:
-        return tr("Clipped highlights: none; out of gamut: {gamut}").format(gamut=colourful)
     text = tr("Clipped highlights: {bright} of the object; out of gamut: {gamut}")
+    if counted.too_bright == 0:
+        text = tr("Clipped highlights: none; out of gamut: {gamut}")
     return text.format(bright=bright, gamut=colourful)
 
 

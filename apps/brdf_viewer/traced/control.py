@@ -18,17 +18,16 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
 
 from brdf_suite.documents.store import view_to_json
+from brdf_viewer.documents.file_kinds import AskTarget
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.scene.viewer_state import ViewerState
 from brdf_viewer.traced.hand_over import HandOver, forget_others, write_request
 from brdf_viewer.traced.process import TracedPicture, TraceProcess
 from brdf_viewer.traced.request import QUALITIES, RENDERERS, Quality, Renderer, TraceRequest
-from brdf_viewer.traced.section import DEFAULT_SAMPLES
+from brdf_viewer.traced.section import DEFAULT_SAMPLES, RENDERER_TITLES, picture_words, rate_words
 from brdf_viewer.traced.trace_input import TraceInput, make_trace_input
-from brdf_viewer.traced.words import RENDERER_TITLES, picture_words, rate_words
 from brdf_viewer.window import ViewerWindow
 
 KIND = "traced"
@@ -43,7 +42,6 @@ _KEEP_MS = 120_000
 
 _MESSAGE_MS = 6000
 _FRAMES = 7
-Ask = Callable[[QWidget, str, str, str], str]
 T = TypeVar("T", bound=str)
 
 
@@ -52,12 +50,7 @@ class TracedControl(ViewerFeature):
 
     A picture that was asked for is dropped as soon as the scene is another one, by its generation.
 
-    Parameters
-    ----------
-    ask
-        Asks where to save: the window, a suggested name, what it is, the ending; empty where nowhere.
-    make_process
-        Makes what traces.
+    ``make_process`` makes what traces.
 
     Signals: ``changed()`` where the picture, or what is said of it, has changed; ``settled()`` where a traced picture
     is as good as it was asked to become, or there will be none.
@@ -71,7 +64,7 @@ class TracedControl(ViewerFeature):
         state: ViewerState,
         window: ViewerWindow,
         runner: TaskRunner,
-        ask: Ask,
+        ask: AskTarget,
         *,
         make_process: Callable[[QObject], TraceProcess] = TraceProcess,
     ) -> None:
@@ -93,18 +86,21 @@ class TracedControl(ViewerFeature):
         self._rest = make_timer(self, self._begin)
         self._leave = make_timer(self, self._end_process, _KEEP_MS)
         section, commands = window.renderer, window.commands
-        for signal in (section.renderer.picked, commands.renderer_requested):
-            signal.connect(self.set_renderer)
-        for signal in (section.quality.picked, commands.quality_requested):
-            signal.connect(self.set_quality)
-        section.samples.edited.connect(lambda value: self.set_samples(round(value)))
-        section.denoised.clicked.connect(self.set_denoised)
-        for signal in (section.stop.clicked, commands.trace_stop_requested):
-            signal.connect(self.stop)
-        for signal in (section.resume.clicked, commands.trace_resume_requested):
-            signal.connect(self.resume)
-        for signal in (section.save.clicked, commands.trace_save_requested):
-            signal.connect(self.save)
+        for signal, slot in (
+            (section.renderer.picked, self.set_renderer),
+            (commands.renderer.picked, self.set_renderer),
+            (section.quality.picked, self.set_quality),
+            (commands.quality.picked, self.set_quality),
+            (section.samples.edited, lambda value: self.set_samples(round(value))),
+            (section.denoised.clicked, self._set_denoised),
+            (section.stop.clicked, self._stop),
+            (commands.stop_refining.triggered, self._stop),
+            (section.resume.clicked, self._resume),
+            (commands.resume_refining.triggered, self._resume),
+            (section.save.clicked, self._save),
+            (commands.save_traced.triggered, self._save),
+        ):
+            signal.connect(slot)
         state.view_changed.connect(lambda *_: self._follow())
         state.contents_changed.connect(self._follow)
         window.picture.frame_drawn.connect(self._follow)  # of another size, perhaps
@@ -112,7 +108,6 @@ class TracedControl(ViewerFeature):
 
     @property
     def renderer(self) -> Renderer:
-        """The renderer that is chosen."""
         return self._state.renderer
 
     @property
@@ -156,20 +151,19 @@ class TracedControl(ViewerFeature):
         self.samples = max(0, count)
         settings().setValue("traced/samples", self.samples)
         picture = self._state.traced
-        if self.renderer == "reference" and (
-            self.samples == 0 or picture is None or picture.samples < self.samples
-        ):
-            self.resume()
+        is_enough = picture is not None and 0 < self.samples <= picture.samples
+        if self.renderer == "reference" and not is_enough:
+            self._resume()
         self._show()
 
-    def set_denoised(self, on: bool) -> None:
+    def _set_denoised(self, on: bool) -> None:
         """Show the reference without its noise, where there is a denoiser; remembered."""
         self.denoised = on
         settings().setValue("traced/denoised", on)
         self._send({"do": "denoise", "on": on})
         self._show()
 
-    def stop(self) -> None:
+    def _stop(self) -> None:
         """Refine no more; the picture stays until something changes."""
         if self.renderer == "realtime" or self._process is None:
             return
@@ -177,21 +171,19 @@ class TracedControl(ViewerFeature):
         self._send({"do": "pause"})
         self._show()
 
-    def resume(self) -> None:
-        """Go on with what was stopped."""
+    def _resume(self) -> None:
         if self.renderer == "realtime":
             return
         self._stopped = False
         self._send({"do": "resume", "samples": self._limit})
         self._show()
 
-    def save(self) -> None:
+    def _save(self) -> None:
         """Ask for a file, and have the newest picture written to it as EXR."""
         fit = self._state.fit
         if self._state.traced is None or fit is None or self._process is None:
             todo = tr("Choose the ray tracer or the reference under View ▸ Renderer, and save when it shows.")
-            what = tr("There is no traced picture yet.")
-            self._window.messages.show_message(Message(KIND, what, todo=todo, severity="error"))
+            self._refuse(KIND, tr("There is no traced picture yet."), todo)
             return
         name = f"{fit.name} {self.renderer}"
         chosen = self._ask(self._window, name, tr("EXR, radiance with variance"), ".exr")
@@ -203,7 +195,6 @@ class TracedControl(ViewerFeature):
         self._send({"do": "save", "path": str(path.absolute()), "view": view})
 
     def close(self) -> None:
-        """End the process: the window closes."""
         self._rest.stop()
         self._end_process()
 
@@ -258,16 +249,15 @@ class TracedControl(ViewerFeature):
         pieces = self._hand_over.pieces(
             wanted, self._generation, self._process.folder, self._limit, denoised=self.denoised
         )
-        self._runner.submit(KIND, write_request, pieces, done=self._handed_over, failed=self._not_handed_over)
+        self._runner.submit(
+            KIND, write_request, pieces, self._handed_over, lambda error: self._fail(str(error))
+        )
         self._show()
 
     def _handed_over(self, request: TraceRequest) -> None:
         if request.generation == self._generation:
             self._send(request.to_json())
             forget_others(request)
-
-    def _not_handed_over(self, error: Exception) -> None:
-        self._fail(str(error))
 
     def _start_process(self) -> None:
         self._process = process = self._make_process(self)
@@ -322,11 +312,7 @@ class TracedControl(ViewerFeature):
             self.settled.emit()
 
     def _crashed(self, text: str) -> None:
-        process, self._process = self._process, None
-        self._hand_over = HandOver()
-        if process is not None:
-            process.end()
-            process.deleteLater()
+        self._end_process()
         if self.renderer != "realtime":
             self._fail(text)
 
@@ -338,13 +324,9 @@ class TracedControl(ViewerFeature):
         """Say why there is no traced picture, and go on with the real-time one."""
         wanted = self.renderer
         self.set_renderer("realtime")
-        message = Message(
-            KIND,
-            text,
-            todo=tr("The real-time picture continues."),
-            severity="error",
-            actions=((tr("Try Again"), lambda: self.set_renderer(wanted)),),
-        )
+        todo = tr("The real-time picture continues.")
+        actions = ((tr("Try Again"), lambda: self.set_renderer(wanted)),)
+        message = Message(KIND, text, todo=todo, severity="error", actions=actions)
         self._window.messages.show_message(message)
         self.settled.emit()
 
@@ -353,8 +335,7 @@ class TracedControl(ViewerFeature):
         self._window.status.showMessage(tr("Saved {name}").format(name=Path(path).name), _MESSAGE_MS)
 
     def _not_saved(self, path: str, text: str) -> None:
-        todo = tr("Choose another name or folder.")
-        self._window.messages.show_message(Message(KIND, text, where=path, todo=todo, severity="error"))
+        self._refuse(KIND, text, tr("Choose another name or folder."), where=path)
 
     def _drop(self) -> None:
         """What is traced is wanted no more."""
@@ -376,17 +357,15 @@ class TracedControl(ViewerFeature):
         window, renderer, picture = self._window, self.renderer, self._state.traced
         section = window.renderer
         section.show_renderer(renderer, self.quality, self.samples, denoised=self.denoised)
-        window.commands.show_renderer(renderer, self.quality)
+        window.commands.renderer.show_choice(renderer)
+        window.commands.quality.show_choice(self.quality if renderer == "raytraced" else "")
         running = renderer != "realtime" and not self._stopped and not (picture is not None and picture.done)
         section.show_work(running=running, stopped=self._stopped, has_picture=picture is not None)
         words = "" if renderer == "realtime" else self._words(picture)
         section.set_state(words, "\n".join(self._notices) if renderer != "realtime" else "")
         window.overlay.show_mark(words)
-        window.status.cell("renderer").set(
-            words,
-            tr("Renderer of the picture, and its progress"),
-            "fresh" if picture is not None else "stale",
-        )
+        tip = tr("Renderer of the picture, and its progress")
+        window.status.cell("renderer").set(words, tip, "fresh" if picture is not None else "stale")
         self.changed.emit()
 
     def _words(self, picture: TracedPicture | None) -> str:
@@ -394,9 +373,8 @@ class TracedControl(ViewerFeature):
         if picture is None:
             if self._stopped:
                 return tr("Real-time picture; {renderer}: stopped").format(renderer=title)
-            step = self._step or (
-                tr("waiting for changes to end") if self._asked is None else tr("starting…")
-            )
+            waits = tr("waiting for changes to end") if self._asked is None else tr("starting…")
+            step = self._step or waits
             return tr("Real-time picture; {renderer}: {step}").format(renderer=title, step=step)
         words = picture_words(self.renderer, self.quality, picture)
         if self.renderer == "raytraced":

@@ -15,10 +15,8 @@ from numpy.typing import NDArray
 
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError
-from brdf_suite.lighting.environment import Environment
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reference.raytraced.picture import write_sums
-from brdf_suite.surface.mesh import Mesh
 from brdf_viewer.traced.job import Job, TracedFrame, add_coverage
 from brdf_viewer.traced.request import TraceRequest
 from brdf_viewer.traced.scene_files import read_environment_file, read_surface_file
@@ -26,7 +24,6 @@ from brdf_viewer.traced.scene_files import read_environment_file, read_surface_f
 if TYPE_CHECKING:  # Mitsuba comes with them, which is optional
     from brdf_suite.tracing.raytraced.picture import RaytracedImage, RaytracedSession
     from brdf_suite.tracing.reference.live import LiveReference
-    from brdf_viewer.traced.reference_job import ReferenceJob
 
 
 class Engines:
@@ -46,15 +43,19 @@ class Engines:
             The renderer cannot run here, or what is asked for cannot be read.
         """
         report(progress, 0.0, "reading the light")
-        environment: Environment = self._kept("light", request.environment, read_environment_file)
-        mesh: Mesh = self._kept("surface", request.surface, read_surface_file)
-        if request.renderer == "raytraced":
-            return self._open_raytraced(request, environment, mesh, progress)
-        return self._open_reference(request, environment, mesh, progress)
+        scene = {
+            "environment": self._kept("light", request.environment, read_environment_file),
+            "mesh": self._kept("surface", request.surface, read_surface_file),
+            "progress": subrange(progress, 0.3, 1.0),
+        }
+        # With the plainest background: the window draws what is behind the object, of any kind.
+        view = replace(request.view, background="environment")
+        open_scene = self._open_raytraced if request.renderer == "raytraced" else self._open_reference
+        return open_scene(request, view, scene, progress)
 
     def _open_reference(
-        self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
-    ) -> ReferenceJob:
+        self, request: TraceRequest, view: View, scene: dict[str, Any], progress: Progress | None
+    ) -> Job:
         # Here, because Mitsuba comes with it, which is optional.
         from brdf_suite.tracing.reference.live import LiveReference
         from brdf_viewer.traced.reference_job import ReferenceJob
@@ -62,37 +63,21 @@ class Engines:
         if self._reference is None:
             report(progress, 0.2, "starting the path tracer")
             self._reference = LiveReference()
-        live = self._reference
-        look = request.view.surface_look
-        live.show(
-            request.paint,
-            replace(_without_backdrop(request.view), surface_look=replace(look, ground=False)),
-            request.size,
-            subrange(progress, 0.3, 1.0),
-            environment=environment,
-            mesh=mesh,
-        )
-        return ReferenceJob(live, grounded=look.ground)
+        look = view.surface_look
+        view = replace(view, surface_look=replace(look, ground=False))
+        self._reference.show(request.paint, view, request.size, **scene)
+        return ReferenceJob(self._reference, grounded=look.ground)
 
     def _open_raytraced(
-        self, request: TraceRequest, environment: Environment, mesh: Mesh, progress: Progress | None
-    ) -> RaytracedJob:
+        self, request: TraceRequest, view: View, scene: dict[str, Any], progress: Progress | None
+    ) -> Job:
         if self._raytraced is None:
             report(progress, 0.2, "starting the ray tracer")
             from brdf_suite.tracing.raytraced.picture import RaytracedSession
 
             self._raytraced = RaytracedSession()
-        session = self._raytraced
-        session.show(
-            request.paint,
-            _without_backdrop(request.view),
-            request.size,
-            quality=request.quality,
-            progress=subrange(progress, 0.3, 1.0),
-            environment=environment,
-            mesh=mesh,
-        )
-        return RaytracedJob(session)
+        self._raytraced.show(request.paint, view, request.size, quality=request.quality, **scene)
+        return RaytracedJob(self._raytraced)
 
     def _kept(self, kind: str, key: object, read: Any) -> Any:
         known = self._read.get(kind)
@@ -122,7 +107,6 @@ class RaytracedJob:
             yield TracedFrame(pixels, image.samples, image.of, None, image.seconds)
 
     def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Return them as they are."""
         return pixels
 
     def save(self, path: Path, view: View) -> None:
@@ -132,8 +116,3 @@ class RaytracedJob:
         scene = self._newest.scene
         shown = replace(scene, view=replace(view, camera=scene.view.camera))
         write_sums(path, self._newest.sums, replace(self._newest, scene=shown).whole(), scene.key)
-
-
-def _without_backdrop(view: View) -> View:
-    """Return the view with the plainest background: the window draws what is behind the object, of any kind."""
-    return replace(view, background="environment")

@@ -37,7 +37,6 @@ class HandOver:
     def pieces(
         self, wanted: TraceInput, generation: int, folder: Path, samples: int, *, denoised: bool = False
     ) -> Pieces:
-        """Return what is to be written for a scene."""
         if wanted.surface is not self._surface[0]:
             self._surface = (wanted.surface, self._surface[1] + 1)
         if wanted.paint is not None and wanted.paint != self._paint[0]:

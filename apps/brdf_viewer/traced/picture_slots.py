@@ -32,7 +32,6 @@ class SlotWriter:
 
     @property
     def is_free(self) -> bool:
-        """Whether a picture can be handed over now."""
         return bool(self._free)
 
     def put(self, pixels: NDArray[Any]) -> int:

@@ -20,6 +20,7 @@ from brdf_viewer.traced.picture_slots import take
 
 WORKER = "brdf_viewer.traced.worker"
 _END_MS = 5000
+_FACTS = ("samples", "of", "noise", "seconds", "done", "denoised")
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +45,6 @@ class TracedPicture:
 
     @property
     def size(self) -> tuple[int, int]:
-        """Width and height."""
         return (self.pixels.shape[1], self.pixels.shape[0])
 
 
@@ -102,9 +102,8 @@ class TraceProcess(ChildProcess):
         if what == "picture":
             self._take_picture(answer, generation)
         elif what == "opened":
-            self.opened.emit(
-                generation, [tr(text) for text in answer["notices"]], tr(str(answer["no_denoiser"]))
-            )
+            notices = [tr(text) for text in answer["notices"]]
+            self.opened.emit(generation, notices, tr(str(answer["no_denoiser"])))
         elif what == "moved":
             self.moved.emit(generation, float(answer["fraction"]), str(answer["what"]))
         elif what == "failed":
@@ -122,19 +121,7 @@ class TraceProcess(ChildProcess):
             self.failed.emit(generation, tr("The picture could not be read: {reason}").format(reason=error))
             return
         self.send({"do": "taken", "slot": answer["slot"]})
-        noise = answer["noise"]
-        self.pictured.emit(
-            TracedPicture(
-                generation,
-                pixels,
-                int(answer["samples"]),
-                int(answer["of"]),
-                None if noise is None else float(noise),
-                float(answer["seconds"]),
-                bool(answer["done"]),
-                bool(answer["denoised"]),
-            )
-        )
+        self.pictured.emit(TracedPicture(generation, pixels, *(answer[fact] for fact in _FACTS)))
 
     def take_failed_start(self, reason: str) -> None:
         self.crashed.emit(tr("The renderer could not be started: {reason}.").format(reason=reason))
@@ -144,8 +131,7 @@ class TraceProcess(ChildProcess):
         words = errors.partition("Fatal Python error:")[0] or errors
         lines = [line for line in words.splitlines() if line.strip()]
         last = lines[-1].strip() if lines else tr("no message; the computer may be out of memory")
+        text = tr("The renderer ended (status {code}): {words}.")
         if crashed:
             text = tr("The renderer crashed (signal {code}): {words}.")
-        else:
-            text = tr("The renderer ended (status {code}): {words}.")
         self.crashed.emit(text.format(code=code, words=last.rstrip(".")))

@@ -49,7 +49,6 @@ class TraceInput:
     paint_key: str
 
     def same(self, other: TraceInput) -> bool:
-        """Whether both are one picture."""
         return (
             self.renderer == other.renderer
             and (self.quality == other.quality or self.renderer == "reference")

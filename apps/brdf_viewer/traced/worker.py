@@ -82,7 +82,6 @@ class Worker:
         self._samples = 0
 
     def run(self) -> None:
-        """Work until the input ends."""
         while not self._inbox.closed:
             for message in self._inbox.take(wait=not self._has_work):
                 self._take(message)
@@ -97,10 +96,9 @@ class Worker:
     def _take(self, message: Message) -> None:
         what = message["do"]
         if what == "render":
-            self._request = TraceRequest.from_json(message)
+            self._request = request = TraceRequest.from_json(message)
             self._job = self._frames = self._newest = self._unsent = None
-            self._paused, self._samples = False, self._request.samples
-            self._denoised = self._request.denoised
+            self._paused, self._samples, self._denoised = False, request.samples, request.denoised
         elif what == "pause":
             self._paused = True
         elif what == "resume":
@@ -121,15 +119,8 @@ class Worker:
         assert request is not None
         if self._job is None:
             self._job = self._engines.open(request, self._moved)
-            self._say(
-                {
-                    "say": "opened",
-                    "generation": request.generation,
-                    "title": self._job.title,
-                    "notices": list(self._job.notices),
-                    "no_denoiser": self._job.no_denoiser,
-                }
-            )
+            title, notices, no_denoiser = self._job.title, list(self._job.notices), self._job.no_denoiser
+            self._answer("opened", title=title, notices=notices, no_denoiser=no_denoiser)
             self._frames = self._job.frames()
             return
         assert self._frames is not None
@@ -150,26 +141,25 @@ class Worker:
         self._unsent = None
         height, width = frame.pixels.shape[:2]
         done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)
-        self._say(
-            {
-                "say": "picture",
-                "generation": self._request.generation,
-                "slot": slot,
-                "size": [width, height],
-                "samples": frame.samples,
-                "of": self._samples or frame.of,
-                "noise": frame.noise,
-                "seconds": frame.seconds,
-                "done": done,
-                "denoised": denoised,
-            }
+        self._answer(
+            "picture",
+            slot=slot,
+            size=[width, height],
+            samples=frame.samples,
+            of=self._samples or frame.of,
+            noise=frame.noise,
+            seconds=frame.seconds,
+            done=done,
+            denoised=denoised,
         )
 
     def _moved(self, fraction: float, what: str) -> None:
-        assert self._request is not None
-        self._say(
-            {"say": "moved", "generation": self._request.generation, "fraction": fraction, "what": what}
-        )
+        self._answer("moved", fraction=fraction, what=what)
+
+    def _answer(self, say: str, /, **facts: object) -> None:
+        """Say what became of the present request."""
+        generation = -1 if self._request is None else self._request.generation
+        self._say({"say": say, "generation": generation, **facts})
 
     def _save(self, path: Path, message: Message) -> None:
         try:
@@ -188,9 +178,8 @@ class Worker:
         except Exception as error:  # whatever went wrong, the user must hear of it
             if not isinstance(error, SuiteError | MemoryError | OSError):
                 log.exception("internal error of the tracer")
-            generation = -1 if self._request is None else self._request.generation
+            self._answer("failed", text=_words(error))
             self._request = self._job = self._frames = self._newest = self._unsent = None
-            self._say({"say": "failed", "generation": generation, "text": _words(error)})
 
 
 def _words(error: BaseException) -> str:
@@ -203,7 +192,7 @@ def _words(error: BaseException) -> str:
 
 def main(arguments: list[str] | None = None) -> int:
     """Trace until the input ends; return the exit status."""
-    folder = Path((sys.argv[1:] if arguments is None else arguments)[0])
+    folder = Path((arguments or sys.argv[1:])[0])
     # What libraries print must not come between the answers.
     voice = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(2, 1)

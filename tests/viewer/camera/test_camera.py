@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from brdf_viewer.camera.presets import PRESETS
+from brdf_viewer.camera.section import PRESETS
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
@@ -213,7 +213,7 @@ def test_the_fields_of_the_inspector(viewer) -> None:
     camera.focal_length.setValue(100)
     assert viewer.view.camera.focal_length_mm == 100
     assert viewer.view.camera.distance == pytest.approx(2 * before.distance)
-    camera.presets.buttons()[2].click()
+    camera.presets[2].click()
     assert viewer.view.camera.azimuth_deg == 90
 
 

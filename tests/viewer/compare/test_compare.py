@@ -140,7 +140,7 @@ def test_the_difference_of_a_paint_with_itself_is_nothing(viewer) -> None:
 
 
 def test_a_frozen_paint_stays_while_the_first_changes(viewer, tmp_path) -> None:
-    viewer.window.commands.freeze_requested.emit()
+    viewer.window.commands.freeze.trigger()
     wait_second(viewer, viewer.view.compare.paint)
     frozen = viewer.state.second.value.name
     assert frozen == viewer.state.fit.name
@@ -188,7 +188,7 @@ def test_a_picture_of_light_is_compared_with_the_paint(start, lights, tmp_path, 
     from brdf_suite.files.images.environments import write_exr
 
     viewer = start(follow=False)
-    viewer.state.set_camera(Camera(distance=0.6, target=(0.0, 0.1, 0.0)))
+    viewer.state.change_view(camera=Camera(distance=0.6, target=(0.0, 0.1, 0.0)))
     qtbot.waitUntil(viewer.window.progress.isHidden)  # its strip takes height from the picture
     drawer, size = viewer.controller.drawer, viewer.window.picture.device_size
     light = []

@@ -78,20 +78,20 @@ def test_saving_again_asks_nothing_unless_the_file_has_changed(start, tmp_path) 
     answers = Answers()
     viewer = start(dialogs=answers)
     file = answers.path = tmp_path / "a.brdfview"
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     viewer.state.change_view(exposure_ev=2.0)
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     assert answers.asked == ["save view.brdfview"]
     assert load_view(file).exposure_ev == 2.0
     save_view(View(exposure_ev=-3.0), file)
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     assert answers.asked[1:] == ["changed a.brdfview"]
     assert load_view(file).exposure_ev == -3.0
     answers.overwrite = Overwrite.OVERWRITE
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     assert load_view(file).exposure_ev == 2.0
     answers.path = tmp_path / "b.brdfview"
-    viewer.window.commands.view_save_as_requested.emit()
+    viewer.window.commands.save_view_as.trigger()
     assert answers.path.exists()
 
 
@@ -100,11 +100,11 @@ def test_a_framed_camera_is_saved_where_it_stands(start, tmp_path) -> None:
     viewer = start(dialogs=answers)
     answers.path = tmp_path / "a.brdfview"
     assert viewer.view.camera.distance is None
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     saved = load_view(answers.path).camera
     assert saved.distance is not None
     pixels = viewer.pixels()
-    viewer.state.set_camera(saved)
+    viewer.state.change_view(camera=saved)
     assert (viewer.pixels() == pixels).all()
 
 
@@ -133,7 +133,7 @@ def test_a_view_that_cannot_be_written_is_reported(start, tmp_path) -> None:
     answers = Answers()
     viewer = start(dialogs=answers)
     answers.path = tmp_path / "missing" / "a.brdfview"
-    viewer.window.commands.view_save_requested.emit()
+    viewer.window.commands.save_view.trigger()
     assert "a.brdfview" in viewer.messages()["view"]
     assert viewer.controller.views.path is None
 

@@ -9,8 +9,7 @@ import numpy as np
 import OpenEXR
 import pytest
 from brdf_viewer.export.control import ExportControl
-from brdf_viewer.export.job import FORMATS, ExportJob, ExportSettings
-from brdf_viewer.export.process import ExportProcess
+from brdf_viewer.export.job import FORMATS, ExportJob, ExportProcess, ExportSettings
 from PIL import Image
 from PySide6.QtGui import QAction
 

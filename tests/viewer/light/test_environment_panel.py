@@ -11,8 +11,7 @@ import numpy as np
 from brdf_qt.documents.watch import FileWatch
 from brdf_viewer.documents.file_kinds import ENDINGS, kind_of
 from brdf_viewer.documents.remembered import recall, remember
-from brdf_viewer.light.environment_figures import HistogramBars, lines
-from brdf_viewer.light.environment_section import LAYOUT_TITLES
+from brdf_viewer.light.environment_section import LAYOUT_TITLES, HistogramBars, lines
 from brdf_viewer.scene import loading
 from PySide6.QtCore import QSettings
 

@@ -8,9 +8,16 @@ import threading
 import numpy as np
 import pytest
 from brdf_viewer.light.control import metered_part
-from brdf_viewer.light.lamps_section import LampFields, placed, polar
-from brdf_viewer.light.presets import PRESETS, preset_of, with_preset
-from brdf_viewer.light.section import ILLUMINANT_TITLES, colour_note
+from brdf_viewer.light.section import (
+    ILLUMINANT_TITLES,
+    PRESETS,
+    LampFields,
+    colour_note,
+    placed,
+    polar,
+    preset_of,
+    with_preset,
+)
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -111,7 +118,7 @@ def test_the_meter_waits_until_the_camera_rests(viewer, qtbot) -> None:
     choose(viewer.window.lighting.exposure_mode, "automatic")
     viewer.pixels()
     measured = viewer.state.metered_ev
-    viewer.state.set_camera(Camera(elevation_deg=80.0))
+    viewer.state.change_view(camera=Camera(elevation_deg=80.0))
     viewer.pixels()
     assert viewer.state.metered_ev == measured
     qtbot.waitUntil(lambda: viewer.state.metered_ev != measured)

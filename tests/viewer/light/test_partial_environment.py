@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from brdf_viewer.light.environment_figures import environment_facts
+from brdf_viewer.light.environment_section import environment_facts
 from brdf_viewer.scene import loading
 
 from brdf_suite.documents.paint import Gloss, solid_paint

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from brdf_viewer.light.dominant import dominant_light
 from brdf_viewer.light.studio.places import point_at
-from brdf_viewer.overlay.figures import how
 from brdf_viewer.overlay.pixel_reading import (
     CursorReading,
     PixelReading,
@@ -18,6 +17,7 @@ from brdf_viewer.overlay.pixel_reading import (
     parts_at,
     short_words,
 )
+from brdf_viewer.overlay.readout import how
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication

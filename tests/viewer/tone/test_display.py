@@ -116,7 +116,7 @@ def test_look_up(viewer) -> None:
 
 
 def test_the_picture_goes_to_the_clipboard(viewer, qapp) -> None:
-    viewer.window.commands.copy_requested.emit()
+    viewer.window.commands.copy.trigger()
     image = qapp.clipboard().image()
     assert (image.width(), image.height()) == viewer.window.picture.device_size
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from brdf_viewer.traced.section import rate_words
 from brdf_viewer.traced.trace_input import lit_part
-from brdf_viewer.traced.words import rate_words
 
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Sparkle
@@ -75,7 +75,7 @@ def test_the_reference_refines_restarts_is_compared_saved_and_survived(saved, st
     viewer.controller.compare.set_mode("off")
     # What lights it does: the real-time picture is back at once, and says so.
     camera = replace(viewer.view.camera, azimuth_deg=80.0)
-    viewer.state.set_camera(camera)
+    viewer.state.change_view(camera=camera)
     assert viewer.state.traced is None
     assert "Real-time picture" in viewer.window.overlay.mark
     wait_picture(viewer, 8)

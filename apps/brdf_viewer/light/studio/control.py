@@ -13,21 +13,18 @@ from brdf_qt.documents.recovery import Recovered, Recovery
 from brdf_qt.documents.recovery_offer import RecoveryOffer
 from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.dialogs import Dialogs
-from brdf_qt.window.message_bar import Message, message_of
 
 from brdf_suite.documents.studio import STUDIO_ENDING, LightDocument, Sky, Studio
 from brdf_suite.documents.view import View
 from brdf_suite.errors import SuiteError, ValueRangeError
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_viewer.feature import ViewerFeature
+from brdf_viewer.fields.inspector import set_note
 from brdf_viewer.light.studio import edits
-from brdf_viewer.light.studio.document import FORMAT, StudioFiles
-from brdf_viewer.light.studio.fields import Edits
-from brdf_viewer.light.studio.lamp_form import changed_lamp
+from brdf_viewer.light.studio.document import FORMAT, TEMPLATES, StudioFiles
+from brdf_viewer.light.studio.forms import Edits, changed_lamp, changed_surroundings
 from brdf_viewer.light.studio.live_light import LiveLight
 from brdf_viewer.light.studio.places import point_at, polar
-from brdf_viewer.light.studio.surroundings_form import changed_surroundings
-from brdf_viewer.light.studio.templates import TEMPLATES
 from brdf_viewer.scene.control import SceneControl
 from brdf_viewer.scene.viewer_state import LoadedAsset, ViewerState
 from brdf_viewer.window import ViewerWindow
@@ -42,18 +39,15 @@ class StudioControl(ViewerFeature):
     """
 
     def __init__(
-        self,
-        state: ViewerState,
-        window: ViewerWindow,
-        scene: SceneControl,
-        dialogs: Dialogs,
+        self, state: ViewerState, window: ViewerWindow, scene: SceneControl, dialogs: Dialogs
     ) -> None:
         super().__init__(state, window)
         self._scene = scene
         self._panel = window.studio
         self.store: DocumentStore[LightDocument] = DocumentStore(TEMPLATES["empty"][1], self)
-        self.files = StudioFiles(self.store, dialogs, self)
-        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, self._report, self)
+        self.files = StudioFiles(self.store, FORMAT, dialogs, self)
+        report = partial(self._report, key="autosave")
+        self.recovery: Recovery[LightDocument] = Recovery(self.store, FORMAT, report, self)
         self._open = False
         self._index = 0
         self._shown: PreparedEnvironment | None = None
@@ -61,7 +55,9 @@ class StudioControl(ViewerFeature):
         self._live = LiveLight(self)
         self._live.drawn.connect(self._drawn)
         self._live.failed.connect(self._not_drawn)
-        self._live.moved.connect(lambda fraction, what: window.set_busy(_BUSY, fraction, self._message(what)))
+        self._live.moved.connect(
+            lambda fraction, what: window.set_busy(_BUSY, fraction, f"{self.store.value.name}: {what}")
+        )
         self._live.ended.connect(lambda: window.set_idle(_BUSY))
         window.busy_cancelled.connect(self._cancelled)
         window.close_guards.append(self.may_close)
@@ -79,8 +75,12 @@ class StudioControl(ViewerFeature):
 
     def new(self, template: str) -> bool:
         """Begin a studio from a template, after asking about unsaved changes of the present one."""
+        if self._open and not self.files.may_discard():
+            return False
         light = TEMPLATES[template][1]
-        return self._take(_renamed(light, tr(light.name)))
+        self.store.replace(_changed(light, "name", tr(light.name)), None)  # clean: it is no work to be lost
+        self._show_opened()
+        return True
 
     def edit(self) -> bool:
         """Edit the light of the picture, where it has a description; otherwise say what can be done."""
@@ -88,14 +88,9 @@ class StudioControl(ViewerFeature):
         if key == "booth":
             return self.new("booth")
         if not key.lower().endswith(STUDIO_ENDING):
-            self._window.messages.show_message(
-                Message(
-                    _BUSY,
-                    tr("The current light is an image, which has no lamps to edit."),
-                    todo=tr("Create a studio with File ▸ Studio ▸ New, or choose the light booth."),
-                    severity="error",
-                )
-            )
+            what = tr("The current light is an image, which has no lamps to edit.")
+            todo = tr("Create a studio with File ▸ Studio ▸ New, or choose the light booth.")
+            self._refuse(_BUSY, what, todo)
             return False
         return self._edit_file(Path(key))
 
@@ -105,17 +100,15 @@ class StudioControl(ViewerFeature):
             return True
         if not self.files.open(path):
             return False
-        self._opened()
-        # The picture shows it already; nothing is drawn until it is edited.
         present = self._state.environment
-        lit = present is not None and present.key == str(path) and present.value.is_final
-        if present is not None and lit:
+        if present is not None and present.key == str(path) and present.value.is_final:
+            # The picture shows it already; nothing is drawn until it is edited.
             self._shown = present.value
             self._panel.preview.set_radiance(present.value.environment.radiance)
+            self._show_opened(draw=False)
         else:
             self._shown = None
-            self._live.show(self.store.value)
-        self._show()
+            self._show_opened()
         return True
 
     def may_close(self) -> bool:
@@ -123,9 +116,8 @@ class StudioControl(ViewerFeature):
         return not self._open or self.files.may_discard()
 
     def close(self) -> None:
-        """End the threads; what was unsaved has been asked about."""
         self._live.close()
-        self.recovery.close(keep=False)
+        self.recovery.close(keep=False)  # what was unsaved has been asked about
 
     def _recover(self, item: Recovered[LightDocument]) -> bool:
         """Open what an earlier run left; False where the user keeps the present studio."""
@@ -133,27 +125,16 @@ class StudioControl(ViewerFeature):
             return False
         self._open = False  # until it is there: what is replaced is not drawn
         self.recovery.take(item)
-        self._opened()
-        self._live.show(self.store.value)
-        self._show()
+        self._show_opened()
         return True
 
-    def _report(self, error: BaseException) -> None:
-        self._window.messages.show_message(message_of(error, "autosave"))
-
-    def _take(self, light: LightDocument) -> bool:
-        if self._open and not self.files.may_discard():
-            return False
-        self.store.replace(light, None)  # clean: an unedited template is no work to be lost
-        self._opened()
-        self._live.show(light)
-        self._show()
-        return True
-
-    def _opened(self) -> None:
+    def _show_opened(self, *, draw: bool = True) -> None:
         self._open, self._index = True, 0
         self._window.messages.dismiss(_BUSY)
         self._show_panel()
+        if draw:
+            self._live.show(self.store.value)
+        self._show()
 
     def _show_panel(self) -> None:
         self._window.studio_dock.show()
@@ -171,18 +152,23 @@ class StudioControl(ViewerFeature):
     def _connect_panel(self) -> None:
         panel, store = self._panel, self.store
         panel.new_requested.connect(self.new)
-        panel.edit_requested.connect(self.edit)
-        self._window.environment.edit.clicked.connect(self.edit)
-        panel.save_requested.connect(self.files.save)
-        panel.save_as_requested.connect(self.files.save_as)
-        panel.undo_requested.connect(store.undo)
-        panel.redo_requested.connect(store.redo)
-        panel.relight.clicked.connect(lambda: self._live.show(store.value))
-        panel.name.edited.connect(lambda text: self._do(tr("Rename"), lambda light: _renamed(light, text)))
+        for signal, slot in (
+            (panel.edit.clicked, self.edit),
+            (self._window.environment.edit.clicked, self.edit),
+            (panel.save.clicked, self.files.save),
+            (panel.save_as.clicked, self.files.save_as),
+            (panel.undo.clicked, store.undo),
+            (panel.redo.clicked, store.redo),
+            (panel.relight.clicked, lambda: self._live.show(store.value)),
+            (panel.double.clicked, self._double),
+            (panel.remove.clicked, self._remove),
+        ):
+            signal.connect(slot)
+        panel.name.edited.connect(
+            lambda text: self._do(tr("Rename"), lambda light: _changed(light, "name", text))
+        )
         panel.chosen.connect(self._choose)
         panel.add_requested.connect(self._add)
-        panel.double.clicked.connect(self._double)
-        panel.remove.clicked.connect(self._remove)
         panel.lamp.edits.changed.connect(self._edit_lamp)
         panel.around.edits.changed.connect(
             lambda name, value: self._do(
@@ -193,7 +179,8 @@ class StudioControl(ViewerFeature):
             lambda name, value: self._do(tr("Change Sky"), lambda light: _changed(light, name, value))
         )
         for source in (panel.lamp.edits, panel.around.edits, panel.sky.edits, panel.preview, panel.name):
-            source.gesture_started.connect(lambda source=source: store.begin_gesture(_gesture(source)))
+            step = tr("Change Lamp") if isinstance(source, Edits) else tr("Move Lamp")
+            source.gesture_started.connect(partial(store.begin_gesture, step))
             source.gesture_finished.connect(store.end_gesture)
         panel.preview.picked.connect(self._choose)
         panel.preview.dragged.connect(self._drag)
@@ -214,12 +201,11 @@ class StudioControl(ViewerFeature):
         try:
             value = edit(self.store.value)
         except ValueRangeError as error:
-            self._panel.set_mistake(
-                tr("Not applied: {place}: {reason}").format(place=error.place, reason=error.reason)
-            )
+            text = tr("Not applied: {place}: {reason}").format(place=error.place, reason=error.reason)
+            set_note(self._panel.mistake, text)
             self._show()
             return
-        self._panel.set_mistake("")
+        set_note(self._panel.mistake, "")
         if not self.store.set(value, name):
             self._show()
 
@@ -290,8 +276,7 @@ class StudioControl(ViewerFeature):
     def _not_drawn(self, error: Exception) -> None:
         if not isinstance(error, SuiteError):
             raise error
-        todo = tr("The picture shows the last valid light.")
-        self._window.messages.show_message(message_of(error, _BUSY, todo=todo))
+        self._report(error, _BUSY, tr("The picture shows the last valid light."))
 
     def _cancelled(self, kind: str) -> None:
         if kind == _BUSY:
@@ -312,7 +297,7 @@ class StudioControl(ViewerFeature):
         if self._open and present is not None and present.key == str(self.store.path) and self.store.is_clean:
             self._shown = present.value  # read from the file that holds the same
         self._show_editable(self._state.view)
-        self._panel.set_lit(self.is_lit())
+        self._panel.relight.setVisible(not self.is_lit())
 
     def _show_editable(self, view: View) -> None:
         self._window.environment.set_editable(_has_description(view.environment))
@@ -324,7 +309,7 @@ class StudioControl(ViewerFeature):
 
     def _show(self) -> None:
         self._panel.set_light(self.store.value if self._open else None, self._index)
-        self._panel.set_lit(self.is_lit() or not self._open or self._shown is None)
+        self._panel.relight.setVisible(self._open and self._shown is not None and not self.is_lit())
         self._show_state()
 
     def _show_state(self) -> None:
@@ -335,26 +320,15 @@ class StudioControl(ViewerFeature):
         for action in (self._save, self._save_as):
             action.setEnabled(self._open)
 
-    def _message(self, what: str) -> str:
-        return f"{self.store.value.name}: {what}"
-
 
 def _studio(light: LightDocument) -> Studio:
     assert isinstance(light, Studio)
     return light
 
 
-def _renamed(light: LightDocument, name: str) -> LightDocument:
-    return _changed(light, "name", name)
-
-
 def _changed(light: LightDocument, name: str, value: Any) -> LightDocument:
     changed: LightDocument = dataclasses.replace(light, **{name: value})
     return changed
-
-
-def _gesture(source: object) -> str:
-    return tr("Change Lamp") if isinstance(source, Edits) else tr("Move Lamp")
 
 
 def _has_description(key: str) -> bool:

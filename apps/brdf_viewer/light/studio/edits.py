@@ -5,8 +5,8 @@ from __future__ import annotations
 import dataclasses
 
 from brdf_suite.documents.studio import Backdrop, BoothRoom, LightDocument, Point, Sky, Studio, StudioLamp
+from brdf_viewer.light.studio.document import NEW_LAMPS
 from brdf_viewer.light.studio.places import angle_of, held_in, moved, point_at, polar, size_at
-from brdf_viewer.light.studio.templates import NEW_LAMPS
 
 LARGEST_DEG = 170.0
 _BESIDE_DEG = 20.0
@@ -65,9 +65,8 @@ def with_room(studio: Studio, has_room: bool) -> Studio:
 
 def with_sun(sky: Sky, azimuth_deg: float, elevation_deg: float) -> Sky:
     """Return the sky with its sun elsewhere, above the horizon."""
-    return dataclasses.replace(
-        sky, sun_azimuth_deg=azimuth_deg, sun_elevation_deg=min(89.9, max(1.0, elevation_deg))
-    )
+    elevation_deg = min(89.9, max(1.0, elevation_deg))
+    return dataclasses.replace(sky, sun_azimuth_deg=azimuth_deg, sun_elevation_deg=elevation_deg)
 
 
 def lamp_count(light: LightDocument) -> int:

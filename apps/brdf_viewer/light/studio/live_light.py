@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import partial as bound
+from collections.abc import Callable
+from functools import partial
 
 from brdf_qt.work.tasks import TaskRunner
 from brdf_qt.work.timer import make_timer
@@ -42,7 +43,7 @@ class LiveLight(QObject):
         self._drafted: LightDocument | None = None
         self._generation = 0
         self._drafting = False
-        self._rest = make_timer(self, self._make_whole, REST_MS)
+        self._rest = make_timer(self, partial(self._make, _WHOLE), REST_MS)
         self._handed_out.connect(self._on_handed_out, Qt.ConnectionType.QueuedConnection)
 
     def show(self, light: LightDocument) -> None:
@@ -51,10 +52,9 @@ class LiveLight(QObject):
         self._rest.stop()
         self._end_whole()
         if not self._drafting:
-            self._make_draft()
+            self._make(_DRAFT)
 
     def stop(self) -> None:
-        """Draw no more."""
         self._newest = None
         self._drafting = False
         self._generation += 1
@@ -63,30 +63,20 @@ class LiveLight(QObject):
         self._end_whole()
 
     def close(self) -> None:
-        """End the threads; nothing is drawn after."""
         self.stop()
         self._runner.stop()
 
-    def _make_draft(self) -> None:
-        self._drafting, self._drafted = True, self._newest
-        self._submit(_DRAFT)
-
-    def _make_whole(self) -> None:
-        self._drafted = self._newest
-        self._submit(_WHOLE)
-
-    def _submit(self, key: str) -> None:
+    def _make(self, key: str) -> None:
+        self._drafting, self._drafted = key == _DRAFT, self._newest
         self._generation += 1
-        light = self._newest
-        hand_out = bound(
-            self._handed_out.emit, self._generation, light
-        )  # from the worker's thread to this one
+        # From the worker's thread to this one.
+        hand_out = partial(self._handed_out.emit, self._generation, self._newest)
         self._runner.submit(
             key,
-            _draft if key == _DRAFT else _whole,
-            (light, hand_out),
-            done=lambda value: self._done(key, value),
-            failed=lambda error: self._failed(key, error),
+            _prepare,
+            (self._newest, hand_out, key == _DRAFT),
+            done=partial(self._done, key),
+            failed=partial(self._failed, key),
             progress=self.moved.emit if key == _WHOLE else None,
         )
 
@@ -95,7 +85,7 @@ class LiveLight(QObject):
             return
         self.drawn.emit(light, prepared)
         if self._drafting and self._newest is not self._drafted:
-            self._make_draft()  # takes the place of the one that runs
+            self._make(_DRAFT)  # takes the place of the one that runs
 
     def _done(self, key: str, prepared: PreparedEnvironment) -> None:
         self.drawn.emit(self._drafted, prepared)
@@ -113,7 +103,7 @@ class LiveLight(QObject):
         if self._newest is None:
             return
         if self._newest is not self._drafted:
-            self._make_draft()
+            self._make(_DRAFT)
         else:
             self._rest.start()
 
@@ -122,16 +112,11 @@ class LiveLight(QObject):
         self.ended.emit()
 
 
-_Request = tuple[LightDocument, "bound[None]"]
-
-
-def _draft(request: _Request, progress: Progress) -> PreparedEnvironment:
-    light, hand_out = request
-    return prepare_light(light, progress, hand_out, draft=True)
-
-
-def _whole(request: _Request, progress: Progress) -> PreparedEnvironment:
-    light, hand_out = request
-    prepared = prepare_light(light, progress, hand_out)
-    _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
+def _prepare(
+    request: tuple[LightDocument, Callable[[PreparedEnvironment], None], bool], progress: Progress
+) -> PreparedEnvironment:
+    light, hand_out, draft = request
+    prepared = prepare_light(light, progress, hand_out, draft=draft)
+    if not draft:
+        _ = prepared.glint_lights  # found here, so that the first frame does not wait for them
     return prepared

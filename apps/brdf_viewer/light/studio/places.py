@@ -77,16 +77,9 @@ def rotation(start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np
     def frame(toward: NDArray[np.float64]) -> NDArray[np.float64]:
         azimuth = atan2(float(toward[0]), float(toward[2]))
         elevation = asin(float(np.clip(toward[1] / np.linalg.norm(toward), -1.0, 1.0)))
-        about_y = np.array(
-            [[cos(azimuth), 0.0, sin(azimuth)], [0.0, 1.0, 0.0], [-sin(azimuth), 0.0, cos(azimuth)]]
-        )
-        about_x = np.array(
-            [
-                [1.0, 0.0, 0.0],
-                [0.0, cos(elevation), sin(elevation)],
-                [0.0, -sin(elevation), cos(elevation)],
-            ]
-        )
+        (c, s), (up_c, up_s) = (cos(azimuth), sin(azimuth)), (cos(elevation), sin(elevation))
+        about_y = np.array([[c, 0.0, s], [0.0, 1.0, 0.0], [-s, 0.0, c]])
+        about_x = np.array([[1.0, 0.0, 0.0], [0.0, up_c, up_s], [0.0, -up_s, up_c]])
         return np.asarray(about_y @ about_x)
 
     return np.asarray(frame(end) @ frame(start).T)
@@ -124,11 +117,8 @@ def outline(lamp: StudioLamp, points: int = 64) -> NDArray[np.float64]:
         ones = np.ones_like(side)
         u = np.concatenate([side, ones, -side, -ones])
         v = np.concatenate([-ones, side, ones, -side])
-    places = (
-        surface.centre
-        + (u * surface.wide)[:, None] * surface.first
-        + (v * surface.high)[:, None] * surface.second
-    )
+    along, across = np.outer(u * surface.wide, surface.first), np.outer(v * surface.high, surface.second)
+    places = surface.centre + along + across
     return np.asarray(places / np.linalg.norm(places, axis=1, keepdims=True))
 
 

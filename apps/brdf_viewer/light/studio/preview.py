@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, srgb_encode
-from brdf_suite.documents.studio import LightDocument, Sky, Studio, StudioLamp
+from brdf_suite.documents.studio import LightDocument, Sky, Studio
 from brdf_viewer.light.studio.places import (
     covers,
     outline,
@@ -33,7 +33,12 @@ from brdf_viewer.light.studio.places import (
 
 _COLUMNS = 512
 _REACH_PX = 10.0
-_KEY_STEP_DEG = 1.0
+_STEPS_DEG = {
+    Qt.Key.Key_Left: (1.0, 0.0),
+    Qt.Key.Key_Right: (-1.0, 0.0),
+    Qt.Key.Key_Up: (0.0, 1.0),
+    Qt.Key.Key_Down: (0.0, -1.0),
+}
 _NOTCH = 120.0
 
 
@@ -66,7 +71,7 @@ class StudioPreview(QWidget):
         self._middles: list[NDArray[np.float64]] = []
         self._chosen = -1
         self._held = -1
-        self._offset = (0.0, 0.0)
+        self._offset = QPointF()
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -100,10 +105,9 @@ class StudioPreview(QWidget):
         bright = rho.max(axis=-1, keepdims=True)
         rho = rho / (1.0 + np.maximum(bright - 0.6, 0.0))  # bright lamps keep their colour
         codes = np.round(255.0 * srgb_encode(np.clip(rho @ WORKING_TO_SRGB.T, 0.0, 1.0))).astype(np.uint8)
-        pixels = np.ascontiguousarray(codes)
-        height, width = pixels.shape[:2]
+        height, width = codes.shape[:2]
         # A copy, because the image does not keep the array alive.
-        self.panorama = QImage(pixels.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+        self.panorama = QImage(codes.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888).copy()
         self.update()
 
     def set_chosen(self, index: int) -> None:
@@ -131,7 +135,7 @@ class StudioPreview(QWidget):
         lamps = self._light.lamps if isinstance(self._light, Studio) else ()
         hit = [index for index, lamp in enumerate(lamps) if covers(lamp, toward)]
         if hit:
-            return min(hit, key=lambda index: _distance(lamps[index]))
+            return min(hit, key=lambda index: polar(lamps[index].position_m)[2])
         near = [
             (float(np.hypot(point.x() - position.x(), point.y() - position.y())), index)
             for index, point in enumerate(map(self._point, self._middles))
@@ -146,9 +150,8 @@ class StudioPreview(QWidget):
         self.picked.emit(index)
         if index < 0:
             return
-        place = self.place_of(index)
         self._held = index
-        self._offset = (place.x() - event.position().x(), place.y() - event.position().y())
+        self._offset = self.place_of(index) - event.position()
         self.gesture_started.emit()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -157,8 +160,7 @@ class StudioPreview(QWidget):
             self.setCursor(Qt.CursorShape.OpenHandCursor if over else Qt.CursorShape.ArrowCursor)
             return
         self.setCursor(Qt.CursorShape.ClosedHandCursor)
-        target = QPointF(event.position().x() + self._offset[0], event.position().y() + self._offset[1])
-        self._drag(self._held, self._toward(target))
+        self._drag(self._held, self._toward(event.position() + self._offset))
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton and self._held >= 0:
@@ -175,21 +177,12 @@ class StudioPreview(QWidget):
         event.accept()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        keys = Qt.Key
-        steps = {
-            keys.Key_Left: (1.0, 0.0),
-            keys.Key_Right: (-1.0, 0.0),
-            keys.Key_Up: (0.0, 1.0),
-            keys.Key_Down: (0.0, -1.0),
-        }
-        step = steps.get(keys(event.key()))
+        step = _STEPS_DEG.get(Qt.Key(event.key()))
         if step is None or not 0 <= self._chosen < len(self._middles):
             super().keyPressEvent(event)
             return
         toward = panorama_direction(*(float(value) for value in self._middles[self._chosen]))
-        azimuth, elevation, _ = polar((toward[0], toward[1], toward[2]))
-        elevation = min(89.0, max(-89.0, elevation + step[1] * _KEY_STEP_DEG))
-        self.dragged.emit(self._chosen, azimuth + step[0] * _KEY_STEP_DEG, elevation)
+        self._drag(self._chosen, toward, *step)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
@@ -230,9 +223,9 @@ class StudioPreview(QWidget):
             piece.append(self._point(place))
         painter.drawPolyline(piece)
 
-    def _drag(self, index: int, toward: NDArray[np.float64]) -> None:
+    def _drag(self, index: int, toward: NDArray[np.float64], around: float = 0.0, up: float = 0.0) -> None:
         azimuth, elevation, _ = polar((float(toward[0]), float(toward[1]), float(toward[2])))
-        self.dragged.emit(index, azimuth, min(89.0, max(-89.0, elevation)))
+        self.dragged.emit(index, azimuth + around, min(89.0, max(-89.0, elevation + up)))
 
     def _point(self, place: NDArray[np.float64]) -> QPointF:
         return QPointF(float(place[0]) * self.width(), float(place[1]) * self.height())
@@ -241,7 +234,3 @@ class StudioPreview(QWidget):
         across = position.x() / max(1, self.width())
         down = min(1.0, max(0.0, position.y() / max(1, self.height())))
         return panorama_direction(across, down)
-
-
-def _distance(lamp: StudioLamp) -> float:
-    return polar(lamp.position_m)[2]

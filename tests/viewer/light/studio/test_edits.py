@@ -6,6 +6,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+from brdf_viewer.light.studio.document import NEW_LAMPS, TEMPLATES
 from brdf_viewer.light.studio.edits import added, doubled, placed, removed, with_lamp, with_room, with_sun
 from brdf_viewer.light.studio.places import (
     angle_of,
@@ -20,7 +21,6 @@ from brdf_viewer.light.studio.places import (
     polar,
     size_at,
 )
-from brdf_viewer.light.studio.templates import NEW_LAMPS, TEMPLATES
 from hypothesis import given
 from hypothesis import strategies as st
 
