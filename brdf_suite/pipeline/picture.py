@@ -33,7 +33,7 @@ from brdf_suite.realtime.values import (
     MeshPart,
 )
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh, GroundLight
+from brdf_suite.surface.occlusion.rays import BakedMesh, GroundLight
 
 if TYPE_CHECKING:
     from brdf_suite.pipeline.lobe_fit import LobeFit

@@ -14,7 +14,7 @@ from brdf_suite.arrays import AnyArray
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.array_file import Layout, encode_arrays, read_arrays
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
+from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, GroundLight
 
 LAYOUT = Layout(b"BRDFOCCL", 3, "baked occlusion", ("<f2", "<f4", "<u4"), level=1, smallest=0, most=1 << 16)
 

@@ -17,7 +17,7 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource_root
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 
 ENDING = ".occlusion"
 PACKAGED = "occlusion"

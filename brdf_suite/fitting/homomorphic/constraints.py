@@ -16,7 +16,7 @@ from scipy import sparse
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import LEAST_SIZE, MOST_SIZE, Factor
-from brdf_suite.geometry.map_look_up import bilinear
+from brdf_suite.geometry.parabolic import bilinear
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.factor_words import Factor
-from brdf_suite.geometry.map_look_up import bilinear
+from brdf_suite.geometry.parabolic import bilinear
 from brdf_suite.reflectance.blocks import in_blocks
 
 

@@ -10,9 +10,8 @@ import numpy as np
 
 from brdf_suite.arrays import Floats
 from brdf_suite.fitting.homomorphic.factorization import Factorization
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.factor_words import Factor
-from brdf_suite.geometry.map_look_up import look_up_map
+from brdf_suite.geometry.factor_words import PROJECTIONS, Factor
+from brdf_suite.geometry.parabolic import look_up_map
 
 SYMMETRIC = 0.02
 """RMS of the logarithm within a ring, up to which a map is taken for symmetric: 2 %, what 8 bits hold of a factor."""

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError

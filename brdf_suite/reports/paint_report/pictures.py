@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from PIL import Image
 
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.output.still import loaded_scene
 from brdf_suite.pipeline.exposure import metered

@@ -20,7 +20,7 @@ from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.pipeline.surface import baked_where_wanted, load_shaped
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.surface.occlusion.bake import bake
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 
 
 @pytest.fixture
