@@ -12,17 +12,76 @@ lobe of roughness α turns mirror directions by a Gaussian of variance 2α² in 
     A = erf(a / (√2 σp)) · erf(b / (√2 σo)),   σp² = 2α² + s1²/12,   σo² = 2α² cos²θ + s2²/12,
 
 divided by its value at α = 0. The receptors and the source are those of the standards, from expert memory.
+
+The root finder uses plain floats: for three channels this is many times faster than arrays, and scipy's optimizers
+would cost their import when a program starts.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
+from itertools import pairwise
 
-from brdf_suite.appearance.root_finder import bracketed_root
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_at
+
+
+def bracketed_root(
+    function: Callable[[float], float],
+    low: float,
+    high: float,
+    *,
+    tolerance: float = 1e-12,
+    at_low: float | None = None,
+    at_high: float | None = None,
+) -> float:
+    """Return x in [low, high] with f(x) = 0 to ``tolerance`` (in x); f must change its sign between them.
+
+    Chandrupatla's method (Advances in Engineering Software 28, 1997, 145): inverse quadratic interpolation
+    where it is safe, bisection otherwise. ``at_low`` and ``at_high`` are f there where already known.
+
+    Raises
+    ------
+    ValueError
+        f has the same sign at both ends.
+    """
+    a, b = low, high
+    fa = function(a) if at_low is None else at_low
+    fb = function(b) if at_high is None else at_high
+    if fa == 0.0:
+        return a
+    if fb == 0.0:
+        return b
+    if (fa > 0.0) == (fb > 0.0):
+        raise ValueError(f"no sign change between {low} and {high}: {fa} and {fb}")
+    step = 0.5
+    # Bisection alone would be done after about 50 steps; twice that is a bound, not a guess.
+    for _ in range(120):
+        x = a + step * (b - a)
+        fx = function(x)
+        if (fx > 0.0) == (fa > 0.0):
+            c, fc = a, fa
+        else:
+            c, fc = b, fb
+            b, fb = a, fa
+        a, fa = x, fx
+        best, f_best = (a, fa) if abs(fa) < abs(fb) else (b, fb)
+        width = abs(b - a)
+        if f_best == 0.0 or width <= 2.0 * tolerance:
+            return best
+        xi = (a - b) / (c - b)
+        phi = (fa - fb) / (fc - fb)
+        if phi * phi < xi and (1.0 - phi) ** 2 < 1.0 - xi:
+            step = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        else:
+            step = 0.5
+        margin = tolerance / width
+        step = min(1.0 - margin, max(margin, step))
+    return best
+
 
 BLACK_GLASS_IOR = 1.567
 RECEPTORS_DEG = {20: (1.8, 3.6), 60: (4.4, 11.7), 85: (4.0, 6.0)}
@@ -121,22 +180,17 @@ def nearest_coat(
 
     For a search whose base is not final yet, where a refusal may still be lifted.
     """
-    if gu_60 is None:
-        return _from_one(gu_20, base_gu_20)
-    return _from_two(gu_20, gu_60, base_gu_20, base_gu_60)
-
-
-def _from_one(gu_20: float, base: float) -> tuple[Coat, str | None]:
-    wanted = gu_20 - base
-    turning = gloss_units(20, USUAL_IOR, LOWEST_ROUGHNESS)
+    if gu_60 is not None:
+        return _from_two(gu_20, gu_60, base_gu_20, base_gu_60)
+    wanted = gu_20 - base_gu_20
     lowest = gloss_units(20, USUAL_IOR, HIGHEST_ROUGHNESS)
     highest = gloss_units(20, HIGHEST_IOR, LOWEST_ROUGHNESS)
     if wanted < lowest:
-        return Coat(USUAL_IOR, HIGHEST_ROUGHNESS), _refusal(gu_20, base, lowest, highest)
-    if wanted <= turning:
+        return Coat(USUAL_IOR, HIGHEST_ROUGHNESS), _refusal(gu_20, base_gu_20, lowest, highest)
+    if wanted <= gloss_units(20, USUAL_IOR, LOWEST_ROUGHNESS):
         return Coat(USUAL_IOR, _roughness_for(wanted, USUAL_IOR)), None
     coat = Coat(_ior_for(wanted, LOWEST_ROUGHNESS, USUAL_IOR), LOWEST_ROUGHNESS)
-    return coat, None if wanted <= highest else _refusal(gu_20, base, lowest, highest)
+    return coat, None if wanted <= highest else _refusal(gu_20, base_gu_20, lowest, highest)
 
 
 def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tuple[Coat, str | None]:
@@ -159,19 +213,20 @@ def _from_two(gu_20: float, gu_60: float, base_20: float, base_60: float) -> tup
         roughness = math.exp(x)
         return gloss_units(60, _ior_for(wanted_20, roughness, LOWEST_IOR), roughness) - wanted_60
 
+    def coat_at(x: float) -> Coat:
+        return Coat(_ior_for(wanted_20, math.exp(x), LOWEST_IOR), math.exp(x))
+
     steps = [start + (end - start) * k / _LINE_CELLS for k in range(_LINE_CELLS + 1)]
     values = [excess(x) for x in steps]
-    coats = []
-    for k in range(_LINE_CELLS):
-        if values[k] * values[k + 1] <= 0.0:
-            x = bracketed_root(
-                excess, steps[k], steps[k + 1], tolerance=1e-8, at_low=values[k], at_high=values[k + 1]
-            )
-            coats.append(Coat(_ior_for(wanted_20, math.exp(x), LOWEST_IOR), math.exp(x)))
+    coats = [
+        coat_at(bracketed_root(excess, *steps[k : k + 2], tolerance=1e-8, at_low=low, at_high=high))
+        for k, (low, high) in enumerate(pairwise(values))
+        if low * high <= 0.0
+    ]
     if coats:
         return min(coats, key=lambda coat: abs(coat.ior - USUAL_IOR)), None
     size, x = min((abs(value), x) for value, x in zip(values, steps, strict=True))
-    coat = Coat(_ior_for(wanted_20, math.exp(x), LOWEST_IOR), math.exp(x))
+    coat = coat_at(x)
     # A reading is no surer than this, and smooth coats lie on the very edge of what can be reached.
     if size <= _INSTRUMENT_TOLERANCE_GU:
         return coat, None

@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.map_look_up import look_up_map
-from brdf_suite.geometry.parabolic import parabolic_direction
+from brdf_suite.geometry.factor_words import PROJECTIONS
+from brdf_suite.geometry.parabolic import look_up_map, parabolic_direction
 from brdf_suite.reflectance.factored.map import MapFactor
 from brdf_suite.reflectance.factored.model import Factored
 from brdf_suite.reflectance.models.coated import Coated

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colour.display_space import SPACES, WORKING_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import SPACES, WORKING_SPACE, DisplaySpace
 from brdf_suite.documents.store import view_to_json
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError, ValueRangeError

@@ -31,7 +31,7 @@ from brdf_suite.appearance.difference.words import (
     name_flop,
     sentence,
 )
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.appearance.geometries import Geometry, GeometrySet
 from brdf_suite.documents.paint import Gloss, Lab, Measurement, Paint
 from brdf_suite.errors import SuiteError

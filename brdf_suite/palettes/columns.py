@@ -96,7 +96,7 @@ class Columns:
 
     @cached_property
     def flop(self) -> Floats:
-        """Flop index (n,) of :func:`~brdf_suite.appearance.flop.index.flop_index`."""
+        """Flop index (n,) of :func:`~brdf_suite.appearance.flop.travel.flop_index`."""
         near, face, far = self.main[:, :, 0].T
         with np.errstate(invalid="ignore", divide="ignore"):
             index = 2.69 * np.maximum(near - far, 0.0) ** 1.11 / np.where(face > 0.0, face, np.nan) ** 0.86

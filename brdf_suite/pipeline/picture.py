@@ -33,7 +33,7 @@ from brdf_suite.realtime.values import (
     MeshPart,
 )
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 
 Size = tuple[int, int]
 PAINT_MATERIAL = "paint"

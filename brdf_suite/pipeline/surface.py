@@ -10,8 +10,8 @@ from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
 from brdf_suite.pipeline.scene import load_surface
 from brdf_suite.progress import Progress, report, stage
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh
-from brdf_suite.surface.shaping import shape_mesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
+from brdf_suite.surface.repair import shape_mesh
 
 
 def wants_baking(look: SurfaceLook) -> bool:

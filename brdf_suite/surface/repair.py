@@ -3,18 +3,89 @@
 Every change is said in a note. The steps, in order: triangles that cannot be drawn are left out (indices that
 are not there, corners that are not finite, no area); a closed body turned inside out is turned back; missing
 normals are made, smooth within a crease angle; texture coordinates become millimetres on the surface.
+
+Flakes are counted per square millimetre of texture space, so what matters is that one millimetre there is one
+millimetre on the surface, in both directions; seams do not show. Coordinates of a file are kept, scaled,
+where they are even enough; else each triangle is projected from the side of a box that it faces, which
+stretches by at most √3.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from brdf_suite.arrays import Bools, Floats, Integers
-from brdf_suite.surface.mesh import PartGeometry
+from brdf_suite.documents.view_settings import SurfaceLook
+from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import corner_normals, face_normals, is_inside_out, packed, used_numbers, weld
-from brdf_suite.surface.unwrap import box_uvs, uvs_in_millimetres
+
+MILLIMETRES = 1000.0
+_EVEN = 2.0
+_SHARE = 0.8
+
+
+def stretch(positions: Floats, triangles: Integers, uvs: Floats) -> tuple[Floats, Floats]:
+    """Return the smallest and largest length in texture space of a unit length on each triangle, (k,) each.
+
+    The singular values of the Jacobian from the triangle's plane to texture space; units of ``uvs`` per unit
+    of ``positions``.
+    """
+    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
+    along = b - a
+    base = np.linalg.norm(along, axis=1)
+    x_axis = along / base[:, None]
+    other = c - a
+    shear = np.einsum("ij,ij->i", other, x_axis)
+    height = np.linalg.norm(other - shear[:, None] * x_axis, axis=1)
+    uv_along = (uvs[triangles[:, 1]] - uvs[triangles[:, 0]]) / base[:, None]
+    uv_up = (uvs[triangles[:, 2]] - uvs[triangles[:, 0]] - shear[:, None] * uv_along) / height[:, None]
+    # Singular values of the 2×2 matrix with these columns.
+    total = (uv_along**2).sum(axis=1) + (uv_up**2).sum(axis=1)
+    area = np.abs(uv_along[:, 0] * uv_up[:, 1] - uv_along[:, 1] * uv_up[:, 0])
+    root = np.sqrt(np.maximum(total * total - 4.0 * area * area, 0.0))
+    return np.sqrt(np.maximum(total - root, 0.0) / 2.0), np.sqrt((total + root) / 2.0)
+
+
+def uvs_in_millimetres(positions: Floats, triangles: Integers, uvs: Floats) -> Floats | None:
+    """Return ``uvs`` scaled to millimetres, (n, 2), or ``None`` where they are too uneven to be.
+
+    Even enough: on 80 % of the area every length is within a factor of two of the scale chosen.
+    """
+    if not np.isfinite(uvs).all():
+        return None
+    smallest, largest = stretch(positions, triangles, uvs)
+    a, b, c = (positions[triangles[:, corner]] for corner in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    middle = np.sqrt(smallest * largest)
+    order = np.argsort(middle)
+    half = np.searchsorted(np.cumsum(area[order]), area.sum() / 2.0)
+    scale = float(middle[order][min(int(half), len(order) - 1)])
+    if scale <= 0.0 or not np.isfinite(scale):
+        return None
+    even = (smallest >= scale / _EVEN) & (largest <= scale * _EVEN)
+    if area[even].sum() < _SHARE * area.sum():
+        return None
+    return np.asarray(uvs * (MILLIMETRES / scale))
+
+
+def box_uvs(positions: Floats, triangles: Integers) -> tuple[Floats, Integers, Integers]:
+    """Project every triangle along the axis that its normal is nearest to.
+
+    Returns
+    -------
+    uvs, kept, triangles
+        (m, 2) millimetres; (m,) the old vertex of each new one, since a vertex is split where its triangles
+        face different sides; (k, 3) new indices.
+    """
+    side = np.abs(face_normals(positions, triangles)).argmax(axis=1)
+    used, numbered = used_numbers(triangles * 3 + side[:, None], 3 * len(positions))
+    kept, axis = used // 3, used % 3
+    planes = np.array([[2, 1], [0, 2], [0, 1]])[axis]
+    uvs = np.take_along_axis(positions[kept], planes, axis=1) * MILLIMETRES
+    return uvs, kept, numbered
+
 
 CREASE_DEG = 40.0
 """Faces that meet at more than this angle keep an edge between them when normals are made."""
@@ -151,3 +222,48 @@ def split_corners(
     first = order[starts]
     kept = vertices[first]
     return positions[kept], flat.reshape(-1, 3), normals[first], kept
+
+
+def shape_mesh(mesh: Mesh, look: SurfaceLook) -> Mesh:
+    """Return ``mesh`` with scale, place and normals of ``look``; the same object where nothing is to be done.
+
+    Texture coordinates are lengths on the surface and grow with it. Where normals are made again, vertices are split at
+    edges: ``smooth`` keeps those above 40°, ``flat`` all. ``flip_normals`` turns triangles and normals to the
+    other side. The unit belongs to the file and is no matter of this.
+    """
+    parts = list(mesh.parts)
+    if look.normals != "file":
+        crease = CREASE_DEG if look.normals == "smooth" else 0.0
+        parts = [_with_normals(part, crease) for part in parts]
+    if look.flip_normals:
+        parts = [replace(p, normals=-p.normals, triangles=p.triangles[:, ::-1]) for p in parts]
+    if look.scale != 1.0:
+        of_both = ("positions", "uvs")
+        parts = [
+            replace(p, **{f: getattr(p, f).astype(np.float64) * look.scale for f in of_both}) for p in parts
+        ]
+    if look.recentre:
+        low, high = Mesh(mesh.name, tuple(parts)).bounds()
+        shift = np.array([low[0] + high[0], 2.0 * low[1], low[2] + high[2]]) / 2.0
+        if np.abs(shift).max() > 1e-7 * np.abs(high - low).max():
+            parts = [replace(p, positions=p.positions - shift) for p in parts]
+    if all(one is other for one, other in zip(parts, mesh.parts, strict=True)):
+        return mesh
+    return Mesh(mesh.name, tuple(parts), mesh.notes)
+
+
+def _with_normals(part: PartGeometry, crease_deg: float) -> PartGeometry:
+    positions, triangles = part.positions.astype(np.float64), part.triangles.astype(np.int64)
+    if crease_deg > 0.0:
+        corners = corner_normals(positions, triangles, weld(positions), crease_deg)
+    else:
+        corners = np.repeat(face_normals(positions, triangles)[:, None, :], 3, axis=1)
+    # A triangle too thin to have a normal in single precision keeps what its corners had.
+    lost = np.linalg.norm(corners, axis=2) < 0.5
+    corners[lost] = part.normals[triangles[lost]]
+    # Some files wind triangles against their normals; made again, normals stay on the side that they were on.
+    given = part.normals[triangles].sum(axis=1)
+    corners *= np.where(np.einsum("kd,kd->k", corners.sum(axis=1), given) < 0.0, -1.0, 1.0)[:, None, None]
+    made, indices, normals, kept = split_corners(positions, triangles, corners)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    return replace(part, positions=made, normals=normals, uvs=part.uvs[kept], triangles=indices)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.light.colour_temperature import daylight_xyz, lamp_colour, planck_xyz
+from brdf_suite.appearance.light.matrix import daylight_xyz, lamp_colour, planck_xyz
 from brdf_suite.errors import ValueRangeError
 
 

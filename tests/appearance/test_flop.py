@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 
 # L* at 15, 45 and 110° of measured paints, and the index in the project's table of them.
 PAINTS = [

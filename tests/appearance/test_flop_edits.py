@@ -18,8 +18,7 @@ from brdf_suite.appearance.flop.edits import (
     with_flop_index,
     with_flop_travel,
 )
-from brdf_suite.appearance.flop.index import flop_index
-from brdf_suite.appearance.flop.travel import travel
+from brdf_suite.appearance.flop.travel import flop_index, travel
 from brdf_suite.errors import ValueRangeError
 
 THREE = (15.0, 45.0, 110.0)

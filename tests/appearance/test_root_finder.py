@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from brdf_suite.appearance.root_finder import bracketed_root
+from brdf_suite.appearance.clearcoat_gloss import bracketed_root
 
 
 @settings(max_examples=2 * settings.default.max_examples)

@@ -7,7 +7,7 @@ import pytest
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components as reference
 
-from brdf_suite.geometry.components import connected_components
+from brdf_suite.geometry.closed_surface import connected_components
 
 
 @pytest.mark.parametrize("edges", [0, 1, 20, 60, 300])

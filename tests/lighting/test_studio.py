@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Studio, StudioLamp
 from brdf_suite.errors import Cancelled
 from brdf_suite.files.images.environments import read_environment_image

@@ -12,7 +12,7 @@ from meshes.forms.speed_form import line_elevation, speed_form_grid, speed_form_
 
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.normals import is_inside_out, weld
-from brdf_suite.surface.unwrap import stretch
+from brdf_suite.surface.repair import stretch
 
 FORMS = (speed_form, sphere, panel)
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.difference.tolerance import difference_parts
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import (
     STEEPEST_PEEL_DEG,
     Flakes,

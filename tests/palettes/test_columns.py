@@ -11,8 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.flop.index import flop_index
-from brdf_suite.appearance.flop.travel import travel
+from brdf_suite.appearance.flop.travel import flop_index, travel
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint

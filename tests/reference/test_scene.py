@@ -162,7 +162,7 @@ def test_the_same_lobes_give_the_real_time_picture(sphere, tmp_path) -> None:
 
 def test_lamps_light_as_they_say(sphere) -> None:
     """A white matt surface that faces a lamp of strength 1, at 1 m from a point lamp, gets radiance 1."""
-    from brdf_suite.appearance.light.colour_temperature import lamp_colour
+    from brdf_suite.appearance.light.matrix import lamp_colour
 
     camera = Camera(0, 0)
     points = sphere.parts[0].positions.astype(float)

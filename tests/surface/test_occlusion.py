@@ -12,9 +12,8 @@ from brdf_suite.geometry.low_harmonics import low_harmonics
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion import floor as floor_baking
 from brdf_suite.surface.occlusion.bake import bake
-from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import open_floor
-from brdf_suite.surface.occlusion.rays import RayScene
+from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, RayScene
 
 
 def quad(name: str, corners: list[tuple[float, float, float]]) -> PartGeometry:

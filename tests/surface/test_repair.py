@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from meshes.forms import sphere
 
 from brdf_suite.surface.normals import corner_angles, corner_normals, face_normals, is_inside_out, weld
-from brdf_suite.surface.repair import RawPart, repair
-from brdf_suite.surface.unwrap import box_uvs, stretch, uvs_in_millimetres
+from brdf_suite.surface.repair import RawPart, box_uvs, repair, stretch, uvs_in_millimetres
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CUBE_TRIANGLES = np.array(

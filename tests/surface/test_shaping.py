@@ -6,7 +6,7 @@ from meshes.forms.sphere import sphere
 
 from brdf_suite.documents.view_settings import SurfaceLook
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.shaping import shape_mesh
+from brdf_suite.surface.repair import shape_mesh
 
 
 def cube() -> Mesh:

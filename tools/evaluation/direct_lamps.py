@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.progress import Progress, report

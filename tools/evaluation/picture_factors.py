@@ -15,8 +15,7 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.fitting.homomorphic.factorize import BIAS, factorize
-from brdf_suite.geometry.factor_projections import Projection
-from brdf_suite.geometry.factor_words import Factor
+from brdf_suite.geometry.factor_words import Factor, Projection
 
 
 def _along(name: str, x: float, y: float, offset: float) -> Projection:

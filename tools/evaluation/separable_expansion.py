@@ -16,9 +16,8 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError, ValueRangeError
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.map_look_up import bilinear
-from brdf_suite.geometry.parabolic import parabolic_place, texel_directions
+from brdf_suite.geometry.factor_words import PROJECTIONS
+from brdf_suite.geometry.parabolic import bilinear, parabolic_place, texel_directions
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.blocks import in_blocks
 from brdf_suite.reflectance.protocol import Reflectance

@@ -12,7 +12,7 @@ import numpy as np
 from brdf_designer.colour.display import lab_to_codes, working_to_codes
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.appearance.flop.index import FlopIndex, flop_index
+from brdf_suite.appearance.flop.travel import FlopIndex, flop_index
 from brdf_suite.arrays import Bools, Bytes, Floats
 from brdf_suite.documents.paint import Lab, Paint
 from brdf_suite.geometry.directions import aspecular_view, illumination

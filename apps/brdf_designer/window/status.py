@@ -10,7 +10,7 @@ from brdf_qt.work.fit_error import fit_tips, is_large, marked
 
 from brdf_designer.colour.patches import one_decimal
 from brdf_designer.session.state import FLOP_ANGLES_DEG, AngleColour, Colours, Curves, FitState
-from brdf_suite.appearance.flop.index import FlopIndex, flop_index
+from brdf_suite.appearance.flop.travel import FlopIndex, flop_index
 from brdf_suite.documents.paint import Lab
 
 

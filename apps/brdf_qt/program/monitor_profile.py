@@ -19,7 +19,7 @@ from typing import Any
 from PySide6.QtGui import QGuiApplication, QScreen
 
 from brdf_qt.program.translation import tr
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
 from brdf_suite.errors import FileError
 from brdf_suite.files.images.icc import LARGEST_PROFILE, read_display_profile
 

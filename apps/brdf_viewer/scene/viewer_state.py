@@ -15,7 +15,7 @@ from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages
 from brdf_suite.realtime.camera import Bounds
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_viewer.documents.view_history import ViewHistory
 
 if TYPE_CHECKING:

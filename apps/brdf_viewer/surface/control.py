@@ -18,7 +18,7 @@ from brdf_suite.files.meshes.occlusion_cache import baked_occlusion
 from brdf_suite.pipeline.surface import wants_baking
 from brdf_suite.realtime.camera import matrices
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 from brdf_suite.surface.picking import pick
 from brdf_viewer.feature import ViewerFeature
 from brdf_viewer.fields.inspector import set_note

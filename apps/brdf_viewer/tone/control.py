@@ -9,7 +9,7 @@ from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QEvent, QObject, QTimer
 from PySide6.QtGui import QImage
 
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE
 from brdf_suite.documents.view import View
 from brdf_suite.realtime.pictures.display import SRGB, Display, Unshowable
 from brdf_viewer.feature import ViewerFeature

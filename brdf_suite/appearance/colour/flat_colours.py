@@ -149,26 +149,17 @@ def _labs(like: FlatColour, values: Floats) -> Floats:
             return lab
         xyz = values if model == "XYZ" else lab_to_xyz(lab, white)
         target = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-        return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target, _transform_of(like))))
+        named = (like.illuminant, like.observer_deg or 2)
+        transform: AdaptationTransform = "CAT16" if named in WHITES and named != ("D50", 2) else "Bradford"
+        return working_to_lab(xyz_to_working(adapt_xyz(xyz, white, target, transform)))
     encoded = _encoded_rgb(model, values)
-    known = _space(like.space) if model in ("RGB", "HSB", "HSL") else None
-    matrix, power = known or _srgb()
-    linear = _decoded(encoded, power)
-    return working_to_lab(linear @ matrix.T)
-
-
-def _transform_of(colour: FlatColour) -> AdaptationTransform:
-    known = (colour.illuminant, colour.observer_deg or 2) in WHITES
-    return "CAT16" if known and (colour.illuminant, colour.observer_deg or 2) != ("D50", 2) else "Bradford"
-
-
-def _decoded(encoded: Floats, power: float | None) -> Floats:
-    """Return linear light of encoded values: the sRGB curve, or a power, with ProPhoto RGB's line near black."""
+    matrix, power = _known_space(like) or _srgb()
     if power is None:
-        return srgb_decode(encoded)
+        return working_to_lab(srgb_decode(encoded) @ matrix.T)
+    # A power, with ProPhoto RGB's line near black.
     size = np.abs(encoded)
     curved = np.where((power == _PROPHOTO_POWER) & (size < 16.0 / 512.0), size / 16.0, size**power)
-    return np.asarray(np.copysign(curved, encoded), np.float64)
+    return working_to_lab(np.copysign(curved, encoded) @ matrix.T)
 
 
 def reference_white(colour: FlatColour) -> Floats:
@@ -187,8 +178,12 @@ def decode_rgb(colour: FlatColour) -> tuple[float, float, float] | None:
 
 def is_of_other_space(colour: FlatColour) -> bool:
     """Return whether a colour's RGB, HSB or HSL is of a space that is known here and is not sRGB."""
-    known = _space(colour.space) if colour.model in ("RGB", "HSB", "HSL") else None
+    known = _known_space(colour)
     return known is not None and known is not _srgb()
+
+
+def _known_space(colour: FlatColour) -> tuple[Floats, float | None] | None:
+    return _space(colour.space) if colour.model in ("RGB", "HSB", "HSL") else None
 
 
 def _encoded_rgb(model: str, values: Floats) -> Floats:

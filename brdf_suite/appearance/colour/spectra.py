@@ -53,7 +53,8 @@ def table_wavelengths() -> Floats:
 
 def colour_matching(observer_deg: int = 10) -> Floats:
     """Return x̄, ȳ, z̄ (421, 3) of the CIE 1931 (2°) or 1964 (10°) observer, 360 to 780 nm at 1 nm."""
-    _check_observer(observer_deg)
+    if observer_deg not in OBSERVERS:
+        raise ValueRangeError("observer_deg", f"expected the 2° or the 10° observer, not {observer_deg!r}")
     return np.stack([_tables()[f"{axis}{observer_deg}"] for axis in "xyz"], axis=-1)
 
 
@@ -183,8 +184,3 @@ def spectrum_to_working(
     if observer_deg == 10:
         return np.asarray(relative @ RELATIVE_TO_WORKING)
     return np.asarray(relative @ (np.linalg.inv(WORKING_TO_XYZ) * WORKING_TO_XYZ.sum(axis=1)).T)
-
-
-def _check_observer(observer_deg: int) -> None:
-    if observer_deg not in OBSERVERS:
-        raise ValueRangeError("observer_deg", f"expected the 2° or the 10° observer, not {observer_deg!r}")

@@ -18,6 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import WHITE_D65_10, lab_to_xyz
+from brdf_suite.appearance.difference.formulas import delta_e_76
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 
@@ -117,5 +118,4 @@ def delta_e_cam02ucs(
     lab1: npt.ArrayLike, lab2: npt.ArrayLike, conditions: ViewingConditions = BOOTH
 ) -> Floats:
     """Return the distance (...) in CAM02-UCS between L*a*b* arrays (..., 3) that broadcast."""
-    difference = lab_to_cam02ucs(lab1, conditions) - lab_to_cam02ucs(lab2, conditions)
-    return np.asarray(np.sqrt(np.einsum("...i,...i", difference, difference)))
+    return delta_e_76(lab_to_cam02ucs(lab1, conditions), lab_to_cam02ucs(lab2, conditions))

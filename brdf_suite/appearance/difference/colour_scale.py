@@ -31,9 +31,8 @@ def scale_table() -> Floats:
     lightness = _LIGHTNESS[0] + (_LIGHTNESS[1] - _LIGHTNESS[0]) * along
     hue = np.interp(along, np.linspace(0.0, 1.0, len(_HUES_DEG)), _HUES_DEG)
     low, high = np.zeros(STEPS + 1), np.full(STEPS + 1, _MOST_CHROMA)
-    for _ in range(
-        24
-    ):  # the largest chroma inside the gamut, by halving: 70 / 2^24 is far below a code of 8 bits
+    # The largest chroma inside the gamut, by halving: 70 / 2^24 is far below a code of 8 bits.
+    for _ in range(24):
         middle = 0.5 * (low + high)
         inside = in_srgb_gamut(lch_to_lab(np.stack((lightness, middle, hue), -1)))
         low, high = np.where(inside, middle, low), np.where(inside, high, middle)

@@ -82,6 +82,11 @@ def _cmc_weights(name: str) -> tuple[float, float]:
     return lightness, chroma
 
 
+def _checked(place: str, value: float | Limits | None) -> None:
+    if isinstance(value, float | int) and not (math.isfinite(value) and value >= 0.0):
+        raise ValueRangeError(place, f"expected a number from 0, not {value:g}")
+
+
 @dataclass(frozen=True)
 class Limits:
     """The largest differences that pass at one angle; ``None`` where a component is not judged.
@@ -99,13 +104,7 @@ class Limits:
 
     def __post_init__(self) -> None:
         for entry in fields(self)[:4]:
-            value = getattr(self, entry.name)
-            if value is None:
-                continue
-            if not (math.isfinite(value) and value >= 0.0):
-                raise ValueRangeError(
-                    f"tolerance of the {entry.name}", f"expected a number from 0, not {value:g}"
-                )
+            _checked(f"tolerance of the {entry.name}", getattr(self, entry.name))
 
     @property
     def judges(self) -> bool:
@@ -163,28 +162,17 @@ class Tolerances:
         find_difference(self.difference)
         for angle, value in self.by_angle.items():
             _checked(f"tolerance at {angle:g}°", value)
-        if self.otherwise is not None:
-            _checked("tolerance", self.otherwise)
+        _checked("tolerance", self.otherwise)
 
     def limits_at(self, aspecular_deg: float) -> Limits:
         """Return the limits at an angle; none of them set where it is not judged."""
-        for angle, value in self.by_angle.items():
-            if abs(angle - aspecular_deg) <= _SAME_DEG:
-                return _limits(value)
-        return NO_LIMITS if self.otherwise is None else _limits(self.otherwise)
+        near = (value for angle, value in self.by_angle.items() if abs(angle - aspecular_deg) <= _SAME_DEG)
+        value = next(near, self.otherwise)
+        return value if isinstance(value, Limits) else Limits(value)
 
     def at(self, aspecular_deg: float) -> float | None:
         """Return the limit of the whole difference at an angle; ``None`` where there is none."""
         return self.limits_at(aspecular_deg).difference
-
-
-def _checked(place: str, value: float | Limits) -> None:
-    if not isinstance(value, Limits) and not (math.isfinite(value) and value >= 0.0):
-        raise ValueRangeError(place, f"expected a number from 0, not {value:g}")
-
-
-def _limits(value: float | Limits) -> Limits:
-    return value if isinstance(value, Limits) else Limits(value)
 
 
 @dataclass(frozen=True)
@@ -235,23 +223,14 @@ def judge(
             "readings",
             f"expected {len(aspecular_deg)} L*a*b* values of each, not shapes {first.shape} and {second.shape}",
         )
-    differences = find_difference(tolerances.difference)(first, second)
-    return Verdict(
-        tuple(
-            _row(angle, float(differences[i]), tolerances.limits_at(angle), first[i], second[i])
-            for i, angle in enumerate(aspecular_deg)
-        ),
-        tolerances.difference,
-    )
-
-
-def _row(angle: float, difference: float, limits: Limits, first: Floats, second: Floats) -> AngleVerdict:
-    lightness, chroma, hue = difference_parts(first, second)
-    exceeded = limits.exceeded(difference, lightness, chroma, hue)
-    passes = not exceeded if limits.judges else None
-    return AngleVerdict(
-        angle, difference, limits.difference, passes, lightness, chroma, hue, limits, exceeded
-    )
+    differences = find_difference(tolerances.difference)(first, second).tolist()
+    rows = []
+    for angle, difference, one, other in zip(aspecular_deg, differences, first, second, strict=True):
+        limits, parts = tolerances.limits_at(angle), difference_parts(one, other)
+        exceeded = limits.exceeded(difference, *parts)
+        passes = not exceeded if limits.judges else None
+        rows.append(AngleVerdict(angle, difference, limits.difference, passes, *parts, limits, exceeded))
+    return Verdict(tuple(rows), tolerances.difference)
 
 
 def difference_parts(

@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 
@@ -109,19 +109,14 @@ def measure_flop(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike) -> FlopValues
     lch = lab_to_lch(lab)
     order = [ends.near, ends.face, ends.far]
     hues = unwrap_hues(lab[order])
+    found = dict(zip(np.asarray(aspecular_deg, float).tolist(), lab[:, 0].tolist(), strict=True))
+    three = [found.get(angle, math.nan) for angle in (15.0, 45.0, 110.0)]
     return FlopValues(
-        index=_index(aspecular_deg, lab),
+        index=flop_index(*three).value if not any(map(math.isnan, three)) else math.nan,
         lightness=float(lch[ends.far, 0] - lch[ends.near, 0]),
         chroma=float(lch[ends.far, 1] - lch[ends.near, 1]),
         hue_deg=float(hues[2] - hues[0]),
     )
-
-
-def _index(aspecular_deg: npt.ArrayLike, lab: Floats) -> float:
-    found = dict(zip(np.asarray(aspecular_deg, float).tolist(), lab[:, 0].tolist(), strict=True))
-    if not {15.0, 45.0, 110.0} <= found.keys():
-        return math.nan
-    return flop_index(found[15.0], found[45.0], found[110.0]).value
 
 
 def with_flop_index(aspecular_deg: npt.ArrayLike, lab: npt.ArrayLike, index: float) -> Floats:

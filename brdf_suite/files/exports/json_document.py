@@ -23,8 +23,7 @@ from importlib.metadata import version
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz
 from brdf_suite.appearance.colour.spaces import lab_to_lch
-from brdf_suite.appearance.flop.index import flop_index
-from brdf_suite.appearance.flop.travel import travel
+from brdf_suite.appearance.flop.travel import flop_index, travel
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.documents.atomic import encode, write_atomically
 from brdf_suite.documents.paint import Paint

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ, adaptation, primaries_to_xyz
-from brdf_suite.appearance.colour.display_space import DisplaySpace, inverse_codes
+from brdf_suite.appearance.colour.spaces import DisplaySpace, inverse_codes
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FileError
 

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import DISPLAY_P3_SPACE, SRGB_SPACE, DisplaySpace
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.images.icc import profile_bytes

@@ -24,7 +24,7 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.resources import resource_root
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion.bake import ALGORITHM_VERSION, bake
-from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
+from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, GroundLight
 
 LAYOUT = Layout(b"BRDFOCCL", 3, "baked occlusion", ("<f2", "<f4", "<u4"), level=1, smallest=0, most=1 << 16)
 

@@ -10,9 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.factor_words import Factor
-from brdf_suite.geometry.map_look_up import bilinear, look_up_map
+from brdf_suite.geometry.factor_words import PROJECTIONS, Factor
+from brdf_suite.geometry.parabolic import bilinear, look_up_map
 from brdf_suite.reflectance.blocks import in_blocks
 
 SYMMETRIC = 0.02

@@ -34,8 +34,7 @@ from brdf_suite.fitting.homomorphic.factorize import (
 )
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, Factor, parse_factors
+from brdf_suite.geometry.factor_words import DEFAULT_FACTORS, PROJECTIONS, Factor, parse_factors
 from brdf_suite.geometry.fresnel import fresnel_dielectric
 from brdf_suite.progress import Progress, report, subrange
 

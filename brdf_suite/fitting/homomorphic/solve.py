@@ -30,7 +30,7 @@ from scipy.sparse.linalg import LinearOperator, lsmr
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import LEAST_SIZE, MOST_SIZE, Factor
-from brdf_suite.geometry.map_look_up import bilinear
+from brdf_suite.geometry.parabolic import bilinear
 from brdf_suite.progress import Progress, report, subrange
 
 FLATNESS = 0.5

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats, Indices
-from brdf_suite.geometry.components import connected_components
+from brdf_suite.geometry.closed_surface import connected_components
 from brdf_suite.lighting.lights.cells import Cells
 
 LAYERS = 6

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import BoothRoom, StudioLamp
 

@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.studio import Backdrop, BoothRoom, Studio, StudioLamp
 from brdf_suite.lighting.procedural.lamps import LampSurface, LitRoom

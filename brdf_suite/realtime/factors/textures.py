@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
-from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.geometry.factor_words import PROJECTIONS
 from brdf_suite.realtime.factors.levels import cube_faces, levels, radial_levels
 from brdf_suite.realtime.factors.values import FactoredMaps
 from brdf_suite.realtime.gl.context import graphics_errors

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.geometry.factor_words import PROJECTIONS
 
 MOST_MAPS = 6
 """Of a material: with the light's own textures sixteen are bound, which is what OpenGL 3.3 grants a shader."""
@@ -32,7 +32,7 @@ MapForm = Literal["hemisphere", "square", "line"]
 
 
 def map_form(projection: str) -> MapForm:
-    """Return the form of the maps that a projection of :mod:`brdf_suite.geometry.factor_projections` reads."""
+    """Return the form of the maps that a projection of :mod:`brdf_suite.geometry.factor_words` reads."""
     found = PROJECTIONS[projection]
     return "hemisphere" if found.hemisphere else "square" if found.axes == 2 else "line"
 
@@ -68,7 +68,7 @@ class FactorMap:
 class FactorTerm:
     """One product: ``alpha`` (3,) in 1/sr, not negative, and its factors as (name of the map, projection).
 
-    Projections are those of :mod:`brdf_suite.geometry.factor_projections`.
+    Projections are those of :mod:`brdf_suite.geometry.factor_words`.
     """
 
     alpha: NDArray[Any]

@@ -9,8 +9,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
-from brdf_suite.appearance.light.matrix import environment_matrix
+from brdf_suite.appearance.light.matrix import environment_matrix, lamp_colour
 from brdf_suite.appearance.visible_flakes import FLAKE_REFLECTANCE, LARGEST_SHARE, flake_coverage
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes

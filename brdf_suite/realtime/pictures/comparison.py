@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, RELATIVE_TO_WORKING
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE
 from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 from brdf_suite.documents.view import View
 from brdf_suite.errors import GraphicsError

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import DISPLAY_P3_SPACE, SRGB_SPACE, DisplaySpace
 
 
 @dataclass(frozen=True, eq=False)

@@ -244,4 +244,4 @@ _PLACES: Mapping[str, _Place] = {
         _unit(dr.maximum(light.z, view.z)),
     ),
 }
-"""What :data:`brdf_suite.geometry.factor_projections.PROJECTIONS` gives, in the renderer's arithmetic."""
+"""What :data:`brdf_suite.geometry.factor_words.PROJECTIONS` gives, in the renderer's arithmetic."""

@@ -17,7 +17,7 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.geometry.directions import about_y, from_horizon

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.documents.view import View
 from brdf_suite.documents.view_settings import Lamp
 from brdf_suite.geometry.directions import from_horizon

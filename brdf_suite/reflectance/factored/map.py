@@ -16,9 +16,8 @@ import numpy.typing as npt
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.map_look_up import look_up_map
-from brdf_suite.geometry.parabolic import parabolic_direction, parabolic_place
+from brdf_suite.geometry.factor_words import PROJECTIONS
+from brdf_suite.geometry.parabolic import look_up_map, parabolic_direction, parabolic_place
 
 SMALLEST_MAP, LARGEST_MAP = 2, 2048
 
@@ -30,7 +29,7 @@ class MapFactor:
     Attributes
     ----------
     projection
-        A name of :data:`~brdf_suite.geometry.factor_projections.PROJECTIONS`.
+        A name of :data:`~brdf_suite.geometry.factor_words.PROJECTIONS`.
     values
         (n, 3) of a projection of one axis, (n, n, 3) of one of two: the factor itself, linear working space, finite,
         not negative, kept as float32.

@@ -15,8 +15,7 @@ import numpy.typing as npt
 from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
 from brdf_suite.appearance.colour.spaces import lab_to_lch
-from brdf_suite.appearance.flop.index import FlopIndex, flop_index
-from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, Travel, travel
+from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, FlopIndex, Travel, flop_index, travel
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE, DisplaySpace
 from brdf_suite.appearance.colour.flat_colours import to_paint
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE, DisplaySpace
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.palette import Palette
 from brdf_suite.documents.store import PAINT_ENDING

@@ -13,8 +13,7 @@ from PIL import Image
 
 from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_display, working_to_lab
-from brdf_suite.appearance.colour.display_space import SRGB_SPACE
-from brdf_suite.appearance.colour.spaces import in_display_gamut, lab_to_lch
+from brdf_suite.appearance.colour.spaces import SRGB_SPACE, in_display_gamut, lab_to_lch
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.appearance.flop.travel import travel
 from brdf_suite.appearance.geometries import Geometry

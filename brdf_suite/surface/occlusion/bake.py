@@ -4,8 +4,8 @@
 2. The floor under the mesh (:mod:`.floor`).
 3. Places spread over the triangles (:mod:`.places`), 32 rays each. A ray that leaves counts as light; with the
    floor, one that meets it counts by the light that the floor sees there.
-4. Values at the vertices by least squares (:mod:`.fit`); triangles that they fit badly are cut (:mod:`.refine`)
-   and looked at again, up to eight times.
+4. Values at the vertices by least squares (:mod:`.fit`); triangles that they fit badly are cut and looked at again, up
+   to eight times.
 """
 
 from __future__ import annotations
@@ -21,11 +21,9 @@ from brdf_suite.arrays import Integers, Singles
 from brdf_suite.errors import SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart
 from brdf_suite.surface.occlusion.floor import bake_floor
-from brdf_suite.surface.occlusion.places import Places, spread
-from brdf_suite.surface.occlusion.rays import OcclusionFloor, RayScene
-from brdf_suite.surface.occlusion.refine import cut
+from brdf_suite.surface.occlusion.places import Places, cut, spread
+from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, RayScene
 
 Look: TypeAlias = Callable[[Places, Progress | None], Singles]
 
@@ -79,11 +77,10 @@ def bake(mesh: Mesh, progress: Progress | None = None) -> BakedMesh:
         ) from error
     low, high = mesh.bounds()
     ground = bake_floor(scene, low, high, subrange(progress, 0.02, 0.3))
-    floor = OcclusionFloor(ground.height, ground.low, ground.high, ground.share)
 
     def look(places: Places, progress: Progress | None) -> Singles:
         return scene.gather(
-            places.points, places.normals, places.planes, RAYS, floor, progress, "occlusion of the surface"
+            places.points, places.normals, places.planes, RAYS, ground, progress, "occlusion of the surface"
         )
 
     count = int(np.clip(_PLACES_A_TRIANGLE * len(surface.triangles), _FEWEST_PLACES, _MOST_PLACES))

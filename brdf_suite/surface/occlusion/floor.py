@@ -12,8 +12,7 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from brdf_suite.geometry.low_harmonics import low_harmonics, rotate_harmonics
 from brdf_suite.progress import Progress
-from brdf_suite.surface.occlusion.baked import GroundLight
-from brdf_suite.surface.occlusion.rays import RayScene
+from brdf_suite.surface.occlusion.rays import GroundLight, RayScene
 
 DEGREE = 6
 """Harmonics up to here: a shadow's edge is about 30° wide in the direction of the light, soft as the task is."""
@@ -43,7 +42,12 @@ def bake_floor(scene: RayScene, low: Floats, high: Floats, progress: Progress | 
     points[..., 1] = low[1] + _LIFT * size.max()
     count = rows * columns
     turns = np.asarray(2.0 * np.pi * ((np.arange(count) * 0.6180339887498949) % 1.0))
-    directions = _cosine_directions(_RAYS)
+    # About +y, as dense as the cosine.
+    radius, angle = (
+        np.sqrt((np.arange(_RAYS) + 0.5) / _RAYS),
+        2.0 * np.pi * 0.6180339887498949 * np.arange(_RAYS),
+    )
+    directions = np.stack([radius * np.sin(angle), np.sqrt(1.0 - radius**2), radius * np.cos(angle)], axis=1)
     seen = scene.leaves(points.reshape(-1, 3), directions, turns, progress, "occlusion of the floor")
     harmonics = low_harmonics(directions, DEGREE) * (np.pi / _RAYS)
     # What is taken from an open floor: exactly nothing where nothing is in the way.
@@ -70,13 +74,6 @@ def open_floor(degree: int) -> Floats:
     for degree_l in range(degree + 1):
         zonal[degree_l * degree_l + degree_l] = values[degree_l * degree_l + degree_l]
     return np.asarray(zonal)
-
-
-def _cosine_directions(count: int) -> Floats:
-    """Return (count, 3) directions about +y, as dense as the cosine."""
-    k = np.arange(count)
-    radius, angle = np.sqrt((k + 0.5) / count), 2.0 * np.pi * 0.6180339887498949 * k
-    return np.stack([radius * np.sin(angle), np.sqrt(1.0 - radius**2), radius * np.cos(angle)], axis=1)
 
 
 def _smooth(field: Floats) -> Floats:

@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,33 +25,6 @@ _PLACES_AT_ONCE = 1024
 _BELOW = 1e-3
 """A direction whose cosine to the triangle's plane is less looks into the body and is not counted."""
 _GOLDEN = 0.6180339887498949
-
-
-@dataclass(frozen=True, eq=False)
-class OcclusionFloor:
-    """A level floor at ``height`` (m) and its visible light: ``share`` (rows along z, columns along x), 0…1.
-
-    ``low`` and ``high`` are the lowest and highest (x, z) of the texels' outer edges, metres.
-    """
-
-    height: float
-    low: tuple[float, float]
-    high: tuple[float, float]
-    share: Singles
-
-    def share_at(self, x: Singles, z: Singles) -> Singles:
-        """Return how much light the floor sees at (x, z), metres, between its texels; 1 outside."""
-        rows, columns = self.share.shape
-        column = (x - self.low[0]) * (columns / (self.high[0] - self.low[0])) - 0.5
-        row = (z - self.low[1]) * (rows / (self.high[1] - self.low[1])) - 0.5
-        found = np.ones(x.shape, np.float32)
-        inside = (column >= 0.0) & (row >= 0.0) & (column < columns - 1) & (row < rows - 1)
-        i, j = row[inside].astype(np.int64), column[inside].astype(np.int64)
-        s, t = row[inside] - i, column[inside] - j
-        upper = self.share[i, j] * (1.0 - t) + self.share[i, j + 1] * t
-        lower = self.share[i + 1, j] * (1.0 - t) + self.share[i + 1, j + 1] * t
-        found[inside] = upper * (1.0 - s) + lower * s
-        return found
 
 
 class RayScene:
@@ -88,7 +62,7 @@ class RayScene:
         normals: Singles,
         planes: Singles,
         rays: int,
-        ground: OcclusionFloor | None = None,
+        ground: GroundLight | None = None,
         progress: Progress | None = None,
         what: str = "occlusion",
     ) -> Singles:
@@ -215,3 +189,74 @@ def _in_threads(step: Callable[[int], int], count: int, progress: Progress | Non
         except BaseException:
             threads.shutdown(cancel_futures=True)
             raise
+
+
+@dataclass(frozen=True, eq=False)
+class BakedPart:
+    """A part of a mesh with occlusion; its first vertices are those of the part, those after lie on its edges.
+
+    Attributes
+    ----------
+    positions, normals, uvs, triangles
+        As in :class:`~brdf_suite.surface.mesh.PartGeometry`, but normals of new vertices are shorter than 1 (see
+        :class:`~brdf_suite.surface.occlusion.places.Cut`).
+    light
+        (n, 8) float16: x, y, z of the mean direction of the light that arrives, for an open place 2/3 of the
+        normal; the share of a uniform light's irradiance that arrives, 0…1; and the same four with the floor.
+    """
+
+    positions: Singles
+    normals: Singles
+    uvs: Singles
+    triangles: NDArray[np.uint32]
+    light: NDArray[np.float16]
+
+
+@dataclass(frozen=True, eq=False)
+class GroundLight:
+    """The floor's view of the light around the mesh.
+
+    Attributes
+    ----------
+    height
+        Of the floor, metres.
+    low, high
+        Lowest and highest (x, z) of the texels' outer edges, metres.
+    transfer
+        (rows along z, columns along x, (degree + 1)²) float32: ∫ V cosθ Y_lm dω, V = 0 where the mesh is in the
+        way, for the real harmonics of :mod:`brdf_suite.geometry.low_harmonics`, y up. Far from the mesh it is
+        that of an open floor.
+    """
+
+    height: float
+    low: tuple[float, float]
+    high: tuple[float, float]
+    transfer: Singles
+
+    @cached_property
+    def share(self) -> Singles:
+        """Return the share of a uniform light's irradiance, (rows, columns), 0…1."""
+        # A uniform light has only the first harmonic, and an open floor's coefficient of it is √π / 2.
+        return np.asarray(np.clip(self.transfer[..., 0] / (0.5 * np.sqrt(np.pi)), 0.0, 1.0), np.float32)
+
+    def share_at(self, x: Singles, z: Singles) -> Singles:
+        """Return how much light the floor sees at (x, z), metres, between its texels; 1 outside."""
+        rows, columns = self.share.shape
+        column = (x - self.low[0]) * (columns / (self.high[0] - self.low[0])) - 0.5
+        row = (z - self.low[1]) * (rows / (self.high[1] - self.low[1])) - 0.5
+        found = np.ones(x.shape, np.float32)
+        inside = (column >= 0.0) & (row >= 0.0) & (column < columns - 1) & (row < rows - 1)
+        i, j = row[inside].astype(np.int64), column[inside].astype(np.int64)
+        s, t = row[inside] - i, column[inside] - j
+        upper = self.share[i, j] * (1.0 - t) + self.share[i, j + 1] * t
+        lower = self.share[i + 1, j] * (1.0 - t) + self.share[i + 1, j + 1] * t
+        found[inside] = upper * (1.0 - s) + lower * s
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class BakedMesh:
+    """A baked mesh: its parts in the order of the mesh's, and the floor."""
+
+    parts: tuple[BakedPart, ...]
+    ground: GroundLight

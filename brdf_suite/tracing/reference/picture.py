@@ -10,7 +10,7 @@ from time import perf_counter
 
 import numpy as np
 
-from brdf_suite.appearance.colour.display_space import WORKING_SPACE, DisplaySpace
+from brdf_suite.appearance.colour.spaces import WORKING_SPACE, DisplaySpace
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.errors import FileError

@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QLabel
 
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import OrangePeel
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance.designed.build import build_paint

@@ -22,7 +22,7 @@ from PySide6.QtTest import QTest
 
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import measure_flop
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
 

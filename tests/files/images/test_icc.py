@@ -10,7 +10,7 @@ import pytest
 from PIL import Image, ImageCms
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, srgb_encode
-from brdf_suite.appearance.colour.display_space import (
+from brdf_suite.appearance.colour.spaces import (
     DISPLAY_P3_SPACE,
     SPACES,
     SRGB_SPACE,

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image, ImageCms
 
-from brdf_suite.appearance.colour.display_space import SPACES
+from brdf_suite.appearance.colour.spaces import SPACES
 from brdf_suite.errors import Cancelled, FileError
 from brdf_suite.files.images.environments import write_png, write_png_strips
 

@@ -8,7 +8,7 @@ import pytest
 from brdf_suite.errors import FileError
 from brdf_suite.files.meshes.occlusion_cache import encode_baked, read_baked
 from brdf_suite.surface.mesh import Mesh, PartGeometry
-from brdf_suite.surface.occlusion.baked import BakedMesh, BakedPart, GroundLight
+from brdf_suite.surface.occlusion.rays import BakedMesh, BakedPart, GroundLight
 
 
 def facet(name: str, count: int = 3) -> PartGeometry:

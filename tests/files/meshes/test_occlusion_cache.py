@@ -22,7 +22,7 @@ from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.occlusion import bake as baking
 from brdf_suite.surface.occlusion import floor
 from brdf_suite.surface.occlusion.bake import bake
-from brdf_suite.surface.occlusion.baked import BakedMesh
+from brdf_suite.surface.occlusion.rays import BakedMesh
 
 
 @pytest.fixture

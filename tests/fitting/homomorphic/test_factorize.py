@@ -15,9 +15,14 @@ from brdf_suite.fitting.homomorphic.peak import factorize_with_peak
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_directions, sample_reflectance
 from brdf_suite.fitting.homomorphic.solve import MapLayout, constraints, smoothness
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.factor_projections import PROJECTIONS
-from brdf_suite.geometry.factor_words import COSINE_FACTORS, DEFAULT_FACTORS, RADIAL_FACTORS, parse_factors
-from brdf_suite.geometry.map_look_up import bilinear
+from brdf_suite.geometry.factor_words import (
+    COSINE_FACTORS,
+    DEFAULT_FACTORS,
+    PROJECTIONS,
+    RADIAL_FACTORS,
+    parse_factors,
+)
+from brdf_suite.geometry.parabolic import bilinear
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 from tools.evaluation.factor_storage import compression, quantize_maps

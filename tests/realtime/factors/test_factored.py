@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from brdf_suite.appearance.light.colour_temperature import lamp_colour
+from brdf_suite.appearance.light.matrix import lamp_colour
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Relief, Sparkle, TwoTone
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.factor_projections import PROJECTIONS
+from brdf_suite.geometry.factor_words import PROJECTIONS
 from brdf_suite.pipeline.factored_maps import factored_maps, maps_of
 from brdf_suite.realtime.factors.values import FactoredMaps, FactorMap, FactorTerm, soft_clip
 from brdf_suite.realtime.pictures.display import LINEAR

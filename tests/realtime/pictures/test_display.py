@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from brdf_suite.appearance.colour.colorimetry import srgb_decode, srgb_encode
-from brdf_suite.appearance.colour.display_space import (
+from brdf_suite.appearance.colour.spaces import (
     DISPLAY_P3_SPACE,
     SRGB_SPACE,
     DisplaySpace,

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.clearcoat_gloss import black_glass, gloss_units
-from brdf_suite.appearance.flop.index import flop_index
+from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, geometry_set
 from brdf_suite.documents.paint import Gloss
 from brdf_suite.errors import FittingError

@@ -12,7 +12,7 @@ from brdf_qt.program.monitor_profile import monitor_of
 from brdf_viewer.tone.section import TONE_TITLES, describe_clipping
 from PIL import Image
 
-from brdf_suite.appearance.colour.display_space import DISPLAY_P3_SPACE, SRGB_SPACE
+from brdf_suite.appearance.colour.spaces import DISPLAY_P3_SPACE, SRGB_SPACE
 from brdf_suite.documents.view import TONE_CURVES
 from brdf_suite.files.images.icc import profile_bytes
 from brdf_suite.realtime.pictures.display import Unshowable
