@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
@@ -45,8 +45,7 @@ STEP_NAMES = {
 """What Undo calls the step; a test holds that every word has one."""
 
 
-@dataclass(frozen=True)
-class _Request:
+class _Request(NamedTuple):
     paint: Paint
     step: float
 
@@ -64,8 +63,7 @@ class VariationsControl(Feature, QObject):
         self._of: _Request | None = None
         self._step, self._look = _kept_step(), _kept_look()
         self.section = VariationsSection()
-        self.section.show_step(self._step)
-        self.section.show_scene(self._look.environment, self._look.form)
+        self.section.show_choices(self._step, self._look.environment, self._look.form)
         self.host = window.add_section(KEY, tr("Variations"), self.section, after="standard", is_open=False)
         self.section.taken.connect(self.take)
         self.section.step_edited.connect(self.set_step)
@@ -176,10 +174,10 @@ class VariationsControl(Feature, QObject):
         if not self.host.is_open or self._of is None:
             return
         present = self._of.paint
-        self.section.show_picture(None, thumbnail(self._pictures, present, self._look))
+        self.section.present.show_picture(thumbnail(self._pictures, present, self._look))
         for one in self._found:
             picture = thumbnail(self._pictures, one.paint or present, self._look)
-            self.section.show_picture(one.direction, picture)
+            self.section.buttons[one.direction].show_picture(picture)
         why = self._pictures.problem(self._look)
         self.section.show_note(why and tr("{reason} Discs show the readings instead.").format(reason=why))
 

@@ -97,7 +97,7 @@ class DesignerWindow(SuiteWindow):
         """See :class:`brdf_designer.controller.View`."""
         before, self._whole = self._whole, colours.paint
         self._colours = colours
-        self.strip.show_colours(colours)
+        self.strip.band.show_paint(colours.paint)
         self.patches.show_colours(colours)
         self.editors.show_colours(colours)
         for section in (self.coat, self.flakes, self.model, self.texts):
@@ -271,7 +271,7 @@ class DesignerWindow(SuiteWindow):
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
         assert self._colours is not None
         self._whole = None
-        self.strip.keep_opened()
+        self.strip.band.keep_opened()
         self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):

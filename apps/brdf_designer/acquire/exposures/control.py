@@ -6,7 +6,7 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.exposures.page import ExposuresPage
-from brdf_designer.acquire.exposures.work import SeriesRequest, read_series_state
+from brdf_designer.acquire.exposures.work import read_series_state
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.acquire.session.control import SessionControl
 from brdf_designer.acquire.states import Series
@@ -34,14 +34,9 @@ class SeriesControl(QObject):
             bench.cancel("series")
             self._page.show_series(self._kept[position])
             return
-        request = SeriesRequest(bench.folder, bench.session, position)
-        bench.run("series", read_series_state, request, self._read, beside=True)
-
-    def middle(self) -> int:
-        """Return the position that stands for all: the highlight is on the sphere, and the flank is lit."""
-        assert self._bench.session is not None
-        angles = [position.angle_deg for position in self._bench.session.positions]
-        return min(range(len(angles)), key=lambda k: abs(angles[k] - 60.0))
+        bench.run(
+            "series", read_series_state, (bench.folder, bench.session, position), self._read, beside=True
+        )
 
     def _opened(self) -> None:
         self._kept.clear()
@@ -50,9 +45,10 @@ class SeriesControl(QObject):
             self._page.show_positions(())
             self._page.show_series(None)
             return
-        self._page.show_positions(tuple(position.angle_deg for position in session.positions))
-        first = self.middle()
-        self._page.show_position(first)
+        angles = tuple(position.angle_deg for position in session.positions)
+        # The position that stands for all: the highlight is on the sphere, and the flank is lit.
+        first = min(range(len(angles)), key=lambda k: abs(angles[k] - 60.0))
+        self._page.show_positions(angles, first)
         self.show(first)
 
     def _read(self, series: Series) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -23,25 +22,16 @@ _NOISE_SHARE = 0.004
 """Codes within this share of the full scale above black are within the noise."""
 
 
-@dataclass(frozen=True)
-class SeriesRequest:
-    """Which position of which session."""
-
-    folder: Path
-    session: Session
-    position: int
-
-
-def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
-    """Read all photographs of a position.
+def read_series_state(request: tuple[Path, Session, int], progress: Progress) -> Series:
+    """Read all photographs of a position: ``request`` has the folder, the session and the position's number.
 
     Files that cannot be read, and photographs that contradict each other (exchanged, saturated everywhere), are
     reported as problems; a position without any gives an empty series.
     """
     from brdf_suite.acquisition.photographs.reading import read_photograph
 
-    session = request.session
-    position = session.positions[request.position]
+    folder, session, place = request
+    position = session.positions[place]
     shots: list[Shot] = []
     problems: list[Problem] = []
     black: float | None = None
@@ -49,7 +39,7 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
     for number, (name, time) in enumerate(zip(position.photographs, session.exposures_s, strict=True)):
         report(progress, number / len(position.photographs), name)
         try:
-            found = read_photograph(request.folder / name)
+            found = read_photograph(folder / name)
         except FileError as error:
             problems.append(Problem("error", name, error.reason))
             continue
@@ -66,7 +56,7 @@ def read_series_state(request: SeriesRequest, progress: Progress) -> Series:
         times, names = [shot.exposure_s for shot in shots], [shot.file for shot in shots]
         found_wrong = check_exposures(np.stack(judged), times, names, session.camera.bit_depth)
         problems += [Problem("error", finding.path, finding.reason) for finding in found_wrong]
-    return Series(request.position, position.angle_deg, tuple(shots), tuple(problems))
+    return Series(place, position.angle_deg, tuple(shots), tuple(problems))
 
 
 def _shot(

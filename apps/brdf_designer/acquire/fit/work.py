@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-import numpy as np
 from brdf_qt.program.translation import tr
 
-from brdf_designer.acquire.states import FitState
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
-from brdf_suite.documents.store import save_paint
-from brdf_suite.fitting.cook_torrance.reflectance_fit import fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 from brdf_suite.fitting.cook_torrance.settings import Settings
 from brdf_suite.paint_design.measured_start import MeasuredStart, measured_start
 from brdf_suite.pipeline.material import Material
@@ -31,26 +28,18 @@ class FitRequest:
     lobes: int
 
 
-@dataclass(frozen=True, eq=False)
-class FitFound:
-    """A fit, what is shown of it, and its paint, where its lobes can be one."""
-
-    found: Any
-    state: FitState
-    paint: CookTorrancePaint | None
-
-
-def find_fit(request: FitRequest, progress: Progress) -> FitFound:
+def find_fit(request: FitRequest, progress: Progress) -> FileFit:
     """Fit the lobes."""
     settings = Settings(lobes=request.lobes, model=request.model)  # type: ignore[arg-type] # one of the page's
     found = fit_cook_torrance(request.name, request.table, settings, progress=progress)
-    return FitFound(found, fit_state(found), found.paint)
+    _ = found.plot  # worked out here, and not when it is shown
+    return found
 
 
-def fit_state(found: Any) -> FitState:
-    """Return what the page shows of a fit of a file."""
-    fit, plot, errors = found.fit, found.plot, found.errors
-    facts = [
+def fit_facts(found: FileFit) -> list[tuple[str, str, str]]:
+    """Return names, values and explanations of the errors of a fit."""
+    fit, errors = found.fit, found.errors
+    return [
         (
             tr("Mean |ln|"),
             f"{errors.l1_mean:.4f}",
@@ -81,28 +70,23 @@ def fit_state(found: Any) -> FitState:
         ),
         (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
     ]
+
+
+def fit_rows(fit: CookTorranceFit) -> list[tuple[str, ...]]:
+    """Return (part, red, green, blue, slope m, reflectance r) with their uncertainties, the diffuse part first."""
     spread = fit.standard_errors
-    rows = [(tr("diffuse"), *(with_error(fit.kd[c], spread.kd[c]) for c in range(3)), "", "")]
-    for lobe in range(len(fit.m)):
-        rows.append(
+    return [
+        (tr("diffuse"), *map(with_error, fit.kd, spread.kd), "", ""),
+        *(
             (
                 tr("lobe {number}").format(number=lobe + 1),
-                *(with_error(fit.ks[lobe][c], spread.ks[lobe][c]) for c in range(3)),
+                *map(with_error, fit.ks[lobe], spread.ks[lobe]),
                 with_error(fit.m[lobe], spread.m[lobe]),
                 with_error(fit.r[lobe], spread.r[lobe]),
             )
-        )
-    return FitState(
-        np.asarray(plot.theta_h_deg),
-        np.asarray(plot.theta_d_deg),
-        np.asarray(plot.measured),
-        np.asarray(plot.fitted),
-        np.asarray(plot.parts),
-        tuple(rows),  # type: ignore[arg-type] # six texts each
-        tuple(facts),
-        tuple(fit.notices),
-        found.paint is not None,
-    )
+            for lobe in range(len(fit.m))
+        ),
+    ]
 
 
 def with_error(value: float, error: float) -> str:
@@ -120,29 +104,7 @@ def with_error(value: float, error: float) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
-@dataclass(frozen=True)
-class StartRequest:
-    """A fitted paint, from which a design is to start."""
-
-    paint: CookTorrancePaint
-    source: str
-
-
-def find_start(request: StartRequest, progress: Progress) -> MeasuredStart:
-    """Read the lobes by the virtual spectrophotometer, and start a design from them."""
-    paint = request.paint
-    item = Material(paint.name, build_reflectance(paint), origin=request.source)
-    return measured_start(item, progress=progress)
-
-
-@dataclass(frozen=True)
-class SavePaint:
-    """A fitted paint, and where it is to be."""
-
-    paint: CookTorrancePaint
-    path: Path
-
-
-def save_fitted(request: SavePaint, _progress: Progress) -> None:
-    """Write the lobes as a paint."""
-    save_paint(request.paint, request.path)
+def find_start(request: tuple[CookTorrancePaint, str], progress: Progress) -> MeasuredStart:
+    """Read the lobes of a paint by the virtual spectrophotometer, and start a design from them; with their source."""
+    paint, source = request
+    return measured_start(Material(paint.name, build_reflectance(paint), origin=source), progress=progress)

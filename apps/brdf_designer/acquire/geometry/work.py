@@ -30,14 +30,6 @@ class GeometryFound:
     state: GeometryState | None
 
 
-@dataclass(frozen=True, eq=False)
-class GeometryAnswer:
-    """A geometry, and the response where that had to be found first."""
-
-    geometry: GeometryFound
-    response: ResponseFound | None
-
-
 def open_acquisition(request: StepRequest) -> Acquisition:
     """Take the road up where the request says."""
     road = open_session(request)
@@ -48,8 +40,8 @@ def open_acquisition(request: StepRequest) -> Acquisition:
     return road
 
 
-def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
-    """Find sphere and lamp; the response first, where it is not known."""
+def find_geometry(request: StepRequest, progress: Progress) -> tuple[GeometryFound, ResponseFound | None]:
+    """Find sphere and lamp; the response first, and returned too, where it is not known."""
     road = open_acquisition(replace(request, geometry=None))
     response = None
     start = 0.0
@@ -58,7 +50,7 @@ def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
         response, start = response_found(road), 0.3
     road.calibrate_intrinsics(subrange(progress, start, start + 0.05))
     road.calibrate_geometry(subrange(progress, start + 0.05, 1.0))
-    return GeometryAnswer(geometry_found(road), response)
+    return geometry_found(road), response
 
 
 def geometry_found(road: Acquisition) -> GeometryFound:

@@ -29,8 +29,9 @@ def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
         The folder cannot be written.
     """
     name = session.mask or MASK_FILE
-    if not _is_ours(name):
-        name = _free_name(folder)
+    if name != MASK_FILE and not (name.startswith("mask_") and name.endswith(".png")):
+        names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
+        name = next((free for free in names if not (folder / free).exists()), MASK_FILE)
     stream = io.BytesIO()
     Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
     write_atomically(folder / name, stream.getvalue())
@@ -40,12 +41,3 @@ def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
         present = replace(present, mask=name)
         write_session(present, folder)
     return present
-
-
-def _is_ours(name: str) -> bool:
-    return name == MASK_FILE or (name.startswith("mask_") and name.endswith(".png"))
-
-
-def _free_name(folder: Path) -> str:
-    names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
-    return next((name for name in names if not (folder / name).exists()), MASK_FILE)
