@@ -65,7 +65,7 @@ class StandardControl(Feature, QObject):
         )
         section.ellipsoid_chosen.connect(lambda on: self.judge_by(replace(self._settings, ellipsoid=on)))
         section.add_batches_requested.connect(self._ask_batch)
-        section.clear_batches_requested.connect(self._clear_batches)
+        section.clear_batches_requested.connect(lambda: self._set_batches(()))
         section.batches.opened.connect(self._open_batch)
         section.tolerances.refused.connect(
             lambda text: session.show_message(Message(KEY, text, severity="warning"))
@@ -364,15 +364,14 @@ class StandardControl(Feature, QObject):
                 paints.append(paint_like(one, self._session.paint))
             except SuiteError as error:
                 refused.append(str(error))
-        kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
         if refused:
             what = tr("Some paints cannot be compared: {reasons}").format(reasons=" ".join(refused[:3]))
             self._session.show_message(Message(_BATCHES, what, severity="warning"))
         self.section.batch_section.set_open(True)
-        self._show_batches()
+        self._set_batches((*kept.batches, *paints)[:MOST_BATCHES])
 
-    def _clear_batches(self) -> None:
-        self._of_front.batches = ()
+    def _set_batches(self, batches: tuple[Paint, ...]) -> None:
+        self._of_front.batches = batches
         self._show_batches()
 
     def _open_batch(self, index: int) -> None:

@@ -59,7 +59,8 @@ class VariationsControl(Feature, QObject):
         self._pictures = window.pictures
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
-        self._found: tuple[Variation, ...] = ()
+        self.neighbours: tuple[Variation, ...] = ()
+        """Those that are shown."""
         self._of: _Request | None = None
         self._step, self._look = _kept_step(), _kept_look()
         self.section = VariationsSection()
@@ -75,23 +76,18 @@ class VariationsControl(Feature, QObject):
         self._pictures.unavailable.connect(lambda _look, _why: self._show_pictures())
 
     @property
-    def neighbours(self) -> tuple[Variation, ...]:
-        """The neighbours that are shown."""
-        return self._found
-
-    @property
     def is_idle(self) -> bool:
         """Whether every picture that is wanted is there, or never will be."""
         if not self.host.is_open or self._pictures.problem(self._look):
             return True
-        wanted = [self._session.paint, *(one.paint for one in self._found if one.paint is not None)]
+        wanted = [self._session.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         present = self._of is not None and self._of.paint is self._session.paint
         return present and all(self._pictures.is_settled(paint, self._look) for paint in wanted)
 
     def take(self, direction: str) -> None:
         """Make a neighbour the paint, as one step."""
         paint = self._session.paint
-        known = self._found
+        known = self.neighbours
         if self._of is None or self._of.paint is not paint:
             # An edit came just before the click: the neighbour of what is there now is meant.
             known = variations(paint, self._step)
@@ -119,7 +115,7 @@ class VariationsControl(Feature, QObject):
         if not self.host.is_open or (request == self._of and self._of.paint is request.paint):
             return
         self._of = request
-        self._found = variations(request.paint, request.step)
+        self.neighbours = variations(request.paint, request.step)
         self._show_words()
         self._show_pictures()
         if not self._session.in_gesture:
@@ -153,7 +149,7 @@ class VariationsControl(Feature, QObject):
     def _examined(self, answer: tuple[_Request, tuple[Variation, ...]]) -> None:
         request, found = answer
         if self._of is not None and request.paint is self._of.paint and request.step == self._of.step:
-            self._found = found
+            self.neighbours = found
             self._show_words()
 
     def _failed(self, error: Exception) -> None:
@@ -162,12 +158,12 @@ class VariationsControl(Feature, QObject):
     # Showing.
 
     def _show_words(self) -> None:
-        self.section.show_neighbours([_state(one) for one in self._found])
+        self.section.show_neighbours([_state(one) for one in self.neighbours])
 
     def _request_pictures(self) -> None:
         if not self.host.is_open or self._of is None:
             return
-        paints = [self._of.paint, *(one.paint for one in self._found if one.paint is not None)]
+        paints = [self._of.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         self._pictures.request(KEY, paints, self._look)
 
     def _show_pictures(self) -> None:
@@ -175,7 +171,7 @@ class VariationsControl(Feature, QObject):
             return
         present = self._of.paint
         self.section.present.show_picture(thumbnail(self._pictures, present, self._look))
-        for one in self._found:
+        for one in self.neighbours:
             picture = thumbnail(self._pictures, one.paint or present, self._look)
             self.section.buttons[one.direction].show_picture(picture)
         why = self._pictures.problem(self._look)

@@ -125,7 +125,8 @@ class InterpolationControl(Feature, QObject):
         self._way = _Way(first, second, deque([(first, 0.0)], MOST_MADE))
         self.section.show_ends(first.name, second.name)
         self.section.show_share(0.0)
-        self._show_stops()
+        self._pictures.request(KEY, self._stops(), USUAL_LOOK)
+        self._show_pictures()
 
     def _loaded(self, found: Standard) -> None:
         self._file = found
@@ -175,11 +176,6 @@ class InterpolationControl(Feature, QObject):
         line = ("", "")
         entries = [*tabs, *([line] if tabs else []), (FILE, file_title), line, *shipped]
         self.section.show_others(entries, self._chosen)
-
-    def _show_stops(self) -> None:
-        if self._way is not None:
-            self._pictures.request(KEY, self._stops(), USUAL_LOOK)
-            self._show_pictures()
 
     def _stops(self) -> list[Paint]:
         way = self._way

@@ -86,7 +86,9 @@ class InterpolationSection(QWidget):
         self.slider.sliderPressed.connect(self.gesture_started)
         self.slider.sliderReleased.connect(self.gesture_finished)
         self.slider.valueChanged.connect(lambda value: self._edited(value / 1000.0))
-        ends = QHBoxLayout()
+        ends_row = QWidget()
+        ends = QHBoxLayout(ends_row)
+        ends.setContentsMargins(0, 0, 0, 0)
         self.first, self.second = PlainLabel(), PlainLabel()
         self.second.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for label in (self.first, self.second):
@@ -105,10 +107,8 @@ class InterpolationSection(QWidget):
         self.beyond = QCheckBox(tr("Beyond the ends"))
         self.beyond.setToolTip(tr("Extend the range from −50 to 150 %"))
         self.beyond.toggled.connect(self._set_reach)
-        box = fill_column(
-            self.body, make_row(*self.stops, spacing=0, stretch=0), self.slider, self.beyond, spacing=4
-        )
-        box.insertLayout(2, ends)
+        stops = make_row(*self.stops, spacing=0, stretch=0)
+        fill_column(self.body, stops, self.slider, ends_row, self.beyond, spacing=4)
         self._set_reach(False)
 
     def _set_reach(self, beyond: bool) -> None:

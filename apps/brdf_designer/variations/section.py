@@ -83,7 +83,9 @@ class VariationsSection(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        grid = QGridLayout()
+        neighbours = QWidget()
+        grid = QGridLayout(neighbours)
+        grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(2)
         self.present = PictureButton("variation_present")
         self.present.setText(tr("current"))
@@ -117,8 +119,7 @@ class VariationsSection(QWidget):
                     self.environment.currentData(), self.surface.currentData()
                 )
             )
-        box = fill_column(self, self.note, form)
-        box.insertLayout(0, grid)
+        fill_column(self, neighbours, self.note, form)
 
     def show_choices(self, step: float, environment: str, surface: str) -> None:
         """Show which step, light and form are chosen."""

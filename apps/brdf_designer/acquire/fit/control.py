@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message
 from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.fit.page import FitPage
-from brdf_designer.acquire.fit.work import FitRequest, find_fit, find_start
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.session.paint_session import PaintSession
+from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
-from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit
-from brdf_suite.paint_design.measured_start import MeasuredStart
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, fit_cook_torrance
+from brdf_suite.fitting.cook_torrance.settings import Settings
+from brdf_suite.paint_design.measured_start import MeasuredStart, measured_start
+from brdf_suite.pipeline.material import Material
+from brdf_suite.progress import Progress
+from brdf_suite.reflectance.designed.build import build_reflectance
 
 
 class FitControl(QObject):
@@ -36,15 +42,14 @@ class FitControl(QObject):
         table, session = self._bench.results.get("table"), self._bench.session
         if table is None or session is None:
             return
-        model, lobes = self._page.chosen
-        request = FitRequest(session.name, table.acquired.table, model, lobes)
-        self._bench.run("fit", find_fit, request, lambda found: self._bench.keep("fit", found))
+        request = (session.name, table.acquired.table, *self._page.chosen)
+        self._bench.run("fit", _find_fit, request, lambda found: self._bench.keep("fit", found))
 
     def open(self) -> None:
         """Start a design from the fitted lobes, in a tab of Designer."""
         fit: FileFit | None = self._bench.results.get("fit")
         if fit is not None and fit.paint is not None:
-            self._bench.run("start", find_start, (fit.paint, str(self._bench.folder)), self._opened)
+            self._bench.run("start", _find_start, (fit.paint, str(self._bench.folder)), self._opened)
 
     def save(self) -> None:
         """Ask where the lobes are to be, and write them as a paint."""
@@ -96,3 +101,18 @@ class FitControl(QObject):
         elif key == "start":
             fit = self._bench.results.get("fit")
             self._page.open.setEnabled(not busy and fit is not None and fit.paint is not None)
+
+
+def _find_fit(request: tuple[str, Any, str, int], progress: Progress) -> FileFit:
+    """Fit lobes: ``request`` has the name of a table, the table, the model and the number of lobes."""
+    name, table, model, lobes = request
+    settings = Settings(lobes=lobes, model=model)  # type: ignore[arg-type] # one of the page's
+    found = fit_cook_torrance(name, table, settings, progress=progress)
+    _ = found.plot  # worked out here, and not when it is shown
+    return found
+
+
+def _find_start(request: tuple[CookTorrancePaint, str], progress: Progress) -> MeasuredStart:
+    """Read the lobes of a paint by the virtual spectrophotometer, and start a design from them; with their source."""
+    paint, source = request
+    return measured_start(Material(paint.name, build_reflectance(paint), origin=source), progress=progress)

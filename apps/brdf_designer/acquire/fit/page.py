@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Signal
 
-from brdf_designer.acquire.fit.work import fit_facts, fit_rows
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
 from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.standard.tables import WholeTable
 from brdf_designer.window.widgets import button, combo, wrapped
 from brdf_suite.fitting.cook_torrance.plot import FitPlot
 from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 
 _LUMINANCE = np.array([0.2627, 0.6780, 0.0593])
 """Of Rec. 2020 primaries, ITU-R BT.2020."""
@@ -174,3 +176,71 @@ def _parts(shown: FitPlot, place: int, weights: np.ndarray) -> list[Curve]:
         Curve(shown.theta_h_deg, part, name, "faint", "dash" if number else "dot", width=1.0 + 0.4 * number)
         for number, (part, name) in enumerate(zip(shown.parts[:, place] @ weights, names, strict=True))
     ]
+
+
+def fit_facts(found: FileFit) -> list[tuple[str, str, str]]:
+    """Return names, values and explanations of the errors of a fit."""
+    fit, errors = found.fit, found.errors
+    return [
+        (
+            tr("Mean |ln|"),
+            f"{errors.l1_mean:.4f}",
+            tr(
+                "Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 "
+                "divided by its number of terms"
+            ),
+        ),
+        (
+            tr("RMS ln"),
+            f"{errors.log_rms:.4f}",
+            tr("Root mean square of ln(fit/measured) over every measured bin"),
+        ),
+        (
+            tr("Median"),
+            f"{100.0 * errors.median_relative:.1f} %",
+            tr("Median relative difference over every measured bin"),
+        ),
+        (
+            tr("Energy"),
+            f"{fit.energy:.1f}",
+            tr("Equation 2 of Günther et al. 2005 over the samples of the solver"),
+        ),
+        (
+            tr("Samples"),
+            f"{fit.samples}",
+            tr("Samples used by the solver; errors are computed over all measured bins"),
+        ),
+        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
+    ]
+
+
+def fit_rows(fit: CookTorranceFit) -> list[tuple[str, ...]]:
+    """Return (part, red, green, blue, slope m, reflectance r) with their uncertainties, the diffuse part first."""
+    spread = fit.standard_errors
+    return [
+        (tr("diffuse"), *map(with_error, fit.kd, spread.kd), "", ""),
+        *(
+            (
+                tr("lobe {number}").format(number=lobe + 1),
+                *map(with_error, fit.ks[lobe], spread.ks[lobe]),
+                with_error(fit.m[lobe], spread.m[lobe]),
+                with_error(fit.r[lobe], spread.r[lobe]),
+            )
+            for lobe in range(len(fit.m))
+        ),
+    ]
+
+
+def with_error(value: float, error: float) -> str:
+    """Return a value with its standard uncertainty, to one digit of that.
+
+    >>> with_error(0.31234, 0.0123)
+    '0.31 ± 0.01'
+    """
+    value, error = float(value), float(error)
+    if not math.isfinite(error):
+        return f"{value:.3g} ± ?"
+    if error <= 0.0:
+        return f"{value:.4g}"
+    digits = max(0, -math.floor(math.log10(error)))
+    return f"{value:.{digits}f} ± {error:.{digits}f}"

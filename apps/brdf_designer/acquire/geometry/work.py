@@ -9,8 +9,7 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_designer.acquire.exposures.work import LONGEST_SIDE
-from brdf_designer.acquire.pictures.tone import tones_of_linear
+from brdf_designer.acquire.pictures.tone import LONGEST_SIDE, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found
 from brdf_designer.acquire.states import GeometryState, Problem

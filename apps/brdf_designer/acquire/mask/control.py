@@ -1,25 +1,34 @@
-"""Joins the page of the mask to the session: read, corrected by hand, and kept as it is painted."""
+"""Joins the page of the mask to the session: read, corrected by hand, and kept as it is painted.
+
+It is a picture beside the photographs: white is used, black left out.
+"""
 
 from __future__ import annotations
 
+import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.timer import make_timer
+from PIL import Image
 from PySide6.QtCore import QObject
 
-from brdf_designer.acquire.mask.file import MASK_FILE, write_session_mask
 from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.arrays import Bools
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
 
+MASK_FILE = "mask.png"
+_MOST_NAMES = 100
 _PAUSE_MS = 700
 _MOST_CLIPPED = 0.05
 
@@ -142,3 +151,28 @@ def _read(request: tuple[Path, Session, int], _progress: Progress) -> tuple[Tone
             f"has {mask.shape[1]}×{mask.shape[0]} pixels, the photographs {codes.shape[1]}×{codes.shape[0]}",
         )
     return tones, mask
+
+
+def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
+    """Write the mask into the folder and name it in session.json; return the session that names it.
+
+    A mask of another name is left as it is, and so is a ``mask.png`` beside it that the session does not use.
+
+    Raises
+    ------
+    FileError
+        The folder cannot be written.
+    """
+    name = session.mask or MASK_FILE
+    if name != MASK_FILE and not (name.startswith("mask_") and name.endswith(".png")):
+        names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
+        name = next((free for free in names if not (folder / free).exists()), MASK_FILE)
+    stream = io.BytesIO()
+    Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
+    write_atomically(folder / name, stream.getvalue())
+    # Changes that other programs made meanwhile are kept: only the mask's name is changed.
+    present = read_session(folder)
+    if present.mask != name:
+        present = replace(present, mask=name)
+        write_session(present, folder)
+    return present

@@ -29,8 +29,8 @@ class ResponsePage(AcquirePage):
             tr("Camera response"),
             Axis(tr("Code")),
             Axis(tr("Exposure (half at the middle code)"), log=True),
+            rising=True,
         )
-        self.plot.put_legend(left=True)
         self.times = LinesPlot(
             tr("Stated exposure times compared with estimates from the photographs"),
             Axis(tr("Stated time (ms)"), log=True),
