@@ -35,7 +35,7 @@ OPTIONAL_PACKAGES = {"cv2", "drjit", "flip_evaluator", "imageio_ffmpeg", "mitsub
 # not needed.
 LATE_IMPORTS: dict[str, str] = {
     "apps/brdf_designer/acquire/control.py": "80 ms, when the assistant is opened for the first time",
-    "apps/brdf_designer/acquire/exposures/work.py": "0.2 s with numba, on a thread",
+    "apps/brdf_designer/acquire/exposures/control.py": "0.2 s with numba, on a thread",
     "apps/brdf_designer/acquire/mask/control.py": "0.2 s with numba, on a thread",
     "apps/brdf_designer/acquire/response/work.py": "0.6 s with numba and scipy.optimize, on a thread",
     "apps/brdf_designer/acquire/session/control.py": "0.2 s with numba, on a thread",

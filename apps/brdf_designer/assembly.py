@@ -69,7 +69,11 @@ class Designer(Program):
         first = load_shipped_paint(FIRST_PAINT) if FIRST_PAINT in names else new_paint()
         super().__init__(DesignerWindow())
         self.documents = Documents(
-            first, paint_format(), dialogs(self.window), self._autosave_failed, self.window
+            first,
+            paint_format(),
+            dialogs(self.window),
+            lambda error: error_relay().report(error, "autosave"),
+            self.window,
         )
         self.link = LiveLink("designer", parent=self.window)
         self.fitter = PaintFitter()
@@ -130,7 +134,7 @@ class Designer(Program):
         try:
             document = load_document(name_or_path)
         except SuiteError as error:
-            self._report_unknown(error)
+            self.window.show_message(message_of(error, "open", todo=tr("The open paint is unchanged.")))
             return
         if isinstance(document, Paint):
             self.session.open_paint(document)
@@ -157,10 +161,10 @@ class Designer(Program):
         )
         window.save_requested.connect(lambda: self.files.save())
         window.save_as_requested.connect(lambda: self.files.save_as())
-        window.tab_chosen.connect(lambda place: documents.show(documents.row[place]))
-        window.tab_close_requested.connect(lambda place: documents.close(documents.row[place]))
+        window.tabs.chosen.connect(lambda place: documents.show(documents.row[place]))
+        window.tabs.close_requested.connect(lambda place: documents.close(documents.row[place]))
         window.close_front_requested.connect(lambda: documents.close(documents.front))
-        window.tab_moved.connect(documents.move)
+        window.tabs.dragged.connect(documents.move)
         window.tab_step_requested.connect(documents.step)
         window.reopen_requested.connect(documents.reopen)
         window.viewer_requested.connect(self._open_viewer)
@@ -171,10 +175,6 @@ class Designer(Program):
         self.link.received.connect(self.paint_offer.received)
         self.link.peers_changed.connect(lambda _count: window.paint_status.show_peers(self.link.peers))
 
-    def _report_unknown(self, error: SuiteError) -> None:
-        todo = tr("The open paint is unchanged.")
-        self.window.show_message(message_of(error, "open", todo=todo))
-
     def _may_close(self, question: QCloseEvent) -> None:
         if self.documents.may_close_all():
             self._has_closed_documents = True
@@ -183,17 +183,9 @@ class Designer(Program):
         else:
             question.ignore()
 
-    def _autosave_failed(self, error: BaseException) -> None:
-        error_relay().report(error, "autosave")
-
     def _open_viewer(self) -> None:
         program, *arguments = child_command("brdf_viewer")
         started, _ = QProcess.startDetached(program, arguments)
         if not started:
-            self.window.show_message(
-                Message(
-                    "viewer",
-                    tr("Viewer could not be started."),
-                    todo=tr("Start it from a terminal: brdf-viewer."),
-                )
-            )
+            todo = tr("Start it from a terminal: brdf-viewer.")
+            self.window.show_message(Message("viewer", tr("Viewer could not be started."), todo=todo))

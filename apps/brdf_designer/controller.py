@@ -2,78 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Protocol
+from collections.abc import Callable
 
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject
 
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.state import (
-    Colours,
-    Curves,
-    FitState,
-    TabState,
-    colours_of,
-    curves_of,
-    fit_state_of,
-)
+from brdf_designer.session.state import TabState, colours_of, curves_of, fit_state_of
+from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.pipeline.lobe_fit import LobeFit
 
 
-class View(Protocol):
-    """What the controller asks of a window."""
-
-    def show_colours(self, colours: Colours) -> None:
-        """Show the document."""
-
-    def show_fit(self, state: FitState) -> None:
-        """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
-
-    def show_curves(self, curves: Curves) -> None:
-        """Show what model and lobes give over the aspecular angle, fresh."""
-
-    def mark_fit_stale(self) -> None:
-        """Say that what is drawn of reflectance and fit is of the last paint that could be."""
-
-    def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
-        """Show which documents are open, whether they are saved, and which one is in front."""
-
-    def show_reopen(self, can: bool) -> None:
-        """Show whether a closed tab can be reopened."""
-
-    def show_history(self, undo: str, redo: str, *, can_undo: bool, can_redo: bool) -> None:
-        """Show what Undo and Redo would do, by name."""
-
-    def keep_opened(self) -> None:
-        """Take what is shown for what the document had when it was opened: a double click goes back to it."""
-
-    def close_pickers(self) -> None:
-        """Close what was open for the document before."""
-
-    def show_message(self, message: Message) -> None:
-        """Show a message in the window."""
-
-    def dismiss_message(self, key: str) -> None:
-        """Take a message away."""
-
-
 class Controller(QObject):
     """Keeps the window in step with the session."""
 
-    def __init__(self, view: View, session: PaintSession, parent: QObject | None = None) -> None:
+    def __init__(self, view: DesignerWindow, session: PaintSession, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._view, self._session, self._documents = view, session, session.documents
         self._refused = False
         # Numbers and patches are set and painted first; strip and curves follow in the next turn of the event loop,
         # once for all the edits of one turn.
-        self._later = QTimer(self)
-        self._later.setSingleShot(True)
-        self._later.setInterval(0)
-        self._later.timeout.connect(self._show_curves)
+        self._later = make_timer(self, self._show_curves)
         self._uncurved: LobeFit | None = None
         session.document_switched.connect(self._switch)
         session.paint_changed.connect(self._show_paint)

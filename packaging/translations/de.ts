@@ -1712,6 +1712,22 @@
         <translation>Bekannter Nullfehler des Drehtellers; wird zu jedem angegebenen Winkel addiert</translation>
     </message>
     <message>
+        <source>Height above the centre of the sphere</source>
+        <translation>Höhe über dem Mittelpunkt der Kugel</translation>
+    </message>
+    <message>
+        <source>Horizontal distance from the centre of projection to the axis of the turntable</source>
+        <translation>Waagerechter Abstand vom Projektionszentrum zur Achse des Drehtellers</translation>
+    </message>
+    <message>
+        <source>Horizontal distance from the lamp to the axis of the turntable</source>
+        <translation>Waagerechter Abstand von der Lampe zur Achse des Drehtellers</translation>
+    </message>
+    <message>
+        <source>Radius of the painted sphere</source>
+        <translation>Radius der lackierten Kugel</translation>
+    </message>
+    <message>
         <source>Photographs of the painted sphere in a folder, described by a session.json.</source>
         <translation>Fotos der lackierten Kugel in einem Ordner, beschrieben durch eine session.json.</translation>
     </message>
@@ -8960,28 +8976,6 @@ Ungespeicherte Änderungen.</translation>
     <message>
         <source>The work ended without a message.</source>
         <translation>Die Berechnung endete ohne Meldung.</translation>
-    </message>
-</context>
-<context>
-    <name>_000</name>
-    <message>
-        <source>Radius of the painted sphere</source>
-        <translation>Radius der lackierten Kugel</translation>
-    </message>
-    <message>
-        <source>Horizontal distance from the centre of projection to the axis of the turntable</source>
-        <translation>Waagerechter Abstand vom Projektionszentrum zur Achse des Drehtellers</translation>
-    </message>
-    <message>
-        <source>Horizontal distance from the lamp to the axis of the turntable</source>
-        <translation>Waagerechter Abstand von der Lampe zur Achse des Drehtellers</translation>
-    </message>
-</context>
-<context>
-    <name>_000._000</name>
-    <message>
-        <source>Height above the centre of the sphere</source>
-        <translation>Höhe über dem Mittelpunkt der Kugel</translation>
     </message>
 </context>
 </TS>

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 from brdf_designer.assembly import paint_format
 from brdf_designer.colour.patches import PatchRow
-from brdf_designer.controller import Controller, View
+from brdf_designer.controller import Controller
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import SetLab, SetNumber, SetText
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import curves_of
 from brdf_designer.window.status import PaintStatus
+from brdf_designer.window.window import DesignerWindow
 from brdf_qt.link.messages import BadMessageError, encode
 from brdf_qt.window.status_line import StatusLine
 
@@ -45,7 +46,7 @@ class Parts:
     """A controller and all that it works with."""
 
     def __init__(self, fitter, dialogs) -> None:
-        self.view = create_autospec(View, instance=True)
+        self.view = create_autospec(DesignerWindow, instance=True)
         self.documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
         self.published = []
         self.publish = lambda *message: self.published.append(message)

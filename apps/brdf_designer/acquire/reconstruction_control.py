@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from brdf_qt.program.translation import tr
@@ -10,13 +11,12 @@ from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
 from PySide6.QtCore import QObject, Signal
 
-from brdf_designer.acquire.geometry.work import GeometryAnswer, find_geometry
+from brdf_designer.acquire.geometry.work import GeometryFound, find_geometry
 from brdf_designer.acquire.reconstruction_session import WORK_FILE, ReconstructionSession, no_session
 from brdf_designer.acquire.response.work import ResponseFound, find_response
 from brdf_designer.acquire.states import CoverageState, Problem
 from brdf_designer.acquire.table.work import (
     KeptWork,
-    SaveTable,
     TableFound,
     TableRequest,
     find_kept,
@@ -39,13 +39,13 @@ class ReconstructionController(QObject):
         self._saved = ""
         window = bench.window
         window.response.recover_requested.connect(self.find_response)
-        window.response.kind_chosen.connect(self._choose_response)
+        window.response.kind_chosen.connect(lambda kind: self._choose("response", response=kind))
         window.geometry_page.find_requested.connect(self.find_geometry)
-        window.geometry_page.refine_chosen.connect(self._choose_refinement)
+        window.geometry_page.refine_chosen.connect(lambda on: self._choose("geometry", refine=on))
         window.reconstruction.start_requested.connect(self.find_table)
         window.reconstruction.cancel_requested.connect(lambda: bench.cancel("table"))
         window.reconstruction.again_requested.connect(lambda: self.find_table(restart=True))
-        window.reconstruction.grazing_edited.connect(self._choose_grazing)
+        window.reconstruction.grazing_edited.connect(lambda angle: self._choose("table", grazing_deg=angle))
         window.coverage.save_requested.connect(self.save)
         self._partial.connect(self._show_partial)
         bench.opened.connect(self._opened)
@@ -56,16 +56,14 @@ class ReconstructionController(QObject):
 
     def find_response(self) -> None:
         """Find the response of the camera."""
-        if not self._ready():
-            return
-        todo = tr("The other steps are unchanged.")
-        self._bench.run("response", find_response, self._bench.request(), self._take_response, todo=todo)
+        if self._ready():
+            todo, take = tr("The other steps are unchanged."), partial(self._bench.keep, "response")
+            self._bench.run("response", find_response, self._bench.request(), take, todo=todo)
 
     def find_geometry(self) -> None:
         """Find sphere and lamp."""
-        if not self._ready():
-            return
-        self._bench.run("geometry", find_geometry, self._bench.request(), self._take_geometry)
+        if self._ready():
+            self._bench.run("geometry", find_geometry, self._bench.request(), self._take_geometry)
 
     def find_table(self, *, restart: bool = False) -> None:
         """Make the table, or go on with it."""
@@ -95,34 +93,28 @@ class ReconstructionController(QObject):
 
     def save(self) -> None:
         """Ask where the table is to be, and write it."""
-        table = self._bench.results.get("table")
-        if table is None or self._bench.folder is None or self._bench.session is None:
+        bench = self._bench
+        table = bench.results.get("table")
+        if table is None or bench.folder is None or bench.session is None:
             return
-        named = f"{self._bench.session.name.replace('/', '_')}.brdftable"
+        named = f"{bench.session.name.replace('/', '_')}.brdftable"
         filters = ";;".join((tr("Table with coverage (*.brdftable)"), tr("MERL layout (*.binary)")))
-        path = self._dialogs.save_path(self._bench.folder.parent / named, filters)
+        path = self._dialogs.save_path(bench.folder.parent / named, filters)
         if path is None:
             return
 
         def done(notes: tuple[str, ...]) -> None:
             self._saved = tr("Saved as {file}.").format(file=path)
-            self._bench.window.coverage.show_kept(" ".join((self._saved, *notes)))
+            self._bench.window.coverage.kept.setText(" ".join((self._saved, *notes)))
 
-        self._bench.run("save", save_table, SaveTable(table.acquired, path), done)
+        self._bench.run("save", save_table, (table.acquired, path), done)
 
     # Choices.
 
-    def _choose_response(self, kind: str) -> None:
-        self._bench.set_options(response=kind)
-        self._bench.invalidate("response")
-
-    def _choose_refinement(self, on: bool) -> None:
-        self._bench.set_options(refine=on)
-        self._bench.invalidate("geometry")
-
-    def _choose_grazing(self, degrees: float) -> None:
-        self._bench.set_options(grazing_deg=degrees)
-        self._bench.invalidate("table")
+    def _choose(self, step: str, **option: Any) -> None:
+        """Take another option of the road, and forget what a step found by the old one."""
+        self._bench.options = replace(self._bench.options, **option)
+        self._bench.invalidate(step)
 
     def _ready(self) -> bool:
         if self._bench.session is None:
@@ -164,13 +156,11 @@ class ReconstructionController(QObject):
             words = tr("{done} of {total} done").format(done=kept.done, total=self._total)
             self._bench.window.show_step("reconstruction", "todo", words)
 
-    def _take_response(self, found: ResponseFound) -> None:
-        self._bench.keep("response", found)
-
-    def _take_geometry(self, answer: GeometryAnswer) -> None:
-        if answer.response is not None:
-            self._bench.keep("response", answer.response)
-        self._bench.keep("geometry", answer.geometry)
+    def _take_geometry(self, answer: tuple[GeometryFound, ResponseFound | None]) -> None:
+        geometry, response = answer
+        if response is not None:
+            self._bench.keep("response", response)
+        self._bench.keep("geometry", geometry)
 
     def _take_table(self, found: TableFound) -> None:
         bench = self._bench
@@ -215,7 +205,6 @@ class ReconstructionController(QObject):
         window = self._bench.window
         window.coverage.show_coverage(None if value is None else value.state)
         if value is None:
-            window.coverage.show_kept("")
             window.show_step("reconstruction", "todo", "")
             window.show_step("coverage", "todo", "")
             return
@@ -229,7 +218,7 @@ class ReconstructionController(QObject):
         window.show_step("reconstruction", "warning" if failed else "done", words)
         measured = next((text for name, text, _ in value.state.facts if name == tr("Measured")), "")
         window.show_step("coverage", "done", tr("{share} measured").format(share=measured))
-        window.coverage.show_kept(
+        window.coverage.kept.setText(
             self._saved
             or tr("Not saved yet. The intermediate results are kept in {file}.").format(file=WORK_FILE)
         )

@@ -7,7 +7,7 @@ with it, another mask the table. A frozen request goes to a thread and an answer
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -103,10 +103,6 @@ class ReconstructionSession(QObject):
         if forget is not None:
             self.invalidate(forget)
         self.edited.emit()
-
-    def set_options(self, **choices: Any) -> None:
-        """Choose other options of the road."""
-        self.options = replace(self.options, **choices)
 
     def keep(self, key: str, value: Any) -> None:
         """Keep what was found; what hangs on it is forgotten."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,22 +17,6 @@ class Problem:
     severity: str
     file: str
     reason: str
-
-
-@dataclass(frozen=True)
-class SessionState:
-    """A session as its page shows it; ``values`` are the rig's numbers by their key, in the units of the fields."""
-
-    folder: str
-    name: str
-    date: str
-    notes: str
-    values: dict[str, float]
-    angles_deg: tuple[float, ...]
-    exposures_s: tuple[float, ...]
-    bit_depth: int
-    response: str
-    extras: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,21 +98,3 @@ class CoverageState:
     theta_h_deg: NDArray[np.floating]
     theta_d_deg: NDArray[np.floating]
     facts: tuple[tuple[str, str, str], ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
-class FitState:
-    """A fit as Figure 5 has it: (curves, places, 3) measured and fitted, (1 + lobes, curves, places, 3) its parts.
-
-    ``rows`` are (part, red, green, blue, slope m, reflectance r) with their uncertainties, the diffuse part first.
-    """
-
-    theta_h_deg: NDArray[np.floating]
-    theta_d_deg: NDArray[np.floating]
-    measured: NDArray[np.floating]
-    fitted: NDArray[np.floating]
-    parts: NDArray[np.floating]
-    rows: tuple[tuple[str, str, str, str, str, str], ...] = ()
-    facts: tuple[tuple[str, str, str], ...] = ()
-    notices: tuple[str, ...] = field(default=())
-    has_paint: bool = True

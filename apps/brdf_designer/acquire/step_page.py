@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.window.section import Inspector, Section
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QWidget
+
+from brdf_designer.window.widgets import fill_column, wrapped
 
 SIDE_WIDTH = 300
 
@@ -20,11 +22,7 @@ class AcquirePage(QWidget):
         self.key = key
         self.setObjectName(f"acquire_{key}")
         left = QWidget()
-        self.centre = QVBoxLayout(left)
-        self.centre.setContentsMargins(8, 0, 8, 8)
-        self.centre.setSpacing(8)
-        self.said = wrapped(says)
-        self.centre.addWidget(self.said)
+        self.centre = fill_column(left, wrapped(says), margins=(8, 0, 8, 8))
         self.side = SideInspector()
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 8, 0, 0)
@@ -89,34 +87,3 @@ class Facts(QWidget):
     def texts(self) -> dict[str, str]:
         """What is shown, by name."""
         return {name.text(): value.text() for name, value in self._rows if not name.isHidden()}
-
-
-def wrapped(text: str) -> QLabel:
-    """Return a label that breaks its lines and can be copied from."""
-    label = PlainLabel(text)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setMinimumWidth(64)
-    policy = QSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-    policy.setHeightForWidth(True)
-    label.setSizePolicy(policy)
-    return label
-
-
-def button(text: str, tip: str) -> QPushButton:
-    """Return a button that gives way in a narrow column."""
-    made = QPushButton(text)
-    made.setToolTip(plain_tip(tip))
-    made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-    return made
-
-
-def beside(*widgets: QWidget) -> QWidget:
-    """Return these widgets in one row."""
-    row = QWidget()
-    box = QHBoxLayout(row)
-    box.setContentsMargins(0, 0, 0, 0)
-    box.setSpacing(8)
-    for widget in widgets:
-        box.addWidget(widget, 1)
-    return row

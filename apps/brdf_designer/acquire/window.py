@@ -5,10 +5,12 @@ Closing it only hides it: what runs goes on, what was found stays, and nothing i
 
 from __future__ import annotations
 
-from brdf_qt.fields.labels import ElidedLabel, plain_tip
+from typing import Literal
+
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
 from brdf_qt.program.settings import settings
-from brdf_qt.program.translation import tr
+from brdf_qt.program.translation import mark, tr
 from brdf_qt.window.message_bar import MessageBar
 from brdf_qt.window.progress_strip import ProgressStrip
 from PySide6.QtCore import QSize, Qt, Signal
@@ -20,7 +22,6 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
     QPushButton,
     QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -31,10 +32,29 @@ from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.response.page import ResponsePage
 from brdf_designer.acquire.session.page import SessionPage
 from brdf_designer.acquire.step_page import AcquirePage
-from brdf_designer.acquire.steps import KEYS, SIGNS, STATE_WORDS, STEPS, StepState
 from brdf_designer.acquire.table.coverage_page import CoveragePage
 from brdf_designer.acquire.table.reconstruction_page import ReconstructionPage
+from brdf_designer.window.widgets import fill_column
 
+StepState = Literal["todo", "running", "done", "warning"]
+_STATES: dict[StepState, tuple[str, str]] = {
+    "todo": ("circle", mark("pending")),
+    "running": ("hourglass", mark("running")),
+    "done": ("check-circle", mark("done")),
+    "warning": ("warning", mark("check result")),
+}
+"""The sign of each state of a step, and its word."""
+STEPS = {
+    "session": mark("Session"),
+    "exposures": mark("Exposures"),
+    "response": mark("Response"),
+    "geometry": mark("Geometry"),
+    "mask": mark("Mask"),
+    "reconstruction": mark("Reconstruction"),
+    "coverage": mark("Coverage"),
+    "fit": mark("Fit"),
+}
+KEYS = tuple(STEPS)
 _GEOMETRY = "acquire/geometry"
 _SIZE = QSize(1280, 820)
 _LEAST = QSize(860, 560)
@@ -62,25 +82,11 @@ class AcquireWindow(QWidget):
         self.setAcceptDrops(True)
         self.setMinimumSize(_LEAST)
         self.session, self.exposures, self.response = SessionPage(), ExposuresPage(), ResponsePage()
-        self.geometry_page, self.mask_page, self.reconstruction = (
-            GeometryPage(),
-            MaskPage(),
-            ReconstructionPage(),
-        )
-        self.coverage, self.fit = CoveragePage(), FitPage()
-        self.pages: dict[str, AcquirePage] = {
-            page.key: page
-            for page in (
-                self.session,
-                self.exposures,
-                self.response,
-                self.geometry_page,
-                self.mask_page,
-                self.reconstruction,
-                self.coverage,
-                self.fit,
-            )
-        }
+        self.geometry_page, self.mask_page = GeometryPage(), MaskPage()
+        self.reconstruction, self.coverage, self.fit = ReconstructionPage(), CoveragePage(), FitPage()
+        taking = (self.session, self.exposures, self.response, self.geometry_page, self.mask_page)
+        pages: tuple[AcquirePage, ...] = (*taking, self.reconstruction, self.coverage, self.fit)
+        self.pages = {page.key: page for page in pages}
         self.messages, self.progress = MessageBar(), ProgressStrip()
         self.rail = QListWidget()
         self.rail.setAccessibleName(tr("Steps"))
@@ -91,12 +97,12 @@ class AcquireWindow(QWidget):
         self.rail.setSpacing(2)
         self.rail.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.stack = QStackedWidget()
-        for number, step in enumerate(STEPS, 1):
+        for number, key in enumerate(KEYS, 1):
             item = QListWidgetItem()
             item.setToolTip(plain_tip(tr("Alt+{number}").format(number=number)))
             self.rail.addItem(item)
-            self.stack.addWidget(self.pages[step.key])
-            self.show_step(step.key, "todo", "")
+            self.stack.addWidget(self.pages[key])
+            self.show_step(key, "todo", "")
         self.rail.currentRowChanged.connect(self._changed)
         self._build()
         self._shortcuts()
@@ -113,30 +119,23 @@ class AcquireWindow(QWidget):
         self.next.setIcon(icon("arrow-right"))
         self.back.setToolTip(tr("Previous step (Ctrl+PgUp)"))
         self.next.setToolTip(tr("Next step (Ctrl+PgDown)"))
-        self.back.clicked.connect(lambda _=False: self.go(-1))
-        self.next.clicked.connect(lambda _=False: self.go(1))
+        self.back.clicked.connect(lambda: self.go(-1))
+        self.next.clicked.connect(lambda: self.go(1))
         self.all = QPushButton(tr("Do All Steps"))
         self.all.setToolTip(tr("Run response, geometry, reconstruction and fit in order"))
-        self.all.clicked.connect(lambda _=False: self.all_requested.emit())
-        self.status_text = ElidedLabel()
+        self.all.clicked.connect(lambda: self.all_requested.emit())
         foot = QHBoxLayout()
         foot.setContentsMargins(8, 8, 8, 8)
         foot.setSpacing(8)
-        foot.addWidget(self.status_text, 1)
-        foot.addWidget(self.all)
-        foot.addWidget(self.back)
-        foot.addWidget(self.next)
+        foot.addStretch(1)
+        for step_button in (self.all, self.back, self.next):
+            foot.addWidget(step_button)
         line = QFrame()
         line.setFrameShape(QFrame.Shape.HLine)
         line.setFrameShadow(QFrame.Shadow.Plain)
         line.setForegroundRole(line.foregroundRole().Mid)
-        inside = QVBoxLayout()
-        inside.setContentsMargins(0, 0, 0, 0)
-        inside.setSpacing(0)
-        for widget in (self.messages, self.progress):
-            inside.addWidget(widget)
-        inside.addWidget(self.stack, 1)
-        inside.addWidget(line)
+        inside = fill_column(None, self.messages, self.progress, self.stack, line, spacing=0)
+        inside.setStretchFactor(self.stack, 1)
         inside.addLayout(foot)
         whole = QHBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
@@ -173,25 +172,18 @@ class AcquireWindow(QWidget):
 
     def show_step(self, key: str, state: StepState, text: str) -> None:
         """Show the state of a step, and a few words of what came of it."""
-        number = KEYS.index(key)
-        item = self.rail.item(number)
-        title = tr(STEPS[number].title)
-        item.setIcon(icon(SIGNS[state]))
-        item.setText(f"{number + 1}  {title}\n{text or tr(STATE_WORDS[state])}")
-        item.setData(
-            Qt.ItemDataRole.AccessibleTextRole,
-            tr("Step {number}, {title}: {state}").format(
-                number=number + 1, title=title, state=f"{tr(STATE_WORDS[state])} {text}".strip()
-            ),
+        number, (sign, word) = KEYS.index(key) + 1, _STATES[state]
+        item, title = self.rail.item(number - 1), tr(STEPS[key])
+        item.setIcon(icon(sign))
+        item.setText(f"{number}  {title}\n{text or tr(word)}")
+        spoken = tr("Step {number}, {title}: {state}").format(
+            number=number, title=title, state=f"{tr(word)} {text}".strip()
         )
+        item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
 
     def show_title(self, name: str) -> None:
         """Show whose photographs these are."""
         self.setWindowTitle(tr("Acquire: {name}").format(name=name) if name else tr("Acquire"))
-
-    def show_status_text(self, text: str) -> None:
-        """Say what is so at the moment, at the foot."""
-        self.status_text.setText(text)
 
     def _changed(self, row: int) -> None:
         if row < 0:
@@ -212,8 +204,7 @@ class AcquireWindow(QWidget):
         self.activateWindow()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        store = settings()
-        store.setValue(_GEOMETRY, self.saveGeometry())
+        settings().setValue(_GEOMETRY, self.saveGeometry())
         event.accept()
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Signal
@@ -14,6 +13,7 @@ from brdf_designer.session.edits import DEFAULT_PEEL, SetCoat, SetNumber, SetOra
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import FitState
 from brdf_designer.window.paint_sections import PaintSection, computed
+from brdf_designer.window.widgets import wrapped
 from brdf_suite.appearance.clearcoat_gloss import (
     HIGHEST_IOR,
     HIGHEST_ROUGHNESS,
@@ -76,13 +76,12 @@ class CoatSection(PaintSection):
             field.gesture_finished.connect(self._end_coat)
         self.haze = computed()
         self.panel.add_row(tr("Haze"), self.haze, tr(_HAZE_TIP))
-        self.note = PlainLabel()
-        self.note.setWordWrap(True)
+        self.note = wrapped()
         self.note.hide()
         self.box.addWidget(self.note)
         self.has_peel = QCheckBox(tr("Orange peel"))
         self.has_peel.setToolTip(tr("Waviness of a sprayed coat. Viewer renders it; a view can override it."))
-        self.has_peel.clicked.connect(self._switch_peel)
+        self.has_peel.clicked.connect(lambda on: session.edit(SetOrangePeel(self._last_peel if on else None)))
         self.box.addWidget(self.has_peel)
         self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
         self.slope = computed()
@@ -184,6 +183,3 @@ class CoatSection(PaintSection):
             self.gloss_requested.emit()
         value = self.panel.fields["gloss.gu_60"].value() if on else None
         self.session.edit(SetNumber("gloss.gu_60", value))
-
-    def _switch_peel(self, on: bool) -> None:
-        self.session.edit(SetOrangePeel(self._last_peel if on else None))

@@ -34,7 +34,7 @@ class FlakesSection(PaintSection):
         super().__init__(session)
         self.has_flakes = QCheckBox(tr("Visible flakes"))
         self.has_flakes.setToolTip(tr(_DRAWN))
-        self.has_flakes.clicked.connect(self._switch)
+        self.has_flakes.clicked.connect(lambda on: session.edit(SetFlakes(self._last if on else None)))
         self.box.addWidget(self.has_flakes)
         self.panel = self.add_panel(*(f"flakes.{key}" for key in self._KEYS))
         form = Form()
@@ -66,9 +66,6 @@ class FlakesSection(PaintSection):
             label.setText("–")
         for row in rows:
             self.figures[row.aspecular_deg].setText(_text(row))
-
-    def _switch(self, on: bool) -> None:
-        self.session.edit(SetFlakes(self._last if on else None))
 
 
 def _text(row: SparkleReadings) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from brdf_qt.fields.colour_slider import ColourSlider
@@ -19,7 +20,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QToolButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,6 +29,7 @@ from brdf_designer.colour.patches import OUTSIDE_TIP, paint_corner, place_word
 from brdf_designer.session.edits import COMPONENTS, LCH_COMPONENTS, RemoveAngle, Space, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour, Colours
+from brdf_designer.window.widgets import fill_column, set_font
 from brdf_suite.appearance.colour.spaces import lab_to_lch, lch_to_lab
 from brdf_suite.appearance.flop.edits import GREY_CHROMA
 from brdf_suite.arrays import Bools, Bytes
@@ -37,96 +38,81 @@ from brdf_suite.documents.paint import PARAMETERS, Lab
 
 @dataclass(frozen=True)
 class Row:
-    """One component: its name and unit, where its slider and its number reach, steps, decimals, an explanation."""
+    """One component: its name, where its slider and its number reach, an explanation, unit, steps, decimals."""
 
     name: str
-    unit: str
     slider: tuple[float, float]
     number: tuple[float, float]
-    slider_step: float
-    step: float
-    decimals: int
-    wrapping: bool
     tip: str
+    unit: str = ""
+    slider_step: float = 0.1
+    step: float = 0.5
+    decimals: int = 2
+    wrapping: bool = False
 
 
-def _limits(component: int) -> tuple[float, float]:
-    known = PARAMETERS[f"lab[{component}]"]
-    return known.low, known.high
-
-
-# Where the sliders reach; the numbers reach as far as the document. No paint known lies outside.
-_LIGHTNESS = Row(
-    COMPONENTS[0],
-    "",
-    (0.0, 150.0),
-    _limits(0),
-    0.1,
-    0.5,
-    2,
-    False,
-    mark(
-        "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a "
-        "metallic can exceed it near the mirror direction."
-    ),
+_LIMITS = [(PARAMETERS[f"lab[{k}]"].low, PARAMETERS[f"lab[{k}]"].high) for k in range(3)]
+_LIGHTNESS_TIP = mark(
+    "Lightness L* (CIE 1976, D65, 10°). A perfect white diffuser has 100; a "
+    "metallic can exceed it near the mirror direction."
 )
+_CHROMA_TIP = mark(
+    "Chroma C*ab: how far the colour is from grey, the distance from 0 in the plane of a* and b*."
+)
+_HUE_TIP = mark(
+    "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; "
+    "this value is used as soon as it has chroma."
+)
+# Where the sliders reach; the numbers reach as far as the document. No paint known lies outside.
+_LIGHTNESS = Row(COMPONENTS[0], (0.0, 150.0), _LIMITS[0], _LIGHTNESS_TIP)
+_TURN = (0.0, 360.0)
 ROWS: dict[str, tuple[Row, Row, Row]] = {
     "lab": (
         _LIGHTNESS,
+        Row(COMPONENTS[1], (-100.0, 100.0), _LIMITS[1], mark("a*: from green (negative) to red (positive).")),
         Row(
-            COMPONENTS[1],
-            "",
-            (-100.0, 100.0),
-            _limits(1),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark("a*: from green (negative) to red (positive)."),
-        ),
-        Row(
-            COMPONENTS[2],
-            "",
-            (-100.0, 100.0),
-            _limits(2),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark("b*: from blue (negative) to yellow (positive)."),
+            COMPONENTS[2], (-100.0, 100.0), _LIMITS[2], mark("b*: from blue (negative) to yellow (positive).")
         ),
     ),
     "lch": (
         _LIGHTNESS,
-        Row(
-            LCH_COMPONENTS[1],
-            "",
-            (0.0, 140.0),
-            (0.0, _limits(1)[1]),
-            0.1,
-            0.5,
-            2,
-            False,
-            mark(
-                "Chroma C*ab: how far the colour is from grey, the distance from 0 in the plane of a* and b*."
-            ),
-        ),
-        Row(
-            LCH_COMPONENTS[2],
-            "°",
-            (0.0, 360.0),
-            (0.0, 360.0),
-            0.5,
-            1.0,
-            1,
-            True,
-            mark(
-                "Hue angle hab: 0° red, 90° yellow, 180° green, 270° blue. A grey has no hue; "
-                "this value is used as soon as it has chroma."
-            ),
-        ),
+        Row(LCH_COMPONENTS[1], (0.0, 140.0), (0.0, _LIMITS[1][1]), _CHROMA_TIP),
+        Row(LCH_COMPONENTS[2], _TURN, _TURN, _HUE_TIP, "°", 0.5, 1.0, 1, wrapping=True),
     ),
 }
+
+
+def add_slider_row(
+    grid: QGridLayout,
+    row: int,
+    session: PaintSession,
+    label: QLabel,
+    slider: ColourSlider,
+    field: NumberField,
+    edited: Callable[[float], None],
+) -> None:
+    """Put a label, a slider and a number for one value into a row of ``grid``; an edit of either is ``edited``."""
+    field.setFixedWidth(72)
+    # Tab goes from number to number, whose keys do what the slider's do.
+    slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+    for source in (slider, field):
+        source.edited.connect(edited)
+        source.gesture_started.connect(session.begin_gesture)
+        source.gesture_finished.connect(session.end_gesture)
+    label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    label.setBuddy(field)
+    for column, widget in enumerate((label, slider, field)):
+        grid.addWidget(widget, row, column)
+
+
+def slider_grid() -> QGridLayout:
+    """Return the grid for :func:`add_slider_row`."""
+    grid = QGridLayout()
+    grid.setContentsMargins(0, 0, 0, 0)
+    grid.setHorizontalSpacing(8)
+    grid.setVerticalSpacing(4)
+    grid.setColumnStretch(1, 1)
+    return grid
 
 
 class Swatch(QAbstractButton):
@@ -181,9 +167,7 @@ class AngleEditor(QWidget):
         self._lab: Lab | None = None
         self._text = ""
         self._title = PlainLabel()
-        font = self._title.font()
-        font.setBold(True)
-        self._title.setFont(font)
+        set_font(self._title, bold=True)
         self.swatch = Swatch()
         self.swatch.clicked.connect(lambda: pick(self.index))
         self.remove = QToolButton()
@@ -195,41 +179,17 @@ class AngleEditor(QWidget):
         top.addWidget(self._title, 1)
         top.addWidget(self.swatch)
         top.addWidget(self.remove)
-        grid = QGridLayout()
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(4)
+        grid = slider_grid()
         grid.setColumnMinimumWidth(0, 20)
-        grid.setColumnStretch(1, 1)
-        self.labels: list[QLabel] = []
-        self.sliders: list[ColourSlider] = []
-        self.fields: list[NumberField] = []
-        for component in range(3):
-            self._add_row(grid, component)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 4)
-        box.setSpacing(4)
+        self.labels = [PlainLabel() for _ in range(3)]
+        self.sliders = [ColourSlider("") for _ in range(3)]
+        self.fields = [NumberField("") for _ in range(3)]
+        for component, parts in enumerate(zip(self.labels, self.sliders, self.fields, strict=True)):
+            add_slider_row(grid, component, session, *parts, partial(self._edited, component))
+        box = fill_column(self, spacing=4, margins=(0, 0, 0, 4))
         box.addLayout(top)
         box.addLayout(grid)
         self._reach()
-
-    def _add_row(self, grid: QGridLayout, component: int) -> None:
-        slider, field, label = ColourSlider(""), NumberField(""), PlainLabel()
-        field.setFixedWidth(72)
-        # Tab goes from number to number, whose keys do what the slider's do.
-        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        for source in (slider, field):
-            source.edited.connect(lambda value, c=component: self._edited(c, value))
-            source.gesture_started.connect(self._session.begin_gesture)
-            source.gesture_finished.connect(self._session.end_gesture)
-        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        label.setBuddy(field)
-        grid.addWidget(label, component, 0)
-        grid.addWidget(slider, component, 1)
-        grid.addWidget(field, component, 2)
-        self.labels.append(label)
-        self.sliders.append(slider)
-        self.fields.append(field)
 
     def _edited(self, component: int, value: float) -> None:
         if self.space == "lch" and component == 2:
@@ -314,9 +274,7 @@ class AngleEditors(QWidget):
     def __init__(self, session: PaintSession, head: ColourHead, pick: Callable[[int], None]) -> None:
         super().__init__()
         self._session, self._head, self._pick = session, head, pick
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(8)
+        self._box = fill_column(self)
         self.editors: list[AngleEditor] = []
         self._colours: Colours | None = None
         head.space_chosen.connect(self._set_space)

@@ -11,13 +11,15 @@ from typing import TYPE_CHECKING
 from brdf_qt.fields.choice_button import ChoiceButton
 from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QPalette, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QWidget
 
 from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, QUANTITIES, LineKey
 from brdf_designer.session.state import Colours, Curves
 from brdf_designer.window.caption import Caption
+from brdf_designer.window.widgets import fill_column
 
 if TYPE_CHECKING:
     from brdf_designer.colour.quantity_plot import QuantityPlot
@@ -49,9 +51,7 @@ class AnglePlot(QWidget):
         super().__init__(parent)
         self.setMinimumHeight(90)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(4)
+        self._box = fill_column(self, spacing=4)
         self.caption = Caption(*map(tr, _FRESH))
         self.caption.setToolTip(
             tr("Points are the targets at the measured angles; drag one up or down to change it.")
@@ -64,7 +64,8 @@ class AnglePlot(QWidget):
             LineKey(tr("fitted lobes"), QPalette.ColorRole.WindowText, FIT_WIDTH, Qt.PenStyle.DashLine)
         )
         # What the user wants to see, first what was asked for last: where there is no room for all, that stays.
-        self._wanted = _wanted(str(settings().value(_SHOWN_KEY, "012")))
+        kept = dict.fromkeys(str(settings().value(_SHOWN_KEY, "012")))
+        self._wanted = [int(digit) for digit in kept if digit in "012"] or [0, 1, 2]
         self.buttons = [self._button(number) for number in range(len(QUANTITIES))]
         for button in self.buttons:
             head.addWidget(button)
@@ -73,10 +74,7 @@ class AnglePlot(QWidget):
         self._colours: Colours | None = None
         self._curves: Curves | None = None
         self._new_colours = self._new_curves = False
-        self._drawing = QTimer(self)
-        self._drawing.setSingleShot(True)
-        self._drawing.setInterval(_PAUSE_MS)
-        self._drawing.timeout.connect(self.draw_now)
+        self._drawing = make_timer(self, self.draw_now, _PAUSE_MS)
 
     @property
     def is_built(self) -> bool:
@@ -158,7 +156,7 @@ class AnglePlot(QWidget):
 
     def _show_chosen(self) -> None:
         shown = self._shown()
-        for button, number in zip(self.buttons, range(len(QUANTITIES)), strict=True):
+        for number, button in enumerate(self.buttons):
             button.setChecked(number in shown)
         if not self.plots:
             return
@@ -170,9 +168,3 @@ class AnglePlot(QWidget):
             self._box.setStretch(number + 1, 3 if lowest else 2)
         self._new_colours = self._new_curves = True
         self.draw_now()
-
-
-def _wanted(kept: str) -> list[int]:
-    """What was kept of an earlier run: the numbers of the plots, those asked for last first."""
-    known = [int(digit) for digit in dict.fromkeys(kept) if digit in "012"]
-    return known or [0, 1, 2]

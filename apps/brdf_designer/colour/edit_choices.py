@@ -14,11 +14,11 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QHBoxLayout,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
 from brdf_designer.session.edits import Space
+from brdf_designer.window.widgets import fill_column
 from brdf_suite.documents.paint import PARAMETERS
 
 _SETS = {
@@ -78,25 +78,22 @@ class ColourHead(QWidget):
         self.add = QPushButton(tr("Add"))
         self.add.setToolTip(tr("Add a reading at this angle with the current colour of the paint."))
         self.add.clicked.connect(lambda: self.angle_added.emit(self.angle.value()))
-        further = QHBoxLayout()
-        further.setContentsMargins(0, 0, 0, 0)
-        further.setSpacing(8)
-        further.addWidget(self.angle, 1)
-        further.addWidget(self.add)
-        row = QWidget()
-        row.setLayout(further)
+        further = QWidget()
+        inside = QHBoxLayout(further)
+        inside.setContentsMargins(0, 0, 0, 0)
+        inside.setSpacing(8)
+        inside.addWidget(self.angle, 1)
+        inside.addWidget(self.add)
         form = Form()
         form.add_row(tr("Angles"), self.sets, tr(_SETS_TIP))
-        form.add_row(tr("Add angle"), row)
+        form.add_row(tr("Add angle"), further)
         self.spaces = _Choice(_SPACES, "designer/space", tr("Colour space"))
         self.modes = _Choice(_MODES, None, tr("Angles that an edit changes"))
         form.add_row(tr("Colour space"), self.spaces)
         form.add_row(tr("Edit"), self.modes)
         self.spaces.chosen.connect(self.space_chosen)
         self.modes.chosen.connect(self.mode_chosen)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 4)
-        box.addWidget(form)
+        fill_column(self, form, margins=(0, 0, 0, 4))
 
     @property
     def space(self) -> Space:
@@ -117,13 +114,8 @@ class ColourHead(QWidget):
             known = PARAMETERS["aspecular_deg"]
             # A view at grazing sees nothing; one degree above it is enough.
             self.angle.setRange(max(known.low, light_deg - 89.0), min(known.high, light_deg + 89.0))
-            self.angle.setToolTip(
-                plain_tip(
-                    tr("Aspecular angle of the new reading, with the light at {light:g}°.").format(
-                        light=light_deg
-                    )
-                )
-            )
+            tip = tr("Aspecular angle of the new reading, with the light at {light:g}°.")
+            self.angle.setToolTip(plain_tip(tip.format(light=light_deg)))
 
     def _chosen(self, row: int) -> None:
         name = self.sets.itemData(row)

@@ -9,8 +9,8 @@ from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPalette, QPen
 
-from brdf_designer.colour.flop_panel import HANDLES, Handle
-from brdf_suite.appearance.flop.edits import FlopEnds, FlopValues, flop_ends, measure_flop
+from brdf_designer.colour.flop_panel import DECIMALS, HANDLES, Handle
+from brdf_suite.appearance.flop.edits import FlopValues, flop_ends, measure_flop
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import ValueRangeError
 
@@ -52,11 +52,6 @@ class Grip:
         """``index``, ``lightness``, ``chroma`` or ``hue``."""
         return self.handle.key
 
-    @property
-    def letter(self) -> str:
-        """What is written on it."""
-        return _LETTERS[self.key]
-
     def tip(self) -> str:
         """What it is and how it is used."""
         return f"{tr(self.handle.tip)}\n{tr(_TIPS[self.end])}"
@@ -64,7 +59,7 @@ class Grip:
     def dragged(self, amount: float, pixels: float) -> float:
         """Return the amount after a drag upwards by ``pixels``, as coarse as a number of it is set."""
         sense = -1.0 if self.end < 0 else 1.0
-        return self._held(amount + sense * round(pixels * _PER_PIXEL[self.key], self.handle.decimals))
+        return self._held(amount + sense * round(pixels * _PER_PIXEL[self.key], DECIMALS))
 
     def stepped(self, amount: float, steps: float) -> float:
         """Return the amount after steps upwards of the keys."""
@@ -93,17 +88,13 @@ class FlopOfPaint:
 
     def amount(self, grip: Grip) -> float:
         """Return what a grip would set; NaN where the paint has none of it."""
-        now = self.now
-        return {"index": now.index, "lightness": now.lightness, "chroma": now.chroma, "hue": now.hue_deg}[
-            grip.key
-        ]
+        return float(getattr(self.now, "hue_deg" if grip.key == "hue" else grip.key))
 
     def describe(self, grip: Grip) -> tuple[str, str]:
         """Return what a grip stands at, in words and in short."""
         value = self.amount(grip)
-        unit = grip.handle.unit
-        number = "–" if not math.isfinite(value) else f"{value:.{grip.handle.decimals}f}".replace("-", "−")
-        short = f"{tr(grip.handle.label)} {number}{unit}"
+        number = "–" if not math.isfinite(value) else f"{value:.{DECIMALS}f}".replace("-", "−")
+        short = f"{tr(grip.handle.label)} {number}{grip.handle.unit}"
         return tr("{value}, from {near:g}° to {far:g}° ({place})").format(
             value=short, near=self.near_deg, far=self.far_deg, place=tr(_PLACES[grip.end])
         ), short
@@ -113,7 +104,7 @@ def flop_of(paint: Paint) -> FlopOfPaint | None:
     """Return the flop of a paint; ``None`` where its readings have no face between two ends."""
     angles = [m.aspecular_deg for m in paint.measurements]
     try:
-        ends: FlopEnds = flop_ends(angles)
+        ends = flop_ends(angles)
         now = measure_flop(angles, [m.lab for m in paint.measurements])
     except ValueRangeError:
         return None
@@ -152,7 +143,7 @@ def paint_grip(
     painter.setBrush(QColor(24, 24, 24, 235 if near or chosen else 190))
     painter.drawEllipse(disc)
     painter.setPen(QColor(255, 255, 255))
-    painter.drawText(disc, Qt.AlignmentFlag.AlignCenter, grip.letter)
+    painter.drawText(disc, Qt.AlignmentFlag.AlignCenter, _LETTERS[grip.key])
     if known and (near or chosen):
         # Arrows above and below: it goes up and down.
         for side in (-1.0, 1.0):

@@ -10,21 +10,17 @@ from brdf_qt.fields.colour_slider import ColourSlider
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, QTimer
+from brdf_qt.work.timer import make_timer
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QGridLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QWidget
 
+from brdf_designer.colour.angle_editor import add_slider_row, slider_grid
 from brdf_designer.colour.display import lab_to_codes
-from brdf_designer.session.edits import SetFlop
+from brdf_designer.session.edits import SetFlop, moved_labs
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours
-from brdf_suite.appearance.flop.edits import (
-    FlopValues,
-    flop_ends,
-    measure_flop,
-    with_flop_index,
-    with_flop_travel,
-)
+from brdf_designer.window.widgets import fill_column, wrapped
+from brdf_suite.appearance.flop.edits import FlopValues, flop_ends, measure_flop
 from brdf_suite.errors import ValueRangeError
 
 _QUIET_MS = 40
@@ -33,70 +29,39 @@ _TRACK_SAMPLES = 17
 
 @dataclass(frozen=True)
 class Handle:
-    """One handle: its name in :class:`FlopValues`, label, unit, reach, step, decimals, an explanation."""
+    """One handle: its name in :class:`FlopValues`, label, reach, an explanation, step, unit."""
 
     key: str
     label: str
-    unit: str
     low: float
     high: float
-    step: float
-    decimals: int
     tip: str
+    step: float = 0.5
+    unit: str = ""
 
 
-HANDLES = (
-    Handle(
-        "index",
-        mark("Flop index"),
-        "",
-        0.0,
-        40.0,
-        0.1,
-        1,
-        mark(
-            "Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high "
-            "flop. It needs readings at 15, 45 and 110°."
-        ),
-    ),
-    Handle(
-        "lightness",
-        mark("ΔL* travel"),
-        "",
-        -150.0,
-        100.0,
-        0.5,
-        1,
-        mark(
-            "Travel of lightness: L* at the farthest angle minus L* at the nearest. Negative: the paint darkens."
-        ),
-    ),
-    Handle(
-        "chroma",
-        mark("ΔC* travel"),
-        "",
-        -120.0,
-        120.0,
-        0.5,
-        1,
-        mark(
-            "Travel of chroma: C* at the farthest angle minus C* at the nearest. Negative: the paint greys."
-        ),
-    ),
-    Handle(
-        "hue",
-        mark("Δh travel"),
-        "°",
-        -180.0,
-        180.0,
-        1.0,
-        1,
-        mark(
-            "Travel of hue: rotation in degrees from the nearest to the farthest angle, "
-            "positive from red towards yellow. A grey has no hue."
-        ),
-    ),
+_INDEX_TIP = mark(
+    "Flop index 2.69 (L*15 − L*110)^1.11 / L*45^0.86: 0 for a solid colour, about 15 to 17 for a very high "
+    "flop. It needs readings at 15, 45 and 110°."
 )
+_LIGHTNESS_TIP = mark(
+    "Travel of lightness: L* at the farthest angle minus L* at the nearest. Negative: the paint darkens."
+)
+_CHROMA_TIP = mark(
+    "Travel of chroma: C* at the farthest angle minus C* at the nearest. Negative: the paint greys."
+)
+_HUE_TIP = mark(
+    "Travel of hue: rotation in degrees from the nearest to the farthest angle, "
+    "positive from red towards yellow. A grey has no hue."
+)
+HANDLES = (
+    Handle("index", mark("Flop index"), 0.0, 40.0, _INDEX_TIP, step=0.1),
+    Handle("lightness", mark("ΔL* travel"), -150.0, 100.0, _LIGHTNESS_TIP),
+    Handle("chroma", mark("ΔC* travel"), -120.0, 120.0, _CHROMA_TIP),
+    Handle("hue", mark("Δh travel"), -180.0, 180.0, _HUE_TIP, step=1.0, unit="°"),
+)
+DECIMALS = 1
+"""Of the number of each handle."""
 
 
 class FlopPanel(QWidget):
@@ -105,51 +70,31 @@ class FlopPanel(QWidget):
     def __init__(self, session: PaintSession) -> None:
         super().__init__()
         self._session = session
-        grid = QGridLayout()
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setHorizontalSpacing(8)
-        grid.setVerticalSpacing(4)
-        grid.setColumnStretch(1, 1)
+        grid = slider_grid()
         self.sliders: dict[str, ColourSlider] = {}
         self.fields: dict[str, NumberField] = {}
         for row, handle in enumerate(HANDLES):
             self._add(grid, row, handle)
         self._readings: tuple[list[float], np.ndarray] | None = None
-        self._tracks = QTimer(self)
-        self._tracks.setSingleShot(True)
-        self._tracks.setInterval(_QUIET_MS)
-        self._tracks.timeout.connect(self._show_tracks)
-        self.note = PlainLabel()
-        self.note.setWordWrap(True)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 4)
-        box.addLayout(grid)
-        box.addWidget(self.note)
+        self._tracks = make_timer(self, self._show_tracks, _QUIET_MS)
+        self.note = wrapped()
+        box = fill_column(self, self.note, margins=(0, 0, 0, 4))
+        box.insertLayout(0, grid)
 
     def _add(self, grid: QGridLayout, row: int, handle: Handle) -> None:
         name = tr(handle.label)
         slider = ColourSlider(
             tr("{name}, slider").format(name=name), handle.unit, handle.low, handle.high, 0.1
         )
-        field = NumberField(
-            name, handle.unit, handle.low, handle.high, handle.step, handle.decimals, handle.low
-        )
+        field = NumberField(name, handle.unit, handle.low, handle.high, handle.step, DECIMALS, handle.low)
         field.setObjectName(f"flop_{handle.key}")
-        field.setFixedWidth(72)
-        # As over the angles: Tab goes from number to number.
-        slider.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         label = PlainLabel(name)
-        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        label.setBuddy(field)
         for widget in (label, slider, field):
             widget.setToolTip(tr(handle.tip))
-        for source in (slider, field):
-            source.edited.connect(lambda value: self._session.edit(SetFlop(handle.key, value)))
-            source.gesture_started.connect(self._session.begin_gesture)
-            source.gesture_finished.connect(self._session.end_gesture)
-        grid.addWidget(label, row, 0)
-        grid.addWidget(slider, row, 1)
-        grid.addWidget(field, row, 2)
+        session = self._session
+        add_slider_row(
+            grid, row, session, label, slider, field, lambda value: session.edit(SetFlop(handle.key, value))
+        )
         self.sliders[handle.key], self.fields[handle.key] = slider, field
 
     def show_colours(self, colours: Colours) -> None:
@@ -178,12 +123,8 @@ class FlopPanel(QWidget):
         self._tracks.start()
 
     def _show(self, now: FlopValues) -> None:
-        for key, value in zip(
-            ("index", "lightness", "chroma", "hue"),
-            (now.index, now.lightness, now.chroma, now.hue_deg),
-            strict=True,
-        ):
-            known = math.isfinite(value)
+        for handle, value in zip(HANDLES, (now.index, now.lightness, now.chroma, now.hue_deg), strict=True):
+            key, known = handle.key, math.isfinite(value)
             for widget in (self.sliders[key], self.fields[key]):
                 widget.setEnabled(known)
             if known:
@@ -201,11 +142,5 @@ class FlopPanel(QWidget):
             if not slider.isEnabled():
                 continue
             positions = np.linspace(handle.low, handle.high, _TRACK_SAMPLES).tolist()
-            ends = [_moved(angles, labs, handle.key, position)[far] for position in positions]
+            ends = [moved_labs(angles, labs, handle.key, position)[far] for position in positions]
             slider.set_track(*lab_to_codes(np.array(ends)))
-
-
-def _moved(angles: list[float], labs: np.ndarray, what: str, amount: float) -> np.ndarray:
-    if what == "index":
-        return with_flop_index(angles, labs, amount)
-    return with_flop_travel(angles, labs, ("lightness", "chroma", "hue").index(what), amount)

@@ -19,14 +19,15 @@ from PySide6.QtGui import (
     QPalette,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QToolTip, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from brdf_designer.colour.flop_grips import GRIPS, RADIUS, FlopOfPaint, centres, flop_of, paint_grip
 from brdf_designer.colour.patches import GIVEN_SHARE, OUTSIDE_TIP, paint_corner
 from brdf_designer.session.edits import SetFlop
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.session.state import Colours, Curves
+from brdf_designer.session.state import Curves
 from brdf_designer.window.caption import Caption
+from brdf_designer.window.widgets import fill_column
 from brdf_suite.arrays import Bytes
 from brdf_suite.documents.paint import Paint
 
@@ -52,20 +53,9 @@ class FlopStrip(QWidget):
         self.caption = Caption(*map(tr, _FRESH))
         self.band = Band(session)
         self._head: tuple[str, ...] = tuple(map(tr, _FRESH))
-        self.band.described.connect(self._show_grip)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        box.addWidget(self.caption)
-        box.addWidget(self.band)
-
-    def show_colours(self, colours: Colours) -> None:
-        """Show the grips of a paint."""
-        self.band.show_paint(colours.paint)
-
-    def keep_opened(self) -> None:
-        """Take what is shown for what a double click on a grip goes back to."""
-        self.band.keep_opened()
+        # The active grip, or the strip.
+        self.band.described.connect(lambda forms: self.caption.set_forms(*(forms or self._head)))
+        fill_column(self, self.caption, self.band, spacing=4)
 
     def show_curves(self, curves: Curves) -> None:
         """Show the strip, fresh."""
@@ -77,10 +67,6 @@ class FlopStrip(QWidget):
         """Say that the strip is of the last paint that could be."""
         self._head = (tr("Flop: last possible paint"),)
         self.band.describe()
-
-    def _show_grip(self, forms: tuple[str, ...]) -> None:
-        """Describe the active grip, or the strip."""
-        self.caption.set_forms(*(forms or self._head))
 
 
 class Band(QWidget):

@@ -14,7 +14,7 @@ from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import angle_text, by_angle
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.documents.paint import Paint
-from brdf_suite.errors import SuiteError, UnreachableError
+from brdf_suite.errors import UnreachableError
 from brdf_suite.paint_design.feasible import Feasible, judged, nearest_feasible
 from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit, PaintFitter
 from brdf_suite.progress import Progress
@@ -43,14 +43,9 @@ class NearestOffer(Feature, QObject):
         self._closed = False
         self.offered: Feasible | None = None
         session.paint_changed.connect(lambda _paint: self._forget())
-        session.fit_changed.connect(self._judge)
-        session.refused.connect(self._refuse)
-        session.gesture_ended.connect(lambda: session.at_idle(KEY, self._search))
-
-    @property
-    def searching(self) -> bool:
-        """Whether the nearest paint is being looked for."""
-        return self._runner.busy
+        session.fit_changed.connect(lambda fit: self._search_later(bool(missed(fit))))
+        session.refused.connect(lambda error: self._search_later(isinstance(error, UnreachableError)))
+        session.gesture_ended.connect(self._search_later)
 
     def close(self) -> None:
         """End what runs."""
@@ -63,12 +58,8 @@ class NearestOffer(Feature, QObject):
         if found is not None and found.asked == self._session.paint:
             self._session.set_paint(found.paint, tr("Use Closest Paint"))
 
-    def _judge(self, fit: LobeFit) -> None:
-        if missed(fit):
-            self._session.at_idle(KEY, self._search)
-
-    def _refuse(self, error: SuiteError) -> None:
-        if isinstance(error, UnreachableError):
+    def _search_later(self, needed: bool = True) -> None:
+        if needed:
             self._session.at_idle(KEY, self._search)
 
     def _forget(self) -> None:
@@ -85,12 +76,14 @@ class NearestOffer(Feature, QObject):
         self._runner.submit(KEY, find_nearest, self._session.paint, done=self._found, failed=self._failed)
 
     def _found(self, found: Feasible | None) -> None:
-        if self._session.fit is None:
+        fit = self._session.fit
+        if fit is None:
             what = tr("This paint is impossible.")
         else:
-            what = tr("No combination of lobes produces the target colour at {angles}.").format(
-                angles=", ".join(self._large_angles())
-            )
+            large = missed(fit)
+            names = [angle_text(fit.paint, index) for index in by_angle(fit.paint) if index in large]
+            what = tr("No combination of lobes produces the target colour at {angles}.")
+            what = what.format(angles=", ".join(names))
         if found is None:
             todo = tr("No possible paint was found close to it. Change a colour or the gloss.")
             self._session.show_message(Message(KEY, what, todo=todo, severity="warning"))
@@ -103,13 +96,6 @@ class NearestOffer(Feature, QObject):
     def _failed(self, error: Exception) -> None:
         text = tr("The search for the closest possible paint failed: {error}").format(error=error)
         self._session.show_message(Message(KEY, text, severity="warning"))
-
-    def _large_angles(self) -> list[str]:
-        fit = self._session.fit
-        if fit is None:
-            return []
-        found = missed(fit)
-        return [angle_text(fit.paint, index) for index in by_angle(fit.paint) if index in found]
 
 
 def missed(fit: LobeFit) -> list[int]:

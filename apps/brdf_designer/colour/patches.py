@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 from brdf_designer.session.state import AngleColour, Colours, GivenColour
 from brdf_designer.standard.state import StandardPatch
 from brdf_designer.window.caption import Caption
+from brdf_designer.window.widgets import set_font
 
 OUTSIDE_TIP = mark(
     "Outside sRGB: this screen shows the colour clipped to its gamut. The paint itself is not clipped."
@@ -45,8 +46,8 @@ class ColourField(QWidget):
         self._rgb = QColor(0, 0, 0)
         self._in_gamut = True
         self._shown: AngleColour | None = None
-        self._given: QColor | None = None
-        self._standard: QColor | None = None
+        self.given: QColor | None = None
+        self.standard: QColor | None = None
         self._standard_in_gamut = True
         self.setMinimumSize(72, 16)
         # It covers all of its place: what lies behind need not be drawn.
@@ -69,24 +70,16 @@ class ColourField(QWidget):
     def show_standard(self, patch: StandardPatch | None) -> None:
         """Show a standard's colour in the right half, without a gap between them; ``None`` for the whole field."""
         rgb = None if patch is None else patch.rgb
-        self._standard = None if rgb is None else QColor(*rgb)
+        self.standard = None if rgb is None else QColor(*rgb)
         self._standard_in_gamut = patch is None or patch.in_gamut
         self.update()
 
     def show_given(self, given: GivenColour | None) -> None:
         """Show what the fit gives along the lower edge, without a gap; ``None`` where there is no fit."""
         rgb = None if given is None else QColor(*given.rgb)
-        if rgb != self._given:
-            self._given = rgb
+        if rgb != self.given:
+            self.given = rgb
             self.update()
-
-    def given(self) -> QColor | None:
-        """Return the colour of the fit that is shown; ``None`` where there is none."""
-        return self._given
-
-    def standard(self) -> QColor | None:
-        """Return the standard's colour that is shown; ``None`` where there is none."""
-        return self._standard
 
     def sizeHint(self) -> QSize:
         return QSize(260, 200)
@@ -95,19 +88,19 @@ class ColourField(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), self._rgb)
         batch = QRectF(self.rect())
-        if self._standard is not None:
+        if self.standard is not None:
             batch.setWidth(self.width() // 2)
             other = QRectF(batch.right(), 0, self.width() - batch.right(), self.height())
-            painter.fillRect(other, self._standard)
+            painter.fillRect(other, self.standard)
             if not self._standard_in_gamut:
                 paint_corner(painter, other, 2 * CORNER)
             _write(painter, self._upper(batch), tr("batch"), self._rgb)
-            _write(painter, other, tr("standard"), self._standard)
-        if self._given is not None:
+            _write(painter, other, tr("standard"), self.standard)
+        if self.given is not None:
             lower = batch.adjusted(0, self._upper(batch).height(), 0, 0)
-            painter.fillRect(lower, self._given)
-            _write(painter, lower, tr("fit"), self._given, rows=1)
-            if self._standard is None:
+            painter.fillRect(lower, self.given)
+            _write(painter, lower, tr("fit"), self.given, rows=1)
+            if self.standard is None:
                 _write(painter, self._upper(batch), tr("target"), self._rgb)
         if not self._in_gamut:
             paint_corner(painter, batch, 2 * CORNER)
@@ -117,7 +110,7 @@ class ColourField(QWidget):
 
     def _upper(self, rect: QRectF) -> QRectF:
         """The part of ``rect`` that shows what is asked; what is left shows what the fit gives."""
-        if self._given is None:
+        if self.given is None:
             return rect
         band = min(GIVEN_SHARE * rect.height(), GIVEN_MOST)
         return rect.adjusted(0, 0, 0, -round(band))
@@ -146,20 +139,14 @@ def one_decimal(value: float) -> str:
     return f"{round(value, 1) + 0.0:.1f}".replace("-", "−")
 
 
-def _bare(lab: tuple[float, float, float]) -> str:
-    return "  ".join(map(one_decimal, lab))
-
-
 class ColourPatch:
     """A measurement in the row: its colour, and below it its angle, its numbers, the fit, and a standard."""
 
     def __init__(self) -> None:
         self.field = ColourField()
         self.angle, self.numbers, self.fit, self.against, self.words = (Caption() for _ in range(5))
-        _set_bold(self.angle, True)
-        italic = self.fit.font()
-        italic.setItalic(True)
-        self.fit.setFont(italic)
+        set_font(self.angle, bold=True)
+        set_font(self.fit, italic=True)
         self.fit.setToolTip(tr(_FIT_TIP))
         self._shown_fit: tuple[object, ...] | None = None
         self.show_standard(None)
@@ -172,7 +159,7 @@ class ColourPatch:
         """Show the measurement."""
         self.field.show_colour(colour)
         self.angle.set_forms(f"{colour.text}  {place_word(colour.aspecular_deg)}".rstrip(), colour.text)
-        self.numbers.set_forms(lab_text(colour.lab), _bare(colour.lab))
+        self.numbers.set_forms(lab_text(colour.lab), "  ".join(map(one_decimal, colour.lab)))
 
     def show_fit(
         self, error: float | None, given: GivenColour | None, time_limited: bool, exact_follows: bool
@@ -184,7 +171,7 @@ class ColourPatch:
         self._shown_fit = shown
         large = error is not None and is_large(error)
         self.field.show_given(given)
-        _set_bold(self.fit, large)
+        set_font(self.fit, bold=large, italic=True)
         tip = f"{tr(_FIT_TIP)}\n{large_error_tip(time_limited, exact_follows)}" if large else tr(_FIT_TIP)
         if given is not None:
             tip = f"{lab_text(given.lab)}\n{tip}"
@@ -198,7 +185,8 @@ class ColourPatch:
             short = tr("{fit}, time-limited").format(fit=short)
         forms = [short]
         if given is not None:
-            forms = [f"{short}:   {lab_text(given.lab)}", f"{short}: {_bare(given.lab)}", short]
+            bare = "  ".join(map(one_decimal, given.lab))
+            forms = [f"{short}:   {lab_text(given.lab)}", f"{short}: {bare}", short]
         self.fit.set_forms(*forms)
 
     def show_standard(self, patch: StandardPatch | None) -> None:
@@ -210,7 +198,7 @@ class ColourPatch:
                 caption.setToolTip(plain_tip(patch.tip))
         if patch is not None:
             self.against.set_forms(*patch.forms)
-            _set_bold(self.against, patch.passes is False)
+            set_font(self.against, bold=patch.passes is False)
             self.words.set_forms(*patch.words)
 
 
@@ -270,13 +258,6 @@ def _fit_text(
     lab = None if given is None else tuple(round(value, 3) for value in given.lab)
     rgb = None if given is None else given.rgb
     return None if error is None else round(error, 4), lab, rgb, time_limited, exact_follows
-
-
-def _set_bold(label: QWidget, bold: bool) -> None:
-    font = label.font()
-    if font.bold() != bold:
-        font.setBold(bold)
-        label.setFont(font)
 
 
 def place_word(aspecular_deg: float) -> str:

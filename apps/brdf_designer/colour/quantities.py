@@ -27,20 +27,13 @@ class Quantity:
     tip: str
 
 
+_HUE_TIP = mark("Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point.")
 QUANTITIES = (
     Quantity(
         0, mark("Lightness"), mark("L*"), 0.0, 250.0, 0.5, mark("Lightness L* over the aspecular angle.")
     ),
     Quantity(1, mark("Chroma"), mark("C*"), 0.0, 250.0, 0.5, mark("Chroma C*ab over the aspecular angle.")),
-    Quantity(
-        2,
-        mark("Hue"),
-        mark("h (°)"),
-        -3600.0,
-        3600.0,
-        1.0,
-        mark("Hue angle hab over the aspecular angle, unwrapped. A grey has no hue and no point."),
-    ),
+    Quantity(2, mark("Hue"), mark("h (°)"), -3600.0, 3600.0, 1.0, _HUE_TIP),
 )
 
 

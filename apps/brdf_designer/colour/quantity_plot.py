@@ -14,11 +14,12 @@ from brdf_qt.fields.burst import Burst
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QPalette
-from PySide6.QtWidgets import QGraphicsItem, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QWidget
 
 from brdf_designer.colour.plot_items import ReadingPoint, dress_plot, hatch, line, make_plot
 from brdf_designer.colour.quantities import FIT_WIDTH, MODEL_WIDTH, Quantity
 from brdf_designer.session.state import AngleColour, Curves
+from brdf_designer.window.widgets import fill_column
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.edits import unwrap_hues
 from brdf_suite.arrays import Floats
@@ -68,9 +69,7 @@ class QuantityPlot(QWidget):
                 "Drag a point, or choose one with Left and Right and move it with Up and Down (Shift: fine)."
             )
         )
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.addWidget(self.plot)
+        fill_column(self, self.plot)
         self._burst = Burst(self)
         self._burst.started.connect(lambda: self.started.emit(self._angles[self._chosen].index))
         self._burst.finished.connect(self.finished)

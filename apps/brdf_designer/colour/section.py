@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
-from brdf_designer.colour.angle_editor import AngleEditor, AngleEditors
+from brdf_designer.colour.angle_editor import AngleEditors
 from brdf_designer.colour.edit_choices import ColourHead
 from brdf_designer.colour.flop_panel import FlopPanel
 from brdf_designer.session.edits import AddAngle, UseAngles, colour_edit
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours
+from brdf_designer.window.widgets import fill_column
 from brdf_suite.appearance.geometries import Geometry
 from brdf_suite.paint_design.angle_sets import set_name
 
@@ -24,11 +25,8 @@ class ColourEditors(QWidget):
         self._session = session
         self.head, self.flop = ColourHead(), FlopPanel(session)
         self.angles = AngleEditors(session, self.head, pick)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        for part in (self.head, self.flop, self.angles):
-            box.addWidget(part)
+        self.editors = self.angles.editors
+        fill_column(self, self.head, self.flop, self.angles, spacing=4)
         self._colours: Colours | None = None
         self._show_mode()
         self.head.set_chosen.connect(lambda name: session.edit(UseAngles(name)))
@@ -36,11 +34,6 @@ class ColourEditors(QWidget):
             lambda angle: session.edit(AddAngle(Geometry(session.paint.main_light_deg, angle)))
         )
         self.head.mode_chosen.connect(self._show_mode)
-
-    @property
-    def editors(self) -> list[AngleEditor]:
-        """The editors of the angles, in the order in which they are shown."""
-        return self.angles.editors
 
     def show_colours(self, colours: Colours) -> None:
         """Show every measurement."""

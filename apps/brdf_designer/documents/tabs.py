@@ -47,10 +47,9 @@ class OpenDocument:
         return self.files.title()
 
     @property
-    def may_give_way(self) -> bool:
-        """Whether what is opened may take its place: the first, never touched."""
-        store = self.store
-        return self.pristine and store.is_clean and not store.stack.count() and store.path is None
+    def is_untouched(self) -> bool:
+        """Whether it was never changed, and is in no file."""
+        return self.store.is_clean and self.store.path is None and not self.store.stack.count()
 
 
 class Documents(QObject):
@@ -85,7 +84,9 @@ class Documents(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self._format, self._dialogs, self._autosave_failed = form, dialogs, autosave_failed
+        self._format, self._autosave_failed = form, autosave_failed
+        self.dialogs = dialogs
+        """Asks the user for files."""
         self.foreign: Callable[[Path], bool] | None = None
         """Asked first about every file to be opened; True where it is no paint of ours, and is taken care of."""
         self._last_key = 0
@@ -102,11 +103,6 @@ class Documents(QObject):
     def front(self) -> OpenDocument:
         """The document that is shown."""
         return self._front
-
-    @property
-    def dialogs(self) -> Dialogs:
-        """Who asks the user for files."""
-        return self._dialogs
 
     @property
     def can_reopen(self) -> bool:
@@ -243,7 +239,7 @@ class Documents(QObject):
 
     def _made(self, store: DocumentStore[Paint], *, pristine: bool = False) -> OpenDocument:
         self._last_key += 1
-        files = DocumentFiles(store, self._format, self._dialogs, self)
+        files = DocumentFiles(store, self._format, self.dialogs, self)
         document = OpenDocument(self._last_key, store, files, self._recovery(store), store.value, pristine)
         files.failed.connect(self.failed)
         files.succeeded.connect(self.succeeded)
@@ -261,16 +257,15 @@ class Documents(QObject):
 
     def _is_empty(self, document: OpenDocument) -> bool:
         """Whether nothing would be lost with it: as New makes it, and never changed."""
-        store = document.store
-        untouched = store.is_clean and store.path is None and not store.stack.count()
-        return untouched and store.value == self._format.new()
+        return document.is_untouched and document.store.value == self._format.new()
 
     def _renamed(self, old: Paint, new: Paint) -> None:
         if old.name != new.name:
             self.row_changed.emit()
 
     def _insert(self, document: OpenDocument) -> None:
-        giving_way = self._front if self._front.may_give_way else None
+        # What is opened takes the place of the first, never touched.
+        giving_way = self._front if self._front.pristine and self._front.is_untouched else None
         self._row.insert(self._row.index(self._front) + 1, document)
         self.opened.emit(document)
         self.show(document)

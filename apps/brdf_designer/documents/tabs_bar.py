@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.icons import icon
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QTabBar, QToolButton, QWidget
 
@@ -42,8 +42,7 @@ class DocumentTabs(QTabBar):
         self.setSelectionBehaviorOnRemove(QTabBar.SelectionBehavior.SelectPreviousTab)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._shown: tuple[tuple[TabState, ...], int] = ((), -1)
-        self._filling = False
-        self.currentChanged.connect(self._report_chosen)
+        self.currentChanged.connect(lambda place: self.chosen.emit(place) if place >= 0 else None)
         self.tabMoved.connect(self._report_moved)
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
@@ -51,8 +50,7 @@ class DocumentTabs(QTabBar):
         if (tuple(tabs), front) == self._shown:
             return
         self._shown = (tuple(tabs), front)
-        self._filling = True
-        try:
+        with QSignalBlocker(self):
             while self.count() > len(tabs):
                 self.removeTab(self.count() - 1)
             while self.count() < len(tabs):
@@ -60,8 +58,6 @@ class DocumentTabs(QTabBar):
             for place, tab in enumerate(tabs):
                 self._fill(place, tab)
             self.setCurrentIndex(front)
-        finally:
-            self._filling = False
 
     def _add(self) -> None:
         place = self.addTab("")
@@ -91,16 +87,11 @@ class DocumentTabs(QTabBar):
         side = QTabBar.ButtonPosition.RightSide
         return next(place for place in range(self.count()) if self.tabButton(place, side) is button)
 
-    def _report_chosen(self, place: int) -> None:
-        if not self._filling and place >= 0:
-            self.chosen.emit(place)
-
     def _report_moved(self, before: int, after: int) -> None:
-        if not self._filling:
-            tabs, front = list(self._shown[0]), self.currentIndex()
-            tabs.insert(after, tabs.pop(before))
-            self._shown = (tuple(tabs), front)
-            self.dragged.emit(before, after)
+        tabs = list(self._shown[0])
+        tabs.insert(after, tabs.pop(before))
+        self._shown = (tuple(tabs), self.currentIndex())
+        self.dragged.emit(before, after)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         place = self.tabAt(event.position().toPoint())

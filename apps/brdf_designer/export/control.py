@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 from brdf_qt.program.feature import Feature
@@ -33,15 +33,6 @@ NAMES = (
     ("cxf", ".cxf"), ("csv", ".csv"), ("json", ".json"), ("luxcore", ".scn"), ("openpbr", ".mtlx"),
     ("gltf", ".gltf"), ("rgl", ".bsdf"), ("html", ".html"), ("pdf", ".pdf"),
 )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class _Losses:
-    """What a format holds and loses of a paint; ``refusal`` where it cannot be written at all."""
-
-    holds: str
-    losses: tuple[str, ...]
-    refusal: str = ""
 
 
 class HandoverControl(Feature, QObject):
@@ -97,15 +88,14 @@ class HandoverControl(Feature, QObject):
             return
         progress = self._window.progress
         text = tr("Exporting {name}").format(name=path.name)
-        progress.set_job(KEY, 0.0, text, self._cancel)
+
+        def moved(fraction: float, _what: str) -> None:
+            progress.set_job(KEY, fraction, text, lambda: self._tasks.cancel(KEY))
+
+        moved(0.0, "")
         self._session.dismiss_message(KEY)
         self._tasks.submit(
-            KEY,
-            run_export,
-            request,
-            lambda notes: self._written(path, notes),
-            self._failed,
-            lambda fraction, _what: progress.set_job(KEY, fraction, text, self._cancel),
+            KEY, run_export, request, lambda notes: self._written(path, notes), self._failed, moved
         )
 
     def close(self) -> None:
@@ -115,19 +105,13 @@ class HandoverControl(Feature, QObject):
     def _request(self, path: Path) -> Request:
         paint, name = self._session.paint, self.section.chosen
         standards = self._window.findChild(StandardControl)
-        standard = standards.standard if standards is not None else None
-        if (
-            standards is None
-            or standard is None
-            or name not in REPORTS
-            or not self.section.compared.isChecked()
-        ):
-            return Request(paint, name, path, self.section.pictures.isChecked())
-        like = paint_like(standard, paint)
-        return Request(paint, name, path, self.section.pictures.isChecked(), like, standards.tolerances)
-
-    def _cancel(self) -> None:
-        self._tasks.cancel(KEY)
+        request = Request(paint, name, path, self.section.pictures.isChecked())
+        if standards is None or name not in REPORTS or not self.section.compared.isChecked():
+            return request
+        if standards.standard is None:
+            return request
+        like = paint_like(standards.standard, paint)
+        return replace(request, standard=like, tolerances=standards.tolerances)
 
     def _written(self, path: Path, notes: tuple[str, ...]) -> None:
         self._window.progress.end_job(KEY)
@@ -158,24 +142,24 @@ class HandoverControl(Feature, QObject):
         has_standard = standards is not None and standards.standard is not None
         self.section.show_options(name, has_standard=has_standard)
         self.section.show_format(self.section.holds.text(), None)
-        self._tasks.submit(_LOSSES, _find_out, (self._session.paint, name), self._show, self._not_found)
+        self._tasks.submit(
+            _LOSSES,
+            _find_out,
+            (self._session.paint, name),
+            lambda found: self.section.show_format(*found),
+            lambda error: self._session.show_message(message_of(error, KEY)),
+        )
 
-    def _show(self, losses: _Losses) -> None:
-        self.section.show_format(losses.holds, losses.losses, losses.refusal)
 
-    def _not_found(self, error: Exception) -> None:
-        self._session.show_message(message_of(error, KEY))
-
-
-def _find_out(request: tuple[Paint, str], _progress: Progress) -> _Losses:
+def _find_out(request: tuple[Paint, str], _progress: Progress) -> tuple[str, tuple[str, ...], str]:
     from brdf_suite.reports.handover import format_named, item_of_paint
 
     paint, name = request
     known = format_named(name)
     try:
-        return _Losses(known.holds, known.losses(item_of_paint(paint)))
+        return known.holds, known.losses(item_of_paint(paint)), ""
     except UnreachableError as error:
-        return _Losses(known.holds, (), str(error))
+        return known.holds, (), str(error)
 
 
 def file_name(name: str) -> str:

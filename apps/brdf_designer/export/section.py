@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import PlainLabel, plain_tip
-from brdf_qt.fields.quiet import QuietComboBox
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
+
+from brdf_designer.window.widgets import button, combo, fill_column, wrapped
 
 TITLES = {
     "cxf": mark("CxF3, one specification per angle"),
@@ -37,23 +38,17 @@ class HandoverSection(QWidget):
     def __init__(self, names: Sequence[tuple[str, str]], parent: QWidget | None = None) -> None:
         """``names``: each format's name and ending, in the order of the list."""
         super().__init__(parent)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
         form = Form()
-        self.formats = QuietComboBox()
-        self.formats.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        for name, ending in names:
-            self.formats.addItem(tr(TITLES[name]), name)
-            self.formats.setItemData(self.formats.count() - 1, plain_tip(ending), Qt.ItemDataRole.ToolTipRole)
+        self.formats = combo((tr(TITLES[name]), name) for name, _ in names)
+        for place, (_, ending) in enumerate(names):
+            self.formats.setItemData(place, plain_tip(ending), Qt.ItemDataRole.ToolTipRole)
         self.formats.activated.connect(lambda _index: self.format_chosen.emit(self.chosen))
         form.add_row(
             tr("Format"),
             self.formats,
             tr("File format; properties of this paint that it cannot store are listed below"),
         )
-        box.addWidget(form)
-        self.holds, self.losses = _wrapped(), _wrapped()
+        self.holds, self.losses = wrapped(), wrapped()
         self.holds.setObjectName("format_contents")
         self.losses.setObjectName("format_losses")
         self.holds.setAccessibleName(tr("Contents of the format"))
@@ -71,12 +66,9 @@ class HandoverSection(QWidget):
             tr("Include the differences, words and tolerances of the section Standard in the report")
         )
         self.compared.setChecked(True)
-        self.export = QPushButton(tr("Export…"))
-        self.export.setToolTip(tr("Export the current paint to a file of this format"))
-        self.export.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.export.clicked.connect(lambda _=False: self.export_requested.emit())
-        for widget in (self.holds, self.losses, self.pictures, self.compared, self.export):
-            box.addWidget(widget)
+        tip = tr("Export the current paint to a file of this format")
+        self.export = button(tr("Export…"), tip, self.export_requested.emit)
+        fill_column(self, form, self.holds, self.losses, self.pictures, self.compared, self.export)
         self.show_options(self.chosen, has_standard=False)
 
     @property
@@ -96,19 +88,6 @@ class HandoverSection(QWidget):
     def show_format(self, holds: str, losses: Sequence[str] | None, refusal: str = "") -> None:
         """Show what a format holds and loses; ``None`` while that is found out. A refusal takes the button away."""
         self.holds.setText(holds)
-        if refusal:
-            text = refusal
-        elif losses is None:
-            text = tr("Determining losses…")
-        elif not losses:
-            text = tr("No losses.")
-        else:
-            text = "\n".join([tr("Losses:"), *(f"– {loss}" for loss in losses)])
-        self.losses.setText(text)
+        text = "\n".join([tr("Losses:"), *(f"– {loss}" for loss in losses)]) if losses else tr("No losses.")
+        self.losses.setText(refusal or (tr("Determining losses…") if losses is None else text))
         self.export.setEnabled(losses is not None and not refusal)
-
-
-def _wrapped() -> QLabel:
-    label = PlainLabel()
-    label.setWordWrap(True)
-    return label

@@ -35,12 +35,12 @@ class HistoryControl(Feature, QObject):
             "view",
             tr("&History"),
             "F6",
-            lambda: self._show(self.action.isChecked()),
+            self._show,
             "history_strip",
             tip=tr("Show or hide the history of this paint"),
+            checked=True,
         )
-        self.action.setCheckable(True)
-        self._show(bool(settings().value(_SHOWN, True, type=bool)))
+        self.action.setChecked(bool(settings().value(_SHOWN, True, type=bool)))
         self.strip.chosen.connect(session.go_to)
         self.strip.menu_requested.connect(self._open_menu)
         session.paint_changed.connect(self._later)
@@ -79,7 +79,6 @@ class HistoryControl(Feature, QObject):
             self._session.at_idle(_OWNER, self.refresh)
 
     def _show(self, on: bool) -> None:
-        self.action.setChecked(on)
         self.strip.setVisible(on)
         settings().setValue(_SHOWN, on)
         self._later()

@@ -52,42 +52,37 @@ class HistoryModel(QAbstractListModel):
     def __init__(self, picture: Callable[[Paint], QPixmap], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.picture = picture
-        self._states: tuple[HistoryState, ...] = ()
+        self.states: tuple[HistoryState, ...] = ()
         self.present = 0
-
-    @property
-    def states(self) -> tuple[HistoryState, ...]:
-        """What is shown."""
-        return self._states
 
     def show(self, states: Sequence[HistoryState], present: int) -> None:
         """Show ``states``, of which ``present`` is the paint as it is now."""
-        new, old = tuple(states), self._states
+        new, old = tuple(states), self.states
         same = next(
             (i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new))
         )
         here = QModelIndex()
         if len(new) < len(old):
             self.beginRemoveRows(here, len(new), len(old) - 1)
-            self._states = old[: len(new)]
+            self.states = old[: len(new)]
             self.endRemoveRows()
         elif len(new) > len(old):
             self.beginInsertRows(here, len(old), len(new) - 1)
-            self._states = (*old, *new[len(old) :])
+            self.states = (*old, *new[len(old) :])
             self.endInsertRows()
-        self._states, self.present = new, present
+        self.states, self.present = new, present
         if new:
             # Where the present one moved, what lies behind it is dimmed and the rest is not.
             first = 0 if same == len(new) else min(same, present)
             self.dataChanged.emit(self.index(first), self.index(len(new) - 1))
 
     def rowCount(self, parent: Index | None = None) -> int:
-        return 0 if parent is not None and parent.isValid() else len(self._states)
+        return 0 if parent is not None and parent.isValid() else len(self.states)
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if not index.isValid():
             return None
-        state = self._states[index.row()]
+        state = self.states[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
             return state.step or tr("Opened")
         if role == Qt.ItemDataRole.ToolTipRole:

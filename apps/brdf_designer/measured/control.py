@@ -109,12 +109,8 @@ class MeasuredControl(Feature, QObject):
         self._session.documents.front.files.remember(path.absolute())
         notes = list(handed.notes)
         if len(paints) > MOST_TABS:
-            notes.insert(
-                0,
-                tr("{name} contains {count} paints. The first {opened} were opened.").format(
-                    name=path.name, count=len(paints), opened=MOST_TABS
-                ),
-            )
+            text = tr("{name} contains {count} paints. The first {opened} were opened.")
+            notes.insert(0, text.format(name=path.name, count=len(paints), opened=MOST_TABS))
         self._session.dismiss_message("open")
         if notes:
             self._session.show_message(Message("open", " ".join(notes), where=str(path)))

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import PlainLabel
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
 
 from brdf_designer.standard.tables import WholeTable
+from brdf_designer.window.widgets import button, combo, fill_column, wrapped
 from brdf_suite.documents.palette_store import PALETTE_ENDING
 from brdf_suite.documents.store import PAINT_ENDING
 from brdf_suite.paint_design.measured_start import HELD_OUT_LIGHTS_DEG, MeasuredStart
@@ -34,15 +33,9 @@ class MeasuredSection(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        self.origin, self.gloss, self.summary, self.notices = (_wrapped() for _ in range(4))
+        self.origin, self.gloss, self.summary, self.notices = (wrapped() for _ in range(4))
         form = Form()
-        self.angles = QuietComboBox()
-        for name, title in ANGLE_SETS:
-            self.angles.addItem(tr(title), name)
-        self.angles.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.angles = combo((tr(title), name) for name, title in ANGLE_SETS)
         self.angles.activated.connect(
             lambda _index: self.again_requested.emit(str(self.angles.currentData()))
         )
@@ -52,16 +45,11 @@ class MeasuredSection(QWidget):
         headings = (tr("Angle"), *(tr("light {angle:g}°").format(angle=one) for one in HELD_OUT_LIGHTS_DEG))
         self.table = WholeTable(tr("ΔE00 between the design and the original"), headings)
         self.table.setToolTip(tr("ΔE00 between the design and the original at angles that were not used"))
-        self.standard = QPushButton(tr("Original as Standard"))
-        self.standard.setToolTip(tr("Compare the design with the measured original at every angle"))
-        self.standard.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.standard.clicked.connect(lambda _=False: self.standard_requested.emit())
-        row = QHBoxLayout()
-        row.addWidget(self.standard)
-        for widget in (self.origin, form, self.gloss, self.summary, self.table):
-            box.addWidget(widget)
-        box.addLayout(row)
-        box.addWidget(self.notices)
+        tip = tr("Compare the design with the measured original at every angle")
+        self.standard = button(tr("Original as Standard"), tip, self.standard_requested.emit)
+        fill_column(
+            self, self.origin, form, self.gloss, self.summary, self.table, self.standard, self.notices
+        )
 
     def show_start(self, start: MeasuredStart) -> None:
         """Show what was read, and the differences at angles that were not."""
@@ -74,9 +62,9 @@ class MeasuredSection(QWidget):
         self.table.set_row_count(len(angles))
         for number, angle in enumerate(angles):
             self.table.set_text(number, 0, f"{angle:g}°")
-            for column, light in enumerate(HELD_OUT_LIGHTS_DEG, 1):
+            for place, light in enumerate(HELD_OUT_LIGHTS_DEG, 1):
                 value = known.get((light, angle))
-                self.table.set_text(number, column, "–" if value is None else f"{value:.1f}")
+                self.table.set_text(number, place, "–" if value is None else f"{value:.1f}")
         self.table.setVisible(bool(angles))
         self.notices.setText("\n".join(start.notices))
 
@@ -109,14 +97,6 @@ def _summary(start: MeasuredStart) -> str:
         angle=worst.aspecular_deg,
         light=worst.illumination_deg,
     )
-
-
-def _wrapped() -> QLabel:
-    label = PlainLabel()
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    label.setMinimumWidth(80)
-    return label
 
 
 def patterns(*more: str) -> str:

@@ -11,6 +11,7 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
 from brdf_qt.work.tasks import TaskRunner
+from brdf_qt.work.timer import make_timer
 from PySide6.QtCore import QObject, QTimer
 from PySide6.QtWidgets import QWidget
 
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
 
     from brdf_suite.pipeline.lobe_fit import LobeFit
-    from brdf_suite.progress import Progress
     from brdf_suite.realtime.gl.context import Context
 
 _PREPARE_MS = 500
@@ -54,9 +54,7 @@ class PreviewControl(Feature, QObject):
         self.panel.show_light(self.light)
         self.panel.light_chosen.connect(self.choose_light)
         window.add_preview(self.panel)
-        self._drawing = QTimer(self)
-        self._drawing.setSingleShot(True)
-        self._drawing.timeout.connect(self._draw)
+        self._drawing = make_timer(self, self._draw)
         self._add_command()
         surface = self.panel.surface
         if surface is not None:
@@ -110,14 +108,12 @@ class PreviewControl(Feature, QObject):
             "view",
             tr("Previe&w"),
             "F7",
-            lambda: self.show(self.action.isChecked()),
+            self.show,
             "preview",
             tip=tr("Show or hide the preview on the speed form"),
+            checked=bool(settings().value(_SHOWN, True, type=bool)),
         )
-        self.action.setCheckable(True)
-        on = bool(settings().value(_SHOWN, True, type=bool))
-        self.action.setChecked(on)
-        self.panel.setVisible(on)
+        self.panel.setVisible(self.action.isChecked())
 
     # The scene.
 
@@ -125,7 +121,7 @@ class PreviewControl(Feature, QObject):
         if self.panel.surface is None or not self.action.isChecked() or self._asked == self.light:
             return
         self._asked = self.light
-        self._tasks.submit("scene", _load_scene, self.light, self._show_scene, self._report_failure)
+        self._tasks.submit("scene", load_scene, self.light, self._show_scene, self._report_failure)
 
     def _show_scene(self, scene: PreviewScene) -> None:
         old = self._contents.scene
@@ -235,7 +231,3 @@ class PreviewControl(Feature, QObject):
         surface = self.panel.surface
         size = (1, 1) if surface is None else surface.device_size
         return (None if self._drawer is None else self._drawer.bounds), size
-
-
-def _load_scene(light: str, progress: Progress) -> PreviewScene:
-    return load_scene(light, progress)

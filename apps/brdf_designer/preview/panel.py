@@ -10,10 +10,11 @@ from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from brdf_designer.preview.scene import LIGHTS
 from brdf_designer.window.caption import Caption
+from brdf_designer.window.widgets import fill_column
 
 if TYPE_CHECKING:
     from brdf_qt.gl.surface import GlSurface
@@ -58,9 +59,7 @@ class PreviewPanel(QWidget):
         head.setSpacing(8)
         head.addWidget(self.caption, 1)
         head.addWidget(self.light)
-        self._box = QVBoxLayout(self)
-        self._box.setContentsMargins(0, 0, 0, 0)
-        self._box.setSpacing(4)
+        self._box = fill_column(self, spacing=4)
         self._box.addLayout(head)
         self.surface: GlSurface | None = None
         self.notice: QLabel | None = None

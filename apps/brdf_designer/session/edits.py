@@ -169,14 +169,18 @@ class SetFlop(Edit):
 
     def apply(self, paint: Paint) -> Paint:
         angles = [item.aspecular_deg for item in paint.measurements]
-        labs = [item.lab for item in paint.measurements]
-        if self.what == "index":
-            return _with_labs(paint, with_flop_index(angles, labs, self.amount))
-        component = ("lightness", "chroma", "hue").index(self.what)
-        return _with_labs(paint, with_flop_travel(angles, labs, component, self.amount))
+        labs = np.array([item.lab for item in paint.measurements])
+        return _with_labs(paint, moved_labs(angles, labs, self.what, self.amount))
 
     def step(self, _paint: Paint, /) -> str:
         return tr(_FLOP_STEPS[self.what])
+
+
+def moved_labs(angles: list[float], labs: Floats, what: str, amount: float) -> Floats:
+    """Return L*a*b* (n, 3) at ``angles``, degrees, with another flop: ``what`` and ``amount`` as :class:`SetFlop`."""
+    if what == "index":
+        return with_flop_index(angles, labs, amount)
+    return with_flop_travel(angles, labs, ("lightness", "chroma", "hue").index(what), amount)
 
 
 _FLOP_STEPS = {

@@ -8,38 +8,63 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from time import monotonic
+from typing import Any
 
 from brdf_qt.link.messages import BadMessageError
 from brdf_qt.program.translation import tr
+from brdf_qt.window.main_window import SuiteWindow
 from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.exact_fit import ExactFit
-from PySide6.QtCore import QObject, QTimer, Signal
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject, Signal
 
 from brdf_designer.documents.tabs import Documents, OpenDocument
 from brdf_designer.session.edits import Edit, TooRoughError
-from brdf_designer.session.idle import IdleWork
 from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import paint_to_json
 from brdf_suite.errors import SuiteError
-from brdf_suite.pipeline.lobe_fit import LobeFit
+from brdf_suite.pipeline.lobe_fit import LobeFit, PaintFitter
+
+QUIET_MS = 40
+LONGEST_WAIT_MS = 250
+"""A drag that never pauses is followed this often; what cannot keep up with it should run as a task."""
 
 
-class Messages(Protocol):
-    """Where messages are shown: the window."""
+class IdleWork(QObject):
+    """Runs slow work once the edits pause, or every quarter of a second during a drag: never before the numbers.
 
-    def show_message(self, message: Message) -> None:
-        """Show a message in the window."""
+    Work is asked for by key; asking again replaces it. One piece runs per turn of the event loop, so that input
+    and painting come between two of them.
+    """
 
-    def dismiss_message(self, key: str) -> None:
-        """Take a message away."""
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._work: dict[str, Callable[[], None]] = {}
+        self._since = 0.0
+        self._timer = make_timer(self, self._run_one)
 
+    @property
+    def waiting(self) -> tuple[str, ...]:
+        """The keys of what is still to be done."""
+        return tuple(self._work)
 
-class Fitter(Protocol):
-    """What turns a paint into weights: :class:`brdf_suite.pipeline.lobe_fit.PaintFitter`."""
+    def ask(self, key: str, work: Callable[[], None]) -> None:
+        """Do ``work`` when there is time; it takes the place of what was asked under the same key."""
+        if not self._work:
+            self._since = monotonic()
+        self._work[key] = work
+        waited = 1000.0 * (monotonic() - self._since)
+        self._timer.start(max(0, min(QUIET_MS, round(LONGEST_WAIT_MS - waited))))
 
-    def fit(self, paint: Paint) -> LobeFit:
-        """Return the fit, or raise :class:`UnreachableError`."""
+    def _run_one(self) -> None:
+        if not self._work:
+            return
+        key = next(iter(self._work))
+        work = self._work.pop(key)
+        if self._work:
+            self._timer.start(0)
+        work()
 
 
 @dataclass
@@ -91,16 +116,17 @@ class PaintSession(QObject):
     def __init__(
         self,
         documents: Documents,
-        fitter: Fitter,
+        fitter: PaintFitter,
         publish: Callable[[str, dict[str, Any]], None],
-        messages: Messages,
+        messages: SuiteWindow,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self.documents = documents
         self._fitter, self._publish, self._messages = fitter, publish, messages
         self._idle = IdleWork(self)
-        self._fit: LobeFit | None = None
+        self.fit: LobeFit | None = None
+        """The newest fit of the paint; ``None`` while no such paint can be."""
         self._gesture: _Gesture | None = None
         self._shown_history: tuple[str, str, bool, bool] | None = None
         self._reachable = documents.front.store.value
@@ -109,10 +135,7 @@ class PaintSession(QObject):
         # The same fit again: it no longer says that an exact one follows.
         self._exact.failed.connect(lambda fit, _error: self._take_exact(fit))
         # Several changes in one turn of the event loop are sent to the other programs once, the newest.
-        self._publishing = QTimer(self)
-        self._publishing.setSingleShot(True)
-        self._publishing.setInterval(0)
-        self._publishing.timeout.connect(self._publish_now)
+        self._publishing = make_timer(self, self._publish_now)
         self._watched: set[int] = set()
         for document in documents.row:
             self._watch(document)
@@ -131,16 +154,6 @@ class PaintSession(QObject):
     def original(self) -> Paint:
         """The paint as it was when its tab was opened: what a double click on a number goes back to."""
         return self.documents.front.original
-
-    @property
-    def fit(self) -> LobeFit | None:
-        """The newest fit of it; ``None`` while no such paint can be."""
-        return self._fit
-
-    @property
-    def title(self) -> str:
-        """What its tab is called."""
-        return self.documents.front.title
 
     @property
     def document_key(self) -> int:
@@ -273,11 +286,11 @@ class PaintSession(QObject):
         try:
             fit = self._fitter.fit(paint)
         except SuiteError as error:
-            self._fit = None
+            self.fit = None
             self._exact.forget()
             self.refused.emit(error)
         else:
-            self._fit = fit
+            self.fit = fit
             self._exact.watch(fit)
             self._reachable = paint
             self.fit_changed.emit(fit)
@@ -285,7 +298,7 @@ class PaintSession(QObject):
 
     def _take_exact(self, fit: LobeFit) -> None:
         # The other programs fit the paint themselves.
-        self._fit = fit
+        self.fit = fit
         self.fit_changed.emit(fit)
 
     def _watch(self, document: OpenDocument) -> None:
@@ -293,27 +306,21 @@ class PaintSession(QObject):
             return  # it was closed and reopened
         self._watched.add(document.key)
         store = document.store
-        store.changed.connect(lambda _old, _new: self._changed(document))
-        store.replaced.connect(lambda: self._replaced(document))
-        store.history_changed.connect(lambda: self._history_changed(document))
 
-    def _changed(self, document: OpenDocument) -> None:
-        if document is self.documents.front:
-            self.refresh()
+        def when_in_front(action: Callable[[], None]) -> Callable[..., None]:
+            return lambda *_: action() if document is self.documents.front else None
 
-    def _history_changed(self, document: OpenDocument) -> None:
-        if document is not self.documents.front:
-            return
+        store.changed.connect(when_in_front(self.refresh))
+        store.replaced.connect(when_in_front(self._switched))
+        store.history_changed.connect(when_in_front(self._history_changed))
+
+    def _history_changed(self) -> None:
         # The stack reports every push by four signals, also where a drag goes on and nothing reads otherwise.
-        stack = document.store.stack
+        stack = self.documents.front.store.stack
         now = (stack.undoText(), stack.redoText(), stack.canUndo(), stack.canRedo())
         if now != self._shown_history:
             self._shown_history = now
             self.history_changed.emit()
-
-    def _replaced(self, document: OpenDocument) -> None:
-        if document is self.documents.front:
-            self._switched()
 
     def _switched(self) -> None:
         if self._gesture is not None:

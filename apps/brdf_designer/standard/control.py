@@ -14,23 +14,26 @@ from brdf_qt.window.message_bar import Message, message_of
 from brdf_qt.work.tasks import TaskRunner
 from PySide6.QtCore import QObject
 
+from brdf_designer.documents.tabs import OpenDocument
 from brdf_designer.measured.section import standard_patterns
 from brdf_designer.session.paint_session import PaintSession
-from brdf_designer.standard.document_standards import DocumentStandards, Request, Swap, load_request
-from brdf_designer.standard.record_keeping import StandardKeeping
-from brdf_designer.standard.records import Record
+from brdf_designer.standard import records
+from brdf_designer.standard.records import DocumentStandards, Record, Swap, record_from_json
 from brdf_designer.standard.section import StandardSection
 from brdf_designer.standard.settings import ToleranceSettings, load, save
 from brdf_designer.standard.state import say, state_of, verdict_word
 from brdf_designer.window.window import DesignerWindow
 from brdf_suite.appearance.difference.tolerance import Tolerances
 from brdf_suite.documents.paint import Paint
-from brdf_suite.errors import SuiteError
+from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.paint_design.standard import BatchReport, Standard, judge_batch, paint_like, standard_of
+from brdf_suite.paint_design.standard_files import load_standards
 from brdf_suite.pipeline.material import paint_names
+from brdf_suite.progress import Progress
 
 KEY = "standard"
-_BATCHES = "standard batches"
+_BATCHES, _KEPT = "standard batches", "standard kept"
+_MOST_READ_AHEAD = 20
 MOST_BATCHES = 200
 _TAB, _SHIPPED = "tab ", "shipped "
 
@@ -57,18 +60,25 @@ class StandardControl(Feature, QObject):
         section.remove_requested.connect(self.remove)
         section.chosen.connect(self.choose)
         section.formula_chosen.connect(lambda name: self.judge_by(replace(self._settings, difference=name)))
-        section.limit_edited.connect(self._set_limit)
+        section.tolerances.limit_edited.connect(
+            lambda *limit: self.judge_by(self._settings.with_limit(*limit))
+        )
         section.ellipsoid_chosen.connect(lambda on: self.judge_by(replace(self._settings, ellipsoid=on)))
         section.add_batches_requested.connect(self._ask_batch)
-        section.clear_batches_requested.connect(self._clear_batches)
-        section.batch_opened.connect(self._open_batch)
-        section.refused.connect(lambda text: session.show_message(Message(KEY, text, severity="warning")))
+        section.clear_batches_requested.connect(lambda: self._set_batches(()))
+        section.batches.opened.connect(self._open_batch)
+        section.tolerances.refused.connect(
+            lambda text: session.show_message(Message(KEY, text, severity="warning"))
+        )
         section.batch_section.toggled.connect(lambda _on: self._batches_later())
         self.host.toggled.connect(lambda _on: self.refresh())
         session.paint_changed.connect(self._paint_changed)
         session.document_switched.connect(self._switched)
         session.documents.row_changed.connect(self._batches_later)
-        self._keeping = StandardKeeping(session, self, self)
+        self._known: set[int] = set()
+        for document in session.documents.row:
+            self._take(document)
+        session.documents.opened.connect(self._take)
         self._switched()
 
     # What the user asks for.
@@ -90,8 +100,7 @@ class StandardControl(Feature, QObject):
 
     def ask_standard(self) -> None:
         """Ask for a file and load it."""
-        path = self._ask_path()
-        if path is not None:
+        if (path := self._ask_path()) is not None:
             self.load(path)
 
     def load(self, name_or_path: str | Path) -> None:
@@ -219,15 +228,45 @@ class StandardControl(Feature, QObject):
 
     # From run to run.
 
-    def record(self, key: int) -> Record | None:
-        """Return the standard of a document, to be kept for the next run."""
+    def _record(self, key: int) -> Record | None:
         return self._kept[key].record() if key in self._kept else None
 
-    def restore(self, key: int, record: Record) -> None:
-        """Give a document the standard that was kept for it; the rest of its file is read where it comes in front."""
-        self._kept[key] = DocumentStandards(
-            (record.standard,), 0, record.source, record if record.source else None
-        )
+    def _take(self, document: OpenDocument) -> None:
+        """Give a document that is opened the standard that it had; its file is read where it comes in front."""
+        key = document.key
+
+        def beside() -> object:
+            record = self._record(key)
+            return None if record is None else record.to_json()
+
+        document.recovery.beside = beside
+        if key in self._known:
+            # It was closed and reopened, with an autosave that is new.
+            document.recovery.note()
+            return
+        self._known.add(key)
+        document.store.path_changed.connect(lambda _path: self._keep(document))
+        record = record_from_json(document.beside)
+        if record is None and document.beside is None and document.store.path is not None:
+            record = records.kept(document.store.path)
+        if record is not None:
+            awaited = record if record.source else None
+            self._kept[key] = DocumentStandards((record.standard,), 0, record.source, awaited)
+            document.recovery.note()
+
+    def _keep(self, document: OpenDocument) -> None:
+        """Keep the standard of a document: with the file it is in, or with the autosave while it has none."""
+        document.recovery.note()
+        path = document.store.path
+        if path is None:
+            return
+        try:
+            records.keep(path, self._record(document.key))
+        except OSError as error:
+            reason = f"its standard cannot be kept for the next start ({error.strerror})"
+            self._session.show_message(message_of(FileError(path, reason), _KEPT))
+        else:
+            self._session.dismiss_message(_KEPT)
 
     def _read_again(self) -> None:
         """Read the file of a standard that was kept: what else is in it, and a reflectance that was measured."""
@@ -254,14 +293,14 @@ class StandardControl(Feature, QObject):
                 kept.awaited = None
                 self._report_kept(tr("{file} can no longer be read.").format(file=record.source))
 
-        self._tasks.submit(f"{KEY} again", load_request, self._request(record.source), take, failed)
+        self._tasks.submit(f"{KEY} again", _load, self._request(record.source), take, failed)
 
     def _report_kept(self, what: str) -> None:
         todo = tr("The stored standard is used. Load the file again to use its current contents.")
         self._session.show_message(Message(KEY, what, todo=todo))
 
     def _note(self) -> None:
-        self._keeping.note(self._session.documents.front)
+        self._keep(self._session.documents.front)
 
     def _show_choices(self) -> None:
         kept = self._of_front
@@ -292,9 +331,6 @@ class StandardControl(Feature, QObject):
 
     # Formula and tolerances.
 
-    def _set_limit(self, angle: float | None, part: str, value: float | None) -> None:
-        self.judge_by(self._settings.with_limit(angle, part, value))
-
     def judge_by(self, chosen: ToleranceSettings) -> None:
         """Judge by this formula and these tolerances, and keep them for the next run."""
         self._settings = chosen
@@ -312,8 +348,7 @@ class StandardControl(Feature, QObject):
         return self._session.documents.dialogs.open_path(folder, filters)
 
     def _ask_batch(self) -> None:
-        path = self._ask_path()
-        if path is not None:
+        if (path := self._ask_path()) is not None:
             self.add_batches(path)
 
     def add_batches(self, path: str | Path) -> None:
@@ -329,15 +364,14 @@ class StandardControl(Feature, QObject):
                 paints.append(paint_like(one, self._session.paint))
             except SuiteError as error:
                 refused.append(str(error))
-        kept.batches = (*kept.batches, *paints)[:MOST_BATCHES]
         if refused:
             what = tr("Some paints cannot be compared: {reasons}").format(reasons=" ".join(refused[:3]))
             self._session.show_message(Message(_BATCHES, what, severity="warning"))
         self.section.batch_section.set_open(True)
-        self._show_batches()
+        self._set_batches((*kept.batches, *paints)[:MOST_BATCHES])
 
-    def _clear_batches(self) -> None:
-        self._of_front.batches = ()
+    def _set_batches(self, batches: tuple[Paint, ...]) -> None:
+        self._of_front.batches = batches
         self._show_batches()
 
     def _open_batch(self, index: int) -> None:
@@ -358,15 +392,14 @@ class StandardControl(Feature, QObject):
 
         self._tasks.submit(
             key,
-            load_request,
+            _load,
             self._request(str(name_or_path)),
             take,
             lambda error: self._session.show_message(message_of(error, key)),
         )
 
-    def _request(self, name_or_path: str) -> Request:
-        pairs = tuple((m.illumination_deg, m.aspecular_deg) for m in self._session.paint.measurements)
-        return Request(name_or_path, pairs)
+    def _request(self, name_or_path: str) -> tuple[str, Paint]:
+        return name_or_path, self._session.paint
 
     def _add_commands(self) -> None:
         add = self._window.add_command
@@ -374,6 +407,17 @@ class StandardControl(Feature, QObject):
         add("paint", tr("&Load Standard…"), "Ctrl+Shift+L", self.ask_standard, "load_standard")
         self.swap_action = add("paint", tr("S&wap with Standard"), None, self.swap, "swap_standard")
         self.remove_action = add("paint", tr("&Remove Standard"), None, self.remove, "remove_standard")
+
+
+def _load(request: tuple[str, Paint], progress: Progress) -> tuple[Standard, ...]:
+    """Read the standards of a file, and what they will be asked for by the judged paint; on a thread."""
+    name_or_path, paint = request
+    found = load_standards(name_or_path, progress)
+    # What has to be measured of it is measured here, and not in the first edit that is judged.
+    for standard in found[:_MOST_READ_AHEAD]:
+        for reading in paint.measurements:
+            standard.lab_at(reading.illumination_deg, reading.aspecular_deg)
+    return found
 
 
 def _title(standard: Standard) -> str:

@@ -1,4 +1,4 @@
-"""The standard that a paint was last judged by, kept beside the settings for each file; none of it is in the file.
+"""The standards of a document; the one that it was last judged by is kept beside the settings for each file.
 
 A record has the chosen standard itself (its paint, or its readings), so that it is there at once and also where the
 file it came from has gone; and that file, from which the others of it and a measured reflectance are read again.
@@ -9,13 +9,13 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
 from brdf_qt.program.settings import state_folder
 
-from brdf_suite.documents.paint import Gloss, Lab, Measurement
+from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.documents.store import paint_from_json, paint_to_json
 from brdf_suite.errors import SuiteError
 from brdf_suite.paint_design.standard import Standard
@@ -74,10 +74,8 @@ def record_from_json(plain: Any) -> Record | None:
 
 
 def _reading(row: Any) -> Measurement:
-    light, angle, *values = (float(value) for value in row)
-    lightness, a, b = values
-    lab: Lab = (lightness, a, b)
-    return Measurement(light, angle, lab)
+    light, angle, lightness, a, b = map(float, row)
+    return Measurement(light, angle, (lightness, a, b))
 
 
 def keep(path: Path, record: Record | None) -> None:
@@ -108,3 +106,35 @@ def kept(path: Path) -> Record | None:
 def _file(path: Path) -> Path:
     name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogateescape")).hexdigest()[:32]
     return state_folder(_FOLDER) / f"{name}.json"
+
+
+@dataclass(frozen=True)
+class Swap:
+    """Paint and standard before and after they changed places; undo brings both back."""
+
+    paint_before: Paint
+    standard_before: Standard
+    paint_after: Paint
+    standard_after: Standard
+
+
+@dataclass
+class DocumentStandards:
+    """What is kept for one document; ``awaited`` is of an earlier run, and its ``source`` not read again yet."""
+
+    standards: tuple[Standard, ...] = ()
+    chosen: int = 0
+    source: str = ""
+    awaited: Record | None = None
+    batches: tuple[Paint, ...] = ()
+    swaps: list[Swap] = field(default_factory=list)
+
+    @property
+    def standard(self) -> Standard | None:
+        return self.standards[self.chosen] if self.standards else None
+
+    def record(self) -> Record | None:
+        """Return the standard, to be kept for the next run; ``None`` where there is none."""
+        if self.standard is None:
+            return None
+        return self.awaited or Record(self.standard, self.source, self.chosen)

@@ -185,15 +185,10 @@ def _row(row: AngleRow) -> ResultRow:
     )
     tip = _tip(row, words_text(row.words, say))
     if verdict.exceeded:
-        parts = " ".join(_limit_name(name) for name in verdict.exceeded)
+        parts = " ".join(tr(LIMIT_NAMES[name]) for name in verdict.exceeded)
         tip += "\n" + tr("Outside the tolerance: {parts}").format(parts=parts)
     bold = {column for name in verdict.exceeded for column in _COLUMNS[name]}
     return ResultRow(cells, frozenset({0, 5, *bold}) if bold else frozenset(), tip)
-
-
-def _limit_name(name: str) -> str:
-    text = LIMIT_NAMES[name]
-    return tr(text) if text.isascii() else text
 
 
 def _tip(row: AngleRow, words: str) -> str:

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import parse_number
-from brdf_qt.program.translation import mark, tr
-from PySide6.QtCore import QSize, Qt, Signal
+from brdf_qt.program.translation import tr
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
 from brdf_designer.standard.settings import PARTS, ToleranceSettings
@@ -94,9 +94,6 @@ class ResultTable(WholeTable):
                 self.set_text(number, column, text, bold=column in row.bold, tip=row.tip)
 
 
-_EVERYWHERE = mark("all angles")
-
-
 class ToleranceTable(WholeTable):
     """Limits per angle, typed into the cells; an empty one does not judge.
 
@@ -114,33 +111,27 @@ class ToleranceTable(WholeTable):
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)
         self._angles: list[float | None] = []
         self._shown: ToleranceSettings | None = None
-        self._quiet = False
         self.itemChanged.connect(self._on_changed)
 
     def show_settings(self, angles: Sequence[float], chosen: ToleranceSettings) -> None:
         """Show the limits everywhere and at ``angles``."""
-        self._quiet = True
-        try:
-            self._angles, self._shown = [None, *angles], chosen
+        self._angles, self._shown = [None, *angles], chosen
+        tip = tr("Largest {part} that passes; empty: not evaluated")
+        with QSignalBlocker(self):
             self.set_row_count(len(self._angles))
             for row, angle in enumerate(self._angles):
-                name = tr(_EVERYWHERE) if angle is None else f"{angle:g}°"
-                self.set_text(row, 0, name)
+                self.set_text(row, 0, tr("all angles") if angle is None else f"{angle:g}°")
                 heading = self.item(row, 0)
                 if heading is not None:
                     heading.setFlags(Qt.ItemFlag.ItemIsEnabled)
                 limits = chosen.limits(angle)
                 for column, part in enumerate(PARTS, 1):
                     value = getattr(limits, part)
-                    tip = tr("Largest {part} that passes; empty: not evaluated").format(
-                        part=LIMIT_NAMES[part]
-                    )
-                    self.set_text(row, column, "" if value is None else f"{value:g}", tip=tip)
-        finally:
-            self._quiet = False
+                    text = "" if value is None else f"{value:g}"
+                    self.set_text(row, column, text, tip=tip.format(part=LIMIT_NAMES[part]))
 
     def _on_changed(self, item: QTableWidgetItem) -> None:
-        if self._quiet or item.column() == 0 or self._shown is None:
+        if item.column() == 0 or self._shown is None:
             return
         angle, part, text = self._angles[item.row()], PARTS[item.column() - 1], item.text().strip()
         value = parse_number(text) if text else None

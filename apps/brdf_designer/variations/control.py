@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from brdf_qt.program.feature import Feature
 from brdf_qt.program.settings import settings
@@ -45,8 +45,7 @@ STEP_NAMES = {
 """What Undo calls the step; a test holds that every word has one."""
 
 
-@dataclass(frozen=True)
-class _Request:
+class _Request(NamedTuple):
     paint: Paint
     step: float
 
@@ -60,12 +59,12 @@ class VariationsControl(Feature, QObject):
         self._pictures = window.pictures
         self._tasks = TaskRunner(self, threads=1)
         self._fitter: PaintFitter | None = None
-        self._found: tuple[Variation, ...] = ()
+        self.neighbours: tuple[Variation, ...] = ()
+        """Those that are shown."""
         self._of: _Request | None = None
         self._step, self._look = _kept_step(), _kept_look()
         self.section = VariationsSection()
-        self.section.show_step(self._step)
-        self.section.show_scene(self._look.environment, self._look.form)
+        self.section.show_choices(self._step, self._look.environment, self._look.form)
         self.host = window.add_section(KEY, tr("Variations"), self.section, after="standard", is_open=False)
         self.section.taken.connect(self.take)
         self.section.step_edited.connect(self.set_step)
@@ -77,23 +76,18 @@ class VariationsControl(Feature, QObject):
         self._pictures.unavailable.connect(lambda _look, _why: self._show_pictures())
 
     @property
-    def neighbours(self) -> tuple[Variation, ...]:
-        """The neighbours that are shown."""
-        return self._found
-
-    @property
     def is_idle(self) -> bool:
         """Whether every picture that is wanted is there, or never will be."""
         if not self.host.is_open or self._pictures.problem(self._look):
             return True
-        wanted = [self._session.paint, *(one.paint for one in self._found if one.paint is not None)]
+        wanted = [self._session.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         present = self._of is not None and self._of.paint is self._session.paint
         return present and all(self._pictures.is_settled(paint, self._look) for paint in wanted)
 
     def take(self, direction: str) -> None:
         """Make a neighbour the paint, as one step."""
         paint = self._session.paint
-        known = self._found
+        known = self.neighbours
         if self._of is None or self._of.paint is not paint:
             # An edit came just before the click: the neighbour of what is there now is meant.
             known = variations(paint, self._step)
@@ -121,7 +115,7 @@ class VariationsControl(Feature, QObject):
         if not self.host.is_open or (request == self._of and self._of.paint is request.paint):
             return
         self._of = request
-        self._found = variations(request.paint, request.step)
+        self.neighbours = variations(request.paint, request.step)
         self._show_words()
         self._show_pictures()
         if not self._session.in_gesture:
@@ -155,7 +149,7 @@ class VariationsControl(Feature, QObject):
     def _examined(self, answer: tuple[_Request, tuple[Variation, ...]]) -> None:
         request, found = answer
         if self._of is not None and request.paint is self._of.paint and request.step == self._of.step:
-            self._found = found
+            self.neighbours = found
             self._show_words()
 
     def _failed(self, error: Exception) -> None:
@@ -164,22 +158,22 @@ class VariationsControl(Feature, QObject):
     # Showing.
 
     def _show_words(self) -> None:
-        self.section.show_neighbours([_state(one) for one in self._found])
+        self.section.show_neighbours([_state(one) for one in self.neighbours])
 
     def _request_pictures(self) -> None:
         if not self.host.is_open or self._of is None:
             return
-        paints = [self._of.paint, *(one.paint for one in self._found if one.paint is not None)]
+        paints = [self._of.paint, *(one.paint for one in self.neighbours if one.paint is not None)]
         self._pictures.request(KEY, paints, self._look)
 
     def _show_pictures(self) -> None:
         if not self.host.is_open or self._of is None:
             return
         present = self._of.paint
-        self.section.show_picture(None, thumbnail(self._pictures, present, self._look))
-        for one in self._found:
+        self.section.present.show_picture(thumbnail(self._pictures, present, self._look))
+        for one in self.neighbours:
             picture = thumbnail(self._pictures, one.paint or present, self._look)
-            self.section.show_picture(one.direction, picture)
+            self.section.buttons[one.direction].show_picture(picture)
         why = self._pictures.problem(self._look)
         self.section.show_note(why and tr("{reason} Discs show the readings instead.").format(reason=why))
 

@@ -79,8 +79,7 @@ class InterpolationControl(Feature, QObject):
     def choose(self, key: str) -> None:
         """Take the paint of that key as the other end: an open tab, a shipped paint, or a file that is asked for."""
         if key == FILE:
-            path = self._ask_path()
-            if path is not None:
+            if (path := self._ask_path()) is not None:
                 self.load(path)
             else:
                 self._list()
@@ -101,9 +100,9 @@ class InterpolationControl(Feature, QObject):
 
     def set_share(self, share: float) -> None:
         """Make the paint the one at ``share`` of the way; part of the running gesture."""
-        if self._way is None:
-            return
         way = self._way
+        if way is None:
+            return
         paint = way.first if share == 0.0 else mixed(way.first, way.second, share, way.first.name)
         way.made.append((paint, share))
         self._session.set_paint(paint, tr(STEP))
@@ -126,7 +125,8 @@ class InterpolationControl(Feature, QObject):
         self._way = _Way(first, second, deque([(first, 0.0)], MOST_MADE))
         self.section.show_ends(first.name, second.name)
         self.section.show_share(0.0)
-        self._show_stops()
+        self._pictures.request(KEY, self._stops(), USUAL_LOOK)
+        self._show_pictures()
 
     def _loaded(self, found: Standard) -> None:
         self._file = found
@@ -173,14 +173,9 @@ class InterpolationControl(Feature, QObject):
         file_title = tr("From a file…")
         if self._chosen == FILE and self._file is not None:
             file_title = tr("{name}, from a file…").format(name=self._file.name)
-        between = [("", "")]
-        entries = [*tabs, *(between if tabs else []), (FILE, file_title), *between, *shipped]
+        line = ("", "")
+        entries = [*tabs, *([line] if tabs else []), (FILE, file_title), line, *shipped]
         self.section.show_others(entries, self._chosen)
-
-    def _show_stops(self) -> None:
-        if self._way is not None:
-            self._pictures.request(KEY, self._stops(), USUAL_LOOK)
-            self._show_pictures()
 
     def _stops(self) -> list[Paint]:
         way = self._way
@@ -189,7 +184,7 @@ class InterpolationControl(Feature, QObject):
     def _show_pictures(self) -> None:
         if self.host.is_open:
             for place, paint in enumerate(self._stops()):
-                self.section.show_picture(place, thumbnail(self._pictures, paint))
+                self.section.stops[place].show_picture(thumbnail(self._pictures, paint))
 
     def _ask_path(self) -> Path | None:
         present = self._session.documents.front.store.path

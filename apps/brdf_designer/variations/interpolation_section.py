@@ -6,13 +6,13 @@ from collections.abc import Sequence
 
 from brdf_qt.fields.labels import PlainLabel, plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox, QuietSlider
+from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QPixmap
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QWidget
 
 from brdf_designer.variations.section import PictureButton
+from brdf_designer.window.widgets import combo, fill_column, make_row, wrapped
 from brdf_suite.paint_design.mix import LEAST_SHARE, MOST_SHARE
 
 STOPS = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -35,21 +35,13 @@ class InterpolationSection(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        self.others = QuietComboBox()
-        self.others.setAccessibleName(tr("The other paint"))
-        self.others.setToolTip(tr("Paint at the other end: an open tab, a sample paint, or a file"))
-        self.others.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        tip = tr("Paint at the other end: an open tab, a sample paint, or a file")
+        self.others = combo((), tr("The other paint"), tip)
         self.others.setMaxVisibleItems(24)
         self.others.activated.connect(lambda _index: self.other_chosen.emit(self.others.currentData() or ""))
-        box.addWidget(self.others)
-        self.hint = PlainLabel(tr("Choose the paint at the other end."))
-        self.hint.setWordWrap(True)
-        box.addWidget(self.hint)
+        self.hint = wrapped(tr("Choose the paint at the other end."))
         self.body = QWidget()
-        box.addWidget(self.body)
+        fill_column(self, self.others, self.hint, self.body)
         self._build_body()
         self.body.hide()
 
@@ -79,16 +71,7 @@ class InterpolationSection(QWidget):
             self.slider.setValue(round(1000.0 * share))
         self.number.set_value(100.0 * share)
 
-    def show_picture(self, place: int, image: QPixmap) -> None:
-        """Show the picture at one of :data:`STOPS`."""
-        self.stops[place].show_picture(image)
-
     def _build_body(self) -> None:
-        box = QVBoxLayout(self.body)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(4)
-        row = QHBoxLayout()
-        row.setSpacing(0)
         self.stops = [PictureButton(f"between_{round(100 * stop)}", 44) for stop in STOPS]
         for stop, button in zip(STOPS, self.stops, strict=True):
             button.setText(f"{100 * stop:.0f} %")
@@ -96,8 +79,6 @@ class InterpolationSection(QWidget):
                 plain_tip(tr("Click to use the paint at {percent:.0f} %").format(percent=100 * stop))
             )
             button.clicked.connect(lambda _=False, stop=stop: self.stop_taken.emit(stop))
-            row.addWidget(button)
-        box.addLayout(row)
         self.slider = QuietSlider(Qt.Orientation.Horizontal)
         self.slider.setAccessibleName(tr("Share of the other paint, %"))
         self.slider.setSingleStep(10)
@@ -105,8 +86,9 @@ class InterpolationSection(QWidget):
         self.slider.sliderPressed.connect(self.gesture_started)
         self.slider.sliderReleased.connect(self.gesture_finished)
         self.slider.valueChanged.connect(lambda value: self._edited(value / 1000.0))
-        box.addWidget(self.slider)
-        ends = QHBoxLayout()
+        ends_row = QWidget()
+        ends = QHBoxLayout(ends_row)
+        ends.setContentsMargins(0, 0, 0, 0)
         self.first, self.second = PlainLabel(), PlainLabel()
         self.second.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         for label in (self.first, self.second):
@@ -122,11 +104,11 @@ class InterpolationSection(QWidget):
         ends.addWidget(self.first, 1)
         ends.addWidget(self.number)
         ends.addWidget(self.second, 1)
-        box.addLayout(ends)
         self.beyond = QCheckBox(tr("Beyond the ends"))
         self.beyond.setToolTip(tr("Extend the range from −50 to 150 %"))
         self.beyond.toggled.connect(self._set_reach)
-        box.addWidget(self.beyond)
+        stops = make_row(*self.stops, spacing=0, stretch=0)
+        fill_column(self.body, stops, self.slider, ends_row, self.beyond, spacing=4)
         self._set_reach(False)
 
     def _set_reach(self, beyond: bool) -> None:

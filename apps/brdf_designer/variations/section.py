@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from brdf_qt.fields.form import Form
-from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import mark, tr
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPixmap
-from PySide6.QtWidgets import QComboBox, QGridLayout, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QSizePolicy, QToolButton, QWidget
 
+from brdf_designer.window.widgets import combo, fill_column, wrapped
 from brdf_suite.paint_design.variations import LEAST_STEP, MOST_STEP, USUAL_STEP, Direction
 
 PICTURE = 72
@@ -83,10 +83,9 @@ class VariationsSection(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        grid = QGridLayout()
+        neighbours = QWidget()
+        grid = QGridLayout(neighbours)
+        grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(2)
         self.present = PictureButton("variation_present")
         self.present.setText(tr("current"))
@@ -101,30 +100,30 @@ class VariationsSection(QWidget):
             self.buttons[direction] = button
         for column in range(3):
             grid.setColumnStretch(column, 1)
-        box.addLayout(grid)
-        self.note = PlainLabel()
-        self.note.setWordWrap(True)
+        self.note = wrapped()
         self.note.hide()
-        box.addWidget(self.note)
         form = Form()
         self.step = NumberField(tr("Step"), "", LEAST_STEP, MOST_STEP, 0.5, 1, USUAL_STEP)
         self.step.edited.connect(self.step_edited)
         form.add_row(
             tr("Step"), self.step, tr("Distance of the neighbours in ΔL*, ΔC* or ΔH*, approximately ΔE*ab")
         )
-        self.environment, self.surface = _combo(ENVIRONMENTS), _combo(SURFACES)
+        self.environment, self.surface = (
+            combo((tr(title), key) for key, title in choices) for choices in (ENVIRONMENTS, SURFACES)
+        )
         form.add_row(tr("Light"), self.environment, tr("Light of the thumbnails"))
         form.add_row(tr("Form"), self.surface, tr("Shape that the thumbnails show"))
-        for combo in (self.environment, self.surface):
-            combo.activated.connect(lambda _index: self._choose_scene())
-        box.addWidget(form)
+        for choice in (self.environment, self.surface):
+            choice.activated.connect(
+                lambda _index: self.scene_chosen.emit(
+                    self.environment.currentData(), self.surface.currentData()
+                )
+            )
+        fill_column(self, neighbours, self.note, form)
 
-    def show_step(self, step: float) -> None:
-        """Show the step."""
+    def show_choices(self, step: float, environment: str, surface: str) -> None:
+        """Show which step, light and form are chosen."""
         self.step.set_value(step)
-
-    def show_scene(self, environment: str, surface: str) -> None:
-        """Show which light and form are chosen."""
         self.environment.setCurrentIndex(max(0, self.environment.findData(environment)))
         self.surface.setCurrentIndex(max(0, self.surface.findData(surface)))
 
@@ -138,23 +137,7 @@ class VariationsSection(QWidget):
             button.setAccessibleDescription(state.tip)
             button.setEnabled(state.there)
 
-    def show_picture(self, direction: Direction | None, image: QPixmap) -> None:
-        """Show the picture of a neighbour, or of the paint itself."""
-        button = self.present if direction is None else self.buttons[direction]
-        button.show_picture(image)
-
     def show_note(self, text: str) -> None:
         """Say something of all the pictures; an empty text says nothing."""
         self.note.setText(text)
         self.note.setVisible(bool(text))
-
-    def _choose_scene(self) -> None:
-        self.scene_chosen.emit(str(self.environment.currentData()), str(self.surface.currentData()))
-
-
-def _combo(choices: Sequence[tuple[str, str]]) -> QComboBox:
-    combo = QuietComboBox()
-    for key, title in choices:
-        combo.addItem(tr(title), key)
-    combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-    return combo

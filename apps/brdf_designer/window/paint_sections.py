@@ -5,13 +5,13 @@ from __future__ import annotations
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import PlainLabel
 from brdf_qt.fields.parameters import FieldParameter, ParameterPanel
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.fields.text import TextLine, TextNotes
 from brdf_qt.program.translation import mark, tr
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QWidget
 
 from brdf_designer.session.edits import SetInterpolation, SetNumber, SetText
 from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.window.widgets import combo, fill_column, set_font, wrapped
 from brdf_suite.documents.paint import INTERPOLATIONS, PARAMETERS, Paint
 
 _STEPS = {
@@ -88,9 +88,7 @@ def _parameter(key: str) -> FieldParameter:
 def computed() -> QLabel:
     """Return a label for a computed value: italic, as everywhere."""
     label = PlainLabel("–")
-    font = label.font()
-    font.setItalic(True)
-    label.setFont(font)
+    set_font(label, italic=True)
     return label
 
 
@@ -100,9 +98,7 @@ class PaintSection(QWidget):
     def __init__(self, session: PaintSession) -> None:
         super().__init__()
         self.session = session
-        self.box = QVBoxLayout(self)
-        self.box.setContentsMargins(0, 0, 0, 0)
-        self.box.setSpacing(8)
+        self.box = fill_column(self)
 
     def add_panel(self, *keys: str) -> ParameterPanel:
         """Add numbers of the document by their names in ``PARAMETERS``."""
@@ -120,9 +116,7 @@ class ModelSection(PaintSection):
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
         form = Form()
-        self.rule = QuietComboBox()
-        for name in INTERPOLATIONS:
-            self.rule.addItem(tr(_RULES[name]), name)
+        self.rule = combo((tr(_RULES[name]), name) for name in INTERPOLATIONS)
         self.rule.activated.connect(lambda row: session.edit(SetInterpolation(self.rule.itemData(row))))
         form.add_row(
             tr("Between angles"),
@@ -134,11 +128,10 @@ class ModelSection(PaintSection):
         )
         self.box.addWidget(form)
         self.panel = self.add_panel("near_specular")
-        self.note = PlainLabel(tr("Not measured: instruments with three angles do not measure below 15°."))
-        self.notices = PlainLabel()
-        for label in (self.note, self.notices):
-            label.setWordWrap(True)
-            self.box.addWidget(label)
+        self.note = wrapped(tr("Not measured: instruments with three angles do not measure below 15°."))
+        self.notices = wrapped()
+        self.box.addWidget(self.note)
+        self.box.addWidget(self.notices)
         self.notices.hide()
 
     def part_of(self, paint: Paint) -> object:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from brdf_qt.fields.labels import plain_tip
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QColor, QKeySequence
 from PySide6.QtWidgets import QColorDialog, QMenu, QWidget
 
-from brdf_designer.session.edits import PickColour
+from brdf_designer.session.edits import MakeSolid, PickColour
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import AngleColour
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
@@ -61,16 +61,11 @@ class ColourPickers(QObject):
 
 
 class ReadingMenus(QObject):
-    """Paint ▸ Pick Colour and Make Solid From, an entry for each reading.
+    """Paint ▸ Pick Colour and Make Solid From, an entry for each reading; ``pick(index)`` opens its picker."""
 
-    Signals: ``pick_requested(index)``, ``solid_requested(index)`` of the measurement in the document.
-    """
-
-    pick_requested = Signal(int)
-    solid_requested = Signal(int)
-
-    def __init__(self, menu: QMenu, parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, menu: QMenu, session: PaintSession, pick: Callable[[int], None]) -> None:
+        super().__init__(menu)
+        self._session, self._open_picker = session, pick
         self._pick, self._solid = menu.addMenu(tr("&Pick Colour")), menu.addMenu(tr("Make S&olid From"))
         self._shown: list[tuple[int, str]] | None = None
 
@@ -84,9 +79,9 @@ class ReadingMenus(QObject):
         self._solid.clear()
         for number, (index, text) in enumerate(texts, 1):
             name = tr("At {angle}…").format(angle=text)
-            pick = self._pick.addAction(name, partial(self.pick_requested.emit, index))
+            pick = self._pick.addAction(name, partial(self._open_picker, index))
             pick.setShortcut(QKeySequence(f"Ctrl+{number}") if number < 10 else QKeySequence())
-            self._solid.addAction(text, partial(self.solid_requested.emit, index))
+            self._solid.addAction(text, partial(self._session.edit, MakeSolid(index)))
         return True
 
 

@@ -12,7 +12,7 @@ from brdf_qt.window.message_bar import Message
 from brdf_qt.work.pictures import Pictures
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from brdf_designer.coat_flakes.coat_section import CoatSection
 from brdf_designer.coat_flakes.flakes_section import FlakesSection
@@ -21,7 +21,6 @@ from brdf_designer.colour.flop_strip import FlopStrip
 from brdf_designer.colour.patches import PatchRow
 from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs_bar import DocumentTabs
-from brdf_designer.session.edits import MakeSolid
 from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import Colours, Curves, FitState, TabState
 from brdf_designer.window.focus_order import order_focus
@@ -29,6 +28,7 @@ from brdf_designer.window.menu_letters import give_letters
 from brdf_designer.window.paint_sections import ModelSection, TextSection
 from brdf_designer.window.pickers import ColourPickers, ReadingMenus, name_step
 from brdf_designer.window.status import PaintStatus
+from brdf_designer.window.widgets import fill_column, split
 from brdf_suite.documents.paint import Paint
 
 
@@ -36,18 +36,15 @@ class DesignerWindow(SuiteWindow):
     """The window of Designer: a frame, over which questions are asked, until :meth:`build` fills it.
 
     Its sections edit the paint session. Intents: ``new_requested``, ``shipped_requested(name)``, ``save_requested``,
-    ``save_as_requested``, ``viewer_requested``; of the tabs ``tab_chosen(place)``, ``tab_close_requested(place)``,
-    ``close_front_requested``, ``tab_moved(before, after)``, ``tab_step_requested(by)``, ``reopen_requested``.
+    ``save_as_requested``, ``viewer_requested``; of the tabs ``close_front_requested``, ``tab_step_requested(by)``,
+    ``reopen_requested``, and those of ``tabs``.
     """
 
     new_requested = Signal()
     shipped_requested = Signal(str)
     save_requested = Signal()
     save_as_requested = Signal()
-    tab_chosen = Signal(int)
-    tab_close_requested = Signal(int)
     close_front_requested = Signal()
-    tab_moved = Signal(int, int)
     tab_step_requested = Signal(int)
     reopen_requested = Signal()
     viewer_requested = Signal()
@@ -94,10 +91,10 @@ class DesignerWindow(SuiteWindow):
     # What the controller shows.
 
     def show_colours(self, colours: Colours) -> None:
-        """See :class:`brdf_designer.controller.View`."""
+        """Show the document."""
         before, self._whole = self._whole, colours.paint
         self._colours = colours
-        self.strip.show_colours(colours)
+        self.strip.band.show_paint(colours.paint)
         self.patches.show_colours(colours)
         self.editors.show_colours(colours)
         for section in (self.coat, self.flakes, self.model, self.texts):
@@ -112,7 +109,7 @@ class DesignerWindow(SuiteWindow):
             QTimer.singleShot(0, self, self.order_focus)
 
     def show_fit(self, state: FitState) -> None:
-        """See :class:`brdf_designer.controller.View`."""
+        """Show reflectance and fit, fresh; what lies between the angles comes by :meth:`show_curves`."""
         assert self._colours is not None
         shown = [angle.index for angle in self._colours.angles]
         self.patches.show_differences(
@@ -126,18 +123,18 @@ class DesignerWindow(SuiteWindow):
         self.paint_status.show_fit(state)
 
     def show_curves(self, curves: Curves) -> None:
-        """See :class:`brdf_designer.controller.View`."""
+        """Show what model and lobes give over the aspecular angle, fresh."""
         for part in (self.strip, self.plot, self.paint_status):
             part.show_curves(curves)
 
     def mark_fit_stale(self) -> None:
-        """See :class:`brdf_designer.controller.View`."""
+        """Say that what is drawn of reflectance and fit is of the last paint that could be."""
         for part in (self.strip, self.plot, self.coat, self.paint_status):
             part.mark_stale()
         self.patches.show_differences(None)
 
     def show_tabs(self, tabs: Sequence[TabState], front: int) -> None:
-        """See :class:`brdf_designer.controller.View`."""
+        """Show which documents are open, whether they are saved, and which one is in front."""
         self.tabs.show_tabs(tabs, front)
         shown = tabs[front]
         self.setWindowTitle(f"{shown.title}[*]")
@@ -151,7 +148,6 @@ class DesignerWindow(SuiteWindow):
         self.reopen_action.setEnabled(can)
 
     def show_message(self, message: Message) -> None:
-        """See :class:`brdf_designer.controller.View`."""
         if message.key == "edit":
             self._whole = None  # a field holds what was refused
         super().show_message(message)
@@ -164,37 +160,16 @@ class DesignerWindow(SuiteWindow):
     # How it is built.
 
     def _build_centre(self) -> None:
-        top = QWidget()
-        box = QVBoxLayout(top)
-        box.setContentsMargins(0, 0, 0, 0)
-        box.setSpacing(8)
-        box.addWidget(self.strip)
-        box.addWidget(self.patches, 1)
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(8)
-        split.addWidget(top)
-        self.lower_split = QSplitter(Qt.Orientation.Horizontal)
-        self.lower_split.setHandleWidth(8)
-        self.lower_split.setChildrenCollapsible(False)
+        top, centre = QWidget(), QWidget()
+        fill_column(top, self.strip, self.patches).setStretchFactor(self.patches, 1)
+        self.lower_split = split(Qt.Orientation.Horizontal, (self.plot, 3))
         self.lower_split.setObjectName("lower_split")
-        self.lower_split.addWidget(self.plot)
-        self.lower_split.setStretchFactor(0, 3)
-        split.addWidget(self.lower_split)
-        split.setStretchFactor(0, 1)
-        split.setStretchFactor(1, 1)
-        split.setChildrenCollapsible(False)
-        split.setSizes([500, 420])
-        split.setObjectName("centre_split")
-        centre = QWidget()
-        self._centre_box = outer = QVBoxLayout(centre)
-        outer.setContentsMargins(8, 4, 8, 8)
-        outer.setSpacing(8)
-        outer.addWidget(self.tabs)
-        outer.addWidget(split, 1)
+        whole = split(Qt.Orientation.Vertical, (top, 1), (self.lower_split, 1))
+        whole.setSizes([500, 420])
+        whole.setObjectName("centre_split")
+        self._centre_box = fill_column(centre, self.tabs, whole, margins=(8, 4, 8, 8))
+        self._centre_box.setStretchFactor(whole, 1)
         self.set_centre(centre)
-        self.tabs.chosen.connect(self.tab_chosen)
-        self.tabs.close_requested.connect(self.tab_close_requested)
-        self.tabs.dragged.connect(self.tab_moved)
         self.tabs.new_requested.connect(self.new_requested)
 
     def _build_inspector(self, session: PaintSession) -> None:
@@ -239,9 +214,7 @@ class DesignerWindow(SuiteWindow):
             self.edit_menu, mark("&Redo"), session.redo, "Ctrl+Shift+Z", "arrow-clockwise"
         )
         self.redo_action.setShortcuts([QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")])
-        self.reading_menus = ReadingMenus(self.paint_menu, self)
-        self.reading_menus.pick_requested.connect(self.pick_colour)
-        self.reading_menus.solid_requested.connect(lambda index: session.edit(MakeSolid(index)))
+        self.reading_menus = ReadingMenus(self.paint_menu, session, self.pick_colour)
         self._step_actions = [
             self.add_action(self.window_menu, text, partial(self.tab_step_requested.emit, by), keys)
             for text, by, keys in (
@@ -271,7 +244,7 @@ class DesignerWindow(SuiteWindow):
         """Take what is shown for what the document had when it was opened: a double click goes back to it."""
         assert self._colours is not None
         self._whole = None
-        self.strip.keep_opened()
+        self.strip.band.keep_opened()
         self.editors.flop.show_colours(self._colours)  # also while its numbers are not shown
         for part in (self.editors, self.coat, self.flakes, self.model):
             for field in part.findChildren(NumberField):

@@ -38,7 +38,7 @@ def drag() -> dict[str, list[float]]:
     the processor's time of each update on the thread of the window, which other programs do not lengthen.
     """
     from brdf_designer.assembly import Designer
-    from brdf_designer.session.idle import IdleWork
+    from brdf_designer.session.paint_session import IdleWork
     from brdf_qt.program.application import create_application
     from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
     from PySide6.QtGui import QMouseEvent

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
-from brdf_designer.acquire.fit.work import with_error
+from brdf_designer.acquire.fit.page import with_error
 from brdf_designer.acquire.reconstruction_session import WORK_FILE
 
 from brdf_suite.acquisition.session.store import read_session, write_session

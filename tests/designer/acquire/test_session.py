@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from brdf_designer.acquire.assistant import Assistant
 from brdf_designer.acquire.control import AcquireControl
-from brdf_designer.acquire.steps import KEYS
+from brdf_designer.acquire.window import KEYS
 from brdf_qt.fields.number import NumberField
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest

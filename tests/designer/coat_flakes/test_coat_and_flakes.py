@@ -140,7 +140,7 @@ def test_colours_that_no_lobes_give_are_reported_and_the_nearest_offered(designe
     asked = designer.store.value
     patches = window.patches.patches
     assert patches[2].fit.text().startswith("! fit ΔE00")
-    given = patches[2].field.given()
+    given = patches[2].field.given
     assert given is not None
     assert given != patches[2].field.grab().toImage().pixelColor(30, 30), (
         "what the fit gives is seen beside what is asked"
@@ -200,9 +200,9 @@ def test_a_time_limit_is_shown_at_every_patch(designer) -> None:
     assert all("time-limited" in patch.fit.accessibleName() for patch in patches.patches)
     assert "exact result follows" in patches.patches[2].fit.toolTip()
     assert "L* 50.0" in patches.patches[0].fit.toolTip()
-    assert patches.patches[0].field.given().name() == "#777777"
+    assert patches.patches[0].field.given.name() == "#777777"
     patches.show_differences(None)
-    assert patches.patches[0].field.given() is None
+    assert patches.patches[0].field.given is None
     assert patches.patches[0].fit.text() == "fit: none"
 
 

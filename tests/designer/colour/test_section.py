@@ -12,9 +12,10 @@ from brdf_designer.colour.flop_panel import HANDLES
 from brdf_designer.colour.section import ColourEditors
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import RemoveAngle, SetFlop
-from brdf_designer.session.paint_session import Fitter, Messages, PaintSession
+from brdf_designer.session.paint_session import PaintSession
 from brdf_designer.session.state import colours_of
 from brdf_qt.window.dialogs import Dialogs
+from brdf_qt.window.main_window import SuiteWindow
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt
@@ -25,6 +26,7 @@ from brdf_suite.appearance.flop.edits import measure_flop
 from brdf_suite.appearance.flop.travel import flop_index
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
 from brdf_suite.errors import UnreachableError
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 
 LABS = ((62.0, -4.0, -45.0), (25.0, 4.0, -38.0), (9.0, 8.0, -28.0))
 BLUE = Paint(
@@ -41,7 +43,10 @@ class Host:
     """The editors on a paint session, as the window has them."""
 
     def __init__(self, paint: Paint) -> None:
-        fitter, window = create_autospec(Fitter, instance=True), create_autospec(Messages, instance=True)
+        fitter, window = (
+            create_autospec(PaintFitter, instance=True),
+            create_autospec(SuiteWindow, instance=True),
+        )
         fitter.fit.side_effect = UnreachableError("What the paint is fitted to does not matter here.")
         self.documents = Documents(
             paint, paint_format(), create_autospec(Dialogs, instance=True), pytest.fail

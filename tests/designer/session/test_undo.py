@@ -6,7 +6,7 @@ from unittest.mock import create_autospec
 
 import pytest
 from brdf_designer.assembly import paint_format
-from brdf_designer.controller import Controller, View
+from brdf_designer.controller import Controller
 from brdf_designer.documents.tabs import Documents
 from brdf_designer.session.edits import (
     AddAngle,
@@ -26,13 +26,15 @@ from brdf_designer.session.edits import (
     SetText,
     UseAngles,
 )
-from brdf_designer.session.paint_session import Fitter, PaintSession
+from brdf_designer.session.paint_session import PaintSession
+from brdf_designer.window.window import DesignerWindow
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.errors import UnreachableError
+from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.pipeline.material import load_shipped_paint
 
 ODD = st.one_of(st.floats(-5, 120).map(lambda x: round(x, 2)), st.just(-1000.0), st.just(1e-9))
@@ -82,9 +84,9 @@ OTHERS = ("part", "undo", "redo", "go", "next_tab", "move_tab", "end")
 
 @pytest.fixture
 def session(qapp, dialogs):
-    fitter = create_autospec(Fitter, instance=True)
+    fitter = create_autospec(PaintFitter, instance=True)
     fitter.fit.side_effect = FITTER_IS_NOT_ASKED
-    view = create_autospec(View, instance=True)
+    view = create_autospec(DesignerWindow, instance=True)
     documents = Documents(load_shipped_paint("blue"), paint_format(), dialogs, pytest.fail)
     documents.add(load_shipped_paint("red"))
     documents.add(load_shipped_paint("copper"))

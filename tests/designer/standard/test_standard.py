@@ -78,9 +78,9 @@ def test_the_present_state_becomes_the_standard_and_an_edit_is_judged(program, c
     # In a narrow cell the name of the difference is left out, as wide as the font is.
     assert darker.against.text().split()[-2:] == [f"{expected:.2f}", "FAIL"]
     assert darker.words.text() == "darker"
-    assert patches.patches[2].field.standard() is not None
+    assert patches.patches[2].field.standard is not None
     click(section.remove)
-    assert patches.patches[2].field.standard() is None
+    assert patches.patches[2].field.standard is None
     assert darker.against.isHidden()
 
 
@@ -138,10 +138,10 @@ def test_each_tab_keeps_its_own_standard(program, control) -> None:
     mine = control.standard
     program.session.open_paint(load_shipped_paint("red"), clean=True)
     assert control.standard is None
-    assert program.window.patches.patches[0].field.standard() is None
+    assert program.window.patches.patches[0].field.standard is None
     program.documents.show(program.documents.row[0])
     assert control.standard is mine
-    assert program.window.patches.patches[0].field.standard() is not None
+    assert program.window.patches.patches[0].field.standard is not None
 
 
 def test_an_open_tab_and_a_shipped_paint_are_standards(program, control, qtbot) -> None:
@@ -226,7 +226,7 @@ def test_readings_that_the_standard_lacks_are_said(program, control) -> None:
     paint = program.session.paint
     control.set_standards([Standard("instrument", "a.cxf", paint.measurements[:2])])
     patches = program.window.patches
-    assert patches.patches[2].field.standard() is None
+    assert patches.patches[2].field.standard is None
     assert "no reading" in patches.patches[2].against.toolTip()
     click(control.section.swap)
     assert "no reading at 45as110" in program.window.messages.shown()["standard"].what

@@ -8,9 +8,9 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QIcon, QPainter, QPixmap, QTransform
-from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem, QSplitter
+from PySide6.QtWidgets import QListView, QListWidget, QListWidgetItem
 
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.pictures.marks import Area, draw_mark
@@ -18,8 +18,9 @@ from brdf_designer.acquire.pictures.tone import Tones, area_of, drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import Series, Shot
-from brdf_designer.acquire.step_page import AcquirePage, Facts, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.standard.tables import WholeTable
+from brdf_designer.window.widgets import split, wrapped
 
 THUMB = 84
 _HARDLY = 0.02
@@ -61,14 +62,7 @@ class ExposuresPage(AcquirePage):
         self.histogram = LinesPlot(
             tr("Histogram of the photograph"), Axis(tr("Code")), Axis(tr("Pixels"), log=True)
         )
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(8)
-        split.addWidget(self.picture)
-        split.addWidget(self.histogram)
-        split.setStretchFactor(0, 3)
-        split.setStretchFactor(1, 2)
-        split.setChildrenCollapsible(False)
-        self.centre.addWidget(split, 1)
+        self.centre.addWidget(split(Qt.Orientation.Vertical, (self.picture, 3), (self.histogram, 2)), 1)
         self.problems = problem_list(tr("Problems of this position"))
         self.problems.hide()
         self.centre.addWidget(self.problems)
@@ -76,9 +70,8 @@ class ExposuresPage(AcquirePage):
         self.position = QuietSlider(Qt.Orientation.Horizontal)
         self.position.setAccessibleName(tr("Position of the lamp"))
         self.position.setToolTip(tr("Position of the displayed photographs"))
-        self.position.setTracking(True)
         self.position.valueChanged.connect(self._move)
-        self.where = wrapped("")
+        self.where = wrapped()
         self.brightness = NumberField(tr("Brightness"), "EV", -6.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
         form = Form()
@@ -100,30 +93,22 @@ class ExposuresPage(AcquirePage):
             )
         )
         self.table.currentCellChanged.connect(lambda row, *_: self._choose(row))
-        self.times = wrapped("")
+        self.times = wrapped()
         self.add_part("times", tr("Exposure Times"), self.table, self.times)
         self.add_part("pixel", tr("Under the Cursor"), self.pixel)
+        self._angles: tuple[float, ...] = ()
+        self.differing = 0
+        """Number of displayed files whose exposure time differs from the session."""
         self._read(-1.0, -1.0)
         self.picture.hovered.connect(self._read)
         self.picture.left_picture.connect(lambda: self._read(-1.0, -1.0))
 
-    def show_positions(self, angles_deg: tuple[float, ...]) -> None:
-        """Offer these positions."""
+    def show_positions(self, angles_deg: tuple[float, ...], index: int = 0) -> None:
+        """Offer these positions, and show which one is chosen, without an intent."""
         self._angles = angles_deg
-        self.position.blockSignals(True)
-        self.position.setRange(0, max(0, len(angles_deg) - 1))
-        self.position.blockSignals(False)
-        self._report_position(self.position.value())
-
-    _angles: tuple[float, ...] = ()
-    differing = 0
-    """Number of displayed files whose exposure time differs from the session."""
-
-    def show_position(self, index: int) -> None:
-        """Show which position is chosen, without an intent."""
-        self.position.blockSignals(True)
-        self.position.setValue(index)
-        self.position.blockSignals(False)
+        with QSignalBlocker(self.position):
+            self.position.setRange(0, max(0, len(angles_deg) - 1))
+            self.position.setValue(index)
         self._report_position(index)
 
     def show_series(self, series: Series | None) -> None:
@@ -132,41 +117,37 @@ class ExposuresPage(AcquirePage):
         problems = () if series is None else series.problems
         fill_problems(self.problems, problems)
         self.problems.setVisible(bool(problems))
-        self.strip.blockSignals(True)
-        self.strip.clear()
-        self.strip.blockSignals(False)
-        if series is None:
-            self.picture.show_empty(tr("Open a session first."))
-            self.histogram.show_curves(())
-            self.table.set_row_count(0)
-            return
-        if not series.shots:
+        with QSignalBlocker(self.strip):
+            self.strip.clear()
+        if series is None or not series.shots:
             self.picture.show_empty(
-                tr("No photograph of this position can be read. The page Session lists the reasons.")
+                tr("Open a session first.")
+                if series is None
+                else tr("No photograph of this position can be read. The page Session lists the reasons.")
             )
             self.histogram.show_curves(())
             self.table.set_row_count(0)
             return
-        self.strip.blockSignals(True)
-        for shot in series.shots:
-            text = tr("{time:.4g} ms\n{clipped}").format(
-                time=1e3 * shot.exposure_s, clipped=percent(shot.clipped)
-            )
-            small = _thumb(shot)
-            sign = QIcon(small)
-            # The style tints what is chosen; a photograph keeps its colours.
-            sign.addPixmap(small, QIcon.Mode.Selected)
-            item = QListWidgetItem(sign, text)
-            item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
-            item.setToolTip(plain_tip(shot.file))
-            self.strip.addItem(item)
         # At first the longest exposure that is hardly clipped; it shows most.
         if self._chosen < 0:
-            good = [row for row, shot in enumerate(series.shots) if shot.clipped < _HARDLY]
-            self._chosen = good[-1] if good else 0
+            self._chosen = max(
+                (k for k, shot in enumerate(series.shots) if shot.clipped < _HARDLY), default=0
+            )
         self._chosen = min(self._chosen, len(series.shots) - 1)
-        self.strip.setCurrentRow(self._chosen)
-        self.strip.blockSignals(False)
+        with QSignalBlocker(self.strip):
+            for shot in series.shots:
+                text = tr("{time:.4g} ms\n{clipped}").format(
+                    time=1e3 * shot.exposure_s, clipped=percent(shot.clipped)
+                )
+                small = _thumb(shot)
+                sign = QIcon(small)
+                # The style tints what is chosen; a photograph keeps its colours.
+                sign.addPixmap(small, QIcon.Mode.Selected)
+                item = QListWidgetItem(sign, text)
+                item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter)
+                item.setToolTip(plain_tip(shot.file))
+                self.strip.addItem(item)
+            self.strip.setCurrentRow(self._chosen)
         self._fill_table(series)
         self._draw()
 
@@ -175,27 +156,25 @@ class ExposuresPage(AcquirePage):
         self.strip.setCurrentRow(exposure)
 
     def _fill_table(self, series: Series) -> None:
-        self.table.blockSignals(True)
-        self.table.set_row_count(len(series.shots))
-        differing = 0
-        for row, shot in enumerate(series.shots):
-            other = shot.exif_s is not None and bool(abs(shot.exif_s / shot.exposure_s - 1.0) > _SAME_TIME)
-            differing += other
-            read = "–" if shot.exif_s is None else f"{1e3 * shot.exif_s:.4g}"
-            texts = (f"{1e3 * shot.exposure_s:.4g}", read, percent(shot.clipped), percent(shot.dark))
-            for column, text in enumerate(texts):
-                self.table.set_text(row, column, text, bold=column == 1 and other, tip=shot.file)
-        self.table.selectRow(self._chosen)
-        self.table.blockSignals(False)
-        self.differing = differing
+        self.differing = 0
+        with QSignalBlocker(self.table):
+            self.table.set_row_count(len(series.shots))
+            for row, shot in enumerate(series.shots):
+                other = shot.exif_s is not None and bool(
+                    abs(shot.exif_s / shot.exposure_s - 1.0) > _SAME_TIME
+                )
+                self.differing += other
+                read = "–" if shot.exif_s is None else f"{1e3 * shot.exif_s:.4g}"
+                texts = (f"{1e3 * shot.exposure_s:.4g}", read, percent(shot.clipped), percent(shot.dark))
+                for column, text in enumerate(texts):
+                    self.table.set_text(row, column, text, bold=column == 1 and other, tip=shot.file)
+            self.table.selectRow(self._chosen)
+        text = tr("The times in the files match session.json.")
         if all(shot.exif_s is None for shot in series.shots):
-            self.times.setText(tr("The files contain no exposure times. The times in session.json are used."))
-        elif differing:
-            self.times.setText(
-                tr("The times of {count} files differ from session.json.").format(count=differing)
-            )
-        else:
-            self.times.setText(tr("The times in the files match session.json."))
+            text = tr("The files contain no exposure times. The times in session.json are used.")
+        elif self.differing:
+            text = tr("The times of {count} files differ from session.json.").format(count=self.differing)
+        self.times.setText(text)
 
     def _move(self, index: int) -> None:
         self._report_position(index)
@@ -213,12 +192,9 @@ class ExposuresPage(AcquirePage):
         if self._series is None or not 0 <= row < len(self._series.shots) or row == self._chosen:
             return
         self._chosen = row
-        for view in (self.strip, self.table):
-            view.blockSignals(True)
-        self.strip.setCurrentRow(row)
-        self.table.selectRow(row)
-        for view in (self.strip, self.table):
-            view.blockSignals(False)
+        with QSignalBlocker(self.strip), QSignalBlocker(self.table):
+            self.strip.setCurrentRow(row)
+            self.table.selectRow(row)
         self._draw()
 
     def _draw(self) -> None:
@@ -245,17 +221,9 @@ class ExposuresPage(AcquirePage):
             return
         codes = self._series.shots[self._chosen].tones.codes
         row, column = min(int(y), codes.shape[0] - 1), min(int(x), codes.shape[1] - 1)
-        found = np.atleast_1d(codes[row, column])
-        self.pixel.show_rows(
-            (
-                (tr("Pixel"), f"{column}, {row}", tr("Column and row under the cursor")),
-                (
-                    tr("Codes"),
-                    " ".join(str(int(code)) for code in found),
-                    tr("Red, green and blue codes in the file"),
-                ),
-            )
-        )
+        found = " ".join(str(int(code)) for code in np.atleast_1d(codes[row, column]))
+        where = (tr("Pixel"), f"{column}, {row}", tr("Column and row under the cursor"))
+        self.pixel.show_rows((where, (tr("Codes"), found, tr("Red, green and blue codes in the file"))))
 
 
 def percent(share: float) -> str:

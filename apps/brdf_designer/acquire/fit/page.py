@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.quiet import QuietComboBox, QuietSpinBox
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox
+from PySide6.QtCore import QSignalBlocker, Signal
 
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, Kind, LinesPlot
-from brdf_designer.acquire.states import FitState
-from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.standard.tables import WholeTable
+from brdf_designer.window.widgets import button, combo, wrapped
+from brdf_suite.fitting.cook_torrance.reflectance_fit import FileFit, FitPlot
+from brdf_suite.fitting.cook_torrance.result import CookTorranceFit
 
 _LUMINANCE = np.array([0.2627, 0.6780, 0.0593])
 """Of Rec. 2020 primaries, ITU-R BT.2020."""
-_DASHES = ("dot", "dash", "dash dot", "long dash")
 LEAST_LOBES, MOST_LOBES, USUAL_LOBES = 1, 6, 3
 
 
@@ -39,7 +41,7 @@ class FitPage(AcquirePage):
                 "a line, its components dashed."
             ),
         )
-        self._state: FitState | None = None
+        self._plot: FitPlot | None = None
         self.plot = LinesPlot(
             tr("Measured reflectance and its fit"),
             Axis(tr("θh (degrees)"), root=True, reach=(0.0, 90.0)),
@@ -56,14 +58,13 @@ class FitPage(AcquirePage):
         )
         self.centre.addWidget(self.table)
         form = Form()
-        self.model = QuietComboBox()
-        for name, title in (
-            ("cook-torrance", tr("Cook-Torrance")),
-            ("ggx", tr("GGX lobes")),
-            ("ggx-clearcoat", tr("GGX lobes, clearcoat")),
-        ):
-            self.model.addItem(title, name)
-        self.model.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.model = combo(
+            (
+                (tr("Cook-Torrance"), "cook-torrance"),
+                (tr("GGX lobes"), "ggx"),
+                (tr("GGX lobes, clearcoat"), "ggx-clearcoat"),
+            )
+        )
         self.lobes = QuietSpinBox()
         self.lobes.setRange(LEAST_LOBES, MOST_LOBES)
         self.lobes.setValue(USUAL_LOBES)
@@ -73,22 +74,16 @@ class FitPage(AcquirePage):
             tr("Model"), self.model, tr("Lobe model; only Cook-Torrance can be opened or saved as a paint")
         )
         form.add_row(tr("Lobes"), self.lobes, tr("Number of lobes; the last one models the sharp peak"))
-        self.start = button(tr("Fit Lobes"), tr("Fit the lobes to the table; takes several seconds"))
-        self.start.clicked.connect(lambda _=False: self.fit_requested.emit())
-        self.note = wrapped("")
+        tip = tr("Fit the lobes to the table; takes several seconds")
+        self.start = button(tr("Fit Lobes"), tip, self.fit_requested.emit)
+        self.note = wrapped()
         self.add_part("model", tr("Model"), form, self.start, self.note)
         look = Form()
-        self.angle, self.channel = QuietComboBox(), QuietComboBox()
-        for name, key in (
-            (tr("Luminance"), -1),
-            (tr("Red"), 0),
-            (tr("Green"), 1),
-            (tr("Blue"), 2),
-            (tr("All three"), 3),
-        ):
-            self.channel.addItem(name, key)
-        for combo in (self.angle, self.channel):
-            combo.currentIndexChanged.connect(lambda _index: self._draw())
+        self.angle = QuietComboBox()
+        names = (tr("Luminance"), tr("Red"), tr("Green"), tr("Blue"), tr("All three"))
+        self.channel = combo(zip(names, (-1, 0, 1, 2, 3), strict=True))
+        for choice in (self.angle, self.channel):
+            choice.currentIndexChanged.connect(lambda _index: self._draw())
         look.add_row(
             tr("θd"), self.angle, tr("Angle between light and half vector, along which the curves are drawn")
         )
@@ -96,14 +91,11 @@ class FitPage(AcquirePage):
         self.look = self.add_part("look", tr("Plot"), look)
         self.facts = Facts(tr("Fit errors"))
         self.errors = self.add_part("errors", tr("Errors"), self.facts)
-        self.open = button(
-            tr("Open as New Paint"),
-            tr("Start an unsaved design from this fit in a new tab"),
-        )
-        self.save = button(tr("Save Paint…"), tr("Save the lobes as a .brdfpaint file for Viewer"))
-        self.open.clicked.connect(lambda _=False: self.open_requested.emit())
-        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
-        self.kept = wrapped("")
+        tip = tr("Start an unsaved design from this fit in a new tab")
+        self.open = button(tr("Open as New Paint"), tip, self.open_requested.emit)
+        tip = tr("Save the lobes as a .brdfpaint file for Viewer")
+        self.save = button(tr("Save Paint…"), tip, self.save_requested.emit)
+        self.kept = wrapped()
         self.add_part("result", tr("Result"), self.open, self.save, self.kept)
         self.show_fit(None)
 
@@ -112,51 +104,46 @@ class FitPage(AcquirePage):
         """The model and the number of lobes."""
         return str(self.model.currentData()), self.lobes.value()
 
-    def show_fit(self, state: FitState | None, *, has_table: bool = False) -> None:
+    def show_fit(self, found: FileFit | None, *, has_table: bool = False) -> None:
         """Show a fit, or that there is none; ``has_table`` says whether one can be made."""
-        self._state = state
-        there = state is not None
+        self._plot = None if found is None else found.plot
+        there = found is not None
         self.start.setEnabled(has_table or there)
         for part in (self.look, self.errors, self.table):
             part.setVisible(there)
-        has_paint = state is not None and state.has_paint
+        has_paint = found is not None and found.paint is not None
         self.open.setEnabled(has_paint)
         self.save.setEnabled(has_paint)
-        if state is None:
+        self.kept.setText("")
+        if found is None:
             self.note.setText("")
             self.plot.show_empty(
                 tr("Not fitted yet.") if has_table else tr("No table yet. Run the reconstruction first.")
             )
             return
-        self.note.setText("\n".join(state.notices))
-        self.angle.blockSignals(True)
+        self.note.setText("\n".join(found.fit.notices))
         # At first the curve with the most points.
-        points = np.isfinite(state.measured).any(axis=-1).sum(axis=-1)
+        points = np.isfinite(found.plot.measured).any(axis=-1).sum(axis=-1)
         chosen = self.angle.currentIndex() if self.angle.count() else int(np.argmax(points))
-        self.angle.clear()
-        for angle in state.theta_d_deg:
-            self.angle.addItem(f"{angle:.3g}°")
-        self.angle.addItem(tr("all"))
-        self.angle.setCurrentIndex(min(chosen, self.angle.count() - 1))
-        self.angle.blockSignals(False)
-        self.facts.show_rows(state.facts)
-        self.table.set_row_count(len(state.rows))
-        for row, texts in enumerate(state.rows):
+        with QSignalBlocker(self.angle):
+            self.angle.clear()
+            self.angle.addItems([*(f"{angle:.3g}°" for angle in found.plot.theta_d_deg), tr("all")])
+            self.angle.setCurrentIndex(min(chosen, self.angle.count() - 1))
+        self.facts.show_rows(fit_facts(found))
+        rows = fit_rows(found.fit)
+        self.table.set_row_count(len(rows))
+        for row, texts in enumerate(rows):
             for column, text in enumerate(texts):
                 self.table.set_text(row, column, text, tip=text)
         self._draw()
 
-    def show_kept(self, text: str) -> None:
-        """Say where the result is."""
-        self.kept.setText(text)
-
     def _draw(self) -> None:
-        state = self._state
-        if state is None:
+        shown = self._plot
+        if shown is None:
             return
         chosen = self.angle.currentIndex()
-        every = chosen >= len(state.theta_d_deg)
-        places = range(len(state.theta_d_deg)) if every else (chosen,)
+        every = chosen >= len(shown.theta_d_deg)
+        places = range(len(shown.theta_d_deg)) if every else (chosen,)
         channel = int(self.channel.currentData())
         looks: list[tuple[Kind, str]] = (
             [*CHANNELS] if channel == 3 else [("text", "solid") if channel < 0 else CHANNELS[channel]]
@@ -166,22 +153,14 @@ class FitPage(AcquirePage):
             for number, (kind, _dash) in enumerate(looks):
                 weights = _LUMINANCE if channel < 0 else np.eye(3)[number if channel == 3 else channel]
                 named = place == places[0] and number == 0
-                measured, fitted = state.measured[place] @ weights, state.fitted[place] @ weights
-                curves.append(
-                    Curve(
-                        state.theta_h_deg,
-                        measured,
-                        tr("measured") if named else "",
-                        kind,
-                        mark="points",
-                        width=1.0,
-                    )
-                )
-                curves.append(
-                    Curve(state.theta_h_deg, fitted, tr("fitted") if named else "", kind, width=2.2)
-                )
+                measured, fitted = shown.measured[place] @ weights, shown.fitted[place] @ weights
+                names = (tr("measured"), tr("fitted")) if named else ("", "")
+                curves += [
+                    Curve(shown.theta_h_deg, measured, names[0], kind, mark="points", width=1.0),
+                    Curve(shown.theta_h_deg, fitted, names[1], kind, width=2.2),
+                ]
                 if len(looks) == 1 and not every:
-                    curves += _parts(state, place, weights)
+                    curves += _parts(shown, place, weights)
         known = np.concatenate([curve.y for curve in curves[:2]])
         known = known[np.isfinite(known) & (known > 0.0)]
         if known.size:
@@ -189,19 +168,78 @@ class FitPage(AcquirePage):
         self.plot.show_curves(curves)
 
 
-def _parts(state: FitState, place: int, weights: np.ndarray) -> list[Curve]:
+def _parts(shown: FitPlot, place: int, weights: np.ndarray) -> list[Curve]:
     """The curves of the parts: the diffuse one dotted, the lobes dashed."""
-    found = []
-    for number, part in enumerate(state.parts[:, place] @ weights):
-        name = tr("diffuse") if number == 0 else tr("lobe {number}").format(number=number)
-        found.append(
-            Curve(
-                state.theta_h_deg,
-                part,
-                name,
-                "faint",
-                "dot" if number == 0 else "dash",
-                width=1.0 + 0.4 * number,
+    names = [tr("diffuse"), *(tr("lobe {number}").format(number=k) for k in range(1, len(shown.parts)))]
+    return [
+        Curve(shown.theta_h_deg, part, name, "faint", "dash" if number else "dot", width=1.0 + 0.4 * number)
+        for number, (part, name) in enumerate(zip(shown.parts[:, place] @ weights, names, strict=True))
+    ]
+
+
+def fit_facts(found: FileFit) -> list[tuple[str, str, str]]:
+    """Return names, values and explanations of the errors of a fit."""
+    fit, errors = found.fit, found.errors
+    return [
+        (
+            tr("Mean |ln|"),
+            f"{errors.l1_mean:.4f}",
+            tr(
+                "Mean of |ln(fit/measured)| over all measured bins: the energy of equation 2 "
+                "divided by its number of terms"
+            ),
+        ),
+        (
+            tr("RMS ln"),
+            f"{errors.log_rms:.4f}",
+            tr("Root mean square of ln(fit/measured) over every measured bin"),
+        ),
+        (
+            tr("Median"),
+            f"{100.0 * errors.median_relative:.1f} %",
+            tr("Median relative difference over every measured bin"),
+        ),
+        (
+            tr("Energy"),
+            f"{fit.energy:.1f}",
+            tr("Equation 2 of Günther et al. 2005 over the samples of the solver"),
+        ),
+        (
+            tr("Samples"),
+            f"{fit.samples}",
+            tr("Samples used by the solver; errors are computed over all measured bins"),
+        ),
+        (tr("Time"), tr("{seconds:.1f} s").format(seconds=found.seconds), tr("Duration of the fit")),
+    ]
+
+
+def fit_rows(fit: CookTorranceFit) -> list[tuple[str, ...]]:
+    """Return (part, red, green, blue, slope m, reflectance r) with their uncertainties, the diffuse part first."""
+    spread = fit.standard_errors
+    return [
+        (tr("diffuse"), *map(with_error, fit.kd, spread.kd), "", ""),
+        *(
+            (
+                tr("lobe {number}").format(number=lobe + 1),
+                *map(with_error, fit.ks[lobe], spread.ks[lobe]),
+                with_error(fit.m[lobe], spread.m[lobe]),
+                with_error(fit.r[lobe], spread.r[lobe]),
             )
-        )
-    return found
+            for lobe in range(len(fit.m))
+        ),
+    ]
+
+
+def with_error(value: float, error: float) -> str:
+    """Return a value with its standard uncertainty, to one digit of that.
+
+    >>> with_error(0.31234, 0.0123)
+    '0.31 ± 0.01'
+    """
+    value, error = float(value), float(error)
+    if not math.isfinite(error):
+        return f"{value:.3g} ± ?"
+    if error <= 0.0:
+        return f"{value:.4g}"
+    digits = max(0, -math.floor(math.log10(error)))
+    return f"{value:.{digits}f} ± {error:.{digits}f}"

@@ -7,14 +7,15 @@ from brdf_qt.fields.form import Form
 from brdf_qt.fields.number import NumberField
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QSplitter
+from PySide6.QtWidgets import QCheckBox
 
 from brdf_designer.acquire.pictures.lines_plot import Axis, Curve, LinesPlot
-from brdf_designer.acquire.pictures.marks import Area, Differences, Outline, Points
+from brdf_designer.acquire.pictures.marks import Differences, Mark, Outline, Points
 from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.pictures.view import PictureView
 from brdf_designer.acquire.states import GeometryState
-from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.window.widgets import button, split, wrapped
 
 _HALF = 0.5
 """From pixels whose centres lie at whole numbers to those of a picture's corner."""
@@ -41,26 +42,16 @@ class GeometryPage(AcquirePage):
             Axis(tr("Lamp angle (degrees)")),
             Axis(tr("Residual (pixels)")),
         )
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(8)
-        split.addWidget(self.picture)
-        split.addWidget(self.residuals)
-        split.setStretchFactor(0, 3)
-        split.setStretchFactor(1, 1)
-        split.setChildrenCollapsible(False)
-        self.centre.addWidget(split, 1)
-        self.start = button(
-            tr("Find Sphere and Lamp"),
-            tr("Find the outline and the highlights of many positions, and fit the geometry to them"),
-        )
-        self.start.clicked.connect(lambda _=False: self.find_requested.emit())
+        self.centre.addWidget(split(Qt.Orientation.Vertical, (self.picture, 3), (self.residuals, 1)), 1)
+        tip = tr("Find the outline and the highlights of many positions, and fit the geometry to them")
+        self.start = button(tr("Find Sphere and Lamp"), tip, self.find_requested.emit)
         self.refined = QCheckBox(tr("Refine from highlights"))
         self.refined.setChecked(True)
         self.refined.setToolTip(
             tr("Correct the angle and height of the lamp and the centre of the sphere from the highlights")
         )
         self.refined.toggled.connect(self.refine_chosen)
-        self.note = wrapped("")
+        self.note = wrapped()
         self.add_part("find", tr("Geometry"), self.start, self.refined, self.note)
         self.facts = Facts(tr("Residuals"))
         self.left = self.add_part("left", tr("Residuals"), self.facts)
@@ -99,23 +90,13 @@ class GeometryPage(AcquirePage):
         self.refinement.setVisible(bool(state.parameters))
         self._draw_picture()
         self._draw_marks()
-        kept = ~state.outliers
-        curves = [
-            Curve(state.angles_deg[kept], state.residual_px[kept], tr("highlights"), mark="points", width=3.0)
-        ]
-        if state.outliers.any():
-            off = state.outliers
-            curves.append(
-                Curve(
-                    state.angles_deg[off],
-                    state.residual_px[off],
-                    tr("excluded"),
-                    "faint",
-                    mark="points",
-                    width=2.0,
-                )
-            )
-        largest = float(np.nanmax(state.residual_px[kept], initial=0.0))
+        angles, residuals, off = state.angles_deg, state.residual_px, state.outliers
+        kept = ~off
+        curves = [Curve(angles[kept], residuals[kept], tr("highlights"), mark="points", width=3.0)]
+        if off.any():
+            name = tr("excluded")
+            curves.append(Curve(angles[off], residuals[off], name, "faint", mark="points", width=2.0))
+        largest = float(np.nanmax(residuals[kept], initial=0.0))
         self.residuals.set_reach(y=(0.0, max(0.1, 1.8 * largest)))
         self.residuals.show_curves(curves)
 
@@ -128,16 +109,12 @@ class GeometryPage(AcquirePage):
         if state is None:
             return
         gain = self.gain.value()
-        marks: list[Outline | Points | Differences | Area] = [
+        expected, found = state.predicted + _HALF, state.found + _HALF
+        marks: list[Mark] = [
             Outline(state.outline + _HALF, tr("fitted outline")),
-            Points(state.predicted + _HALF, tr("highlight, expected"), "ring"),
-            Points(state.found + _HALF, tr("highlight, found"), "cross"),
-            Differences(
-                state.predicted + _HALF,
-                state.found + _HALF,
-                tr("difference × {gain:g}").format(gain=gain),
-                gain,
-            ),
+            Points(expected, tr("highlight, expected"), "ring"),
+            Points(found, tr("highlight, found"), "cross"),
+            Differences(expected, found, tr("difference × {gain:g}").format(gain=gain), gain),
         ]
         rejected = state.edge[~state.edge_used]
         if len(rejected):

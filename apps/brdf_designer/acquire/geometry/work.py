@@ -9,8 +9,7 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from numpy.typing import ArrayLike, NDArray
 
-from brdf_designer.acquire.exposures.work import LONGEST_SIDE
-from brdf_designer.acquire.pictures.tone import tones_of_linear
+from brdf_designer.acquire.pictures.tone import LONGEST_SIDE, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found
 from brdf_designer.acquire.states import GeometryState, Problem
@@ -30,14 +29,6 @@ class GeometryFound:
     state: GeometryState | None
 
 
-@dataclass(frozen=True, eq=False)
-class GeometryAnswer:
-    """A geometry, and the response where that had to be found first."""
-
-    geometry: GeometryFound
-    response: ResponseFound | None
-
-
 def open_acquisition(request: StepRequest) -> Acquisition:
     """Take the road up where the request says."""
     road = open_session(request)
@@ -48,8 +39,8 @@ def open_acquisition(request: StepRequest) -> Acquisition:
     return road
 
 
-def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
-    """Find sphere and lamp; the response first, where it is not known."""
+def find_geometry(request: StepRequest, progress: Progress) -> tuple[GeometryFound, ResponseFound | None]:
+    """Find sphere and lamp; the response first, and returned too, where it is not known."""
     road = open_acquisition(replace(request, geometry=None))
     response = None
     start = 0.0
@@ -58,7 +49,7 @@ def find_geometry(request: StepRequest, progress: Progress) -> GeometryAnswer:
         response, start = response_found(road), 0.3
     road.calibrate_intrinsics(subrange(progress, start, start + 0.05))
     road.calibrate_geometry(subrange(progress, start + 0.05, 1.0))
-    return GeometryAnswer(geometry_found(road), response)
+    return geometry_found(road), response
 
 
 def geometry_found(road: Acquisition) -> GeometryFound:

@@ -1,45 +1,36 @@
-"""Joins the page of the mask to the session: read, corrected by hand, and kept as it is painted."""
+"""Joins the page of the mask to the session: read, corrected by hand, and kept as it is painted.
+
+It is a picture beside the photographs: white is used, black left out.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 from brdf_qt.program.translation import tr
 from brdf_qt.window.message_bar import message_of
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PIL import Image
+from PySide6.QtCore import QObject
 
-from brdf_designer.acquire.mask.file import MASK_FILE, write_session_mask
 from brdf_designer.acquire.mask.page import MaskPage
 from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, tones_of_codes, tones_of_linear
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.arrays import Bools
+from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress
 
+MASK_FILE = "mask.png"
+_MOST_NAMES = 100
 _PAUSE_MS = 700
 _MOST_CLIPPED = 0.05
-
-
-@dataclass(frozen=True)
-class _Wanted:
-    """The picture of a position, and the mask where that is not read yet."""
-
-    folder: Path
-    session: Session
-    position: int
-
-
-@dataclass(frozen=True, eq=False)
-class _Read:
-    """A picture of the whole size, and the session's mask."""
-
-    tones: Tones
-    shape: tuple[int, int]
-    mask: Bools | None
 
 
 class MaskControl(QObject):
@@ -50,24 +41,13 @@ class MaskControl(QObject):
         self._bench, self._page = bench, page
         self._fresh = True
         self._unwritten = False
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_PAUSE_MS)
-        self._pause.timeout.connect(self.write_pending)
+        self._pause = make_timer(self, self.write_pending, _PAUSE_MS)
+        self.undo, self.redo = page.picture.undo, page.picture.redo
         page.mask_edited.connect(self._edited)
         page.position_chosen.connect(self._show_position)
-        page.everything_requested.connect(self._take_everything)
         bench.opened.connect(self._opened)
         bench.found.connect(self._found)
         bench.window.step_shown.connect(self._shown)
-
-    def undo(self) -> None:
-        """Take the newest stroke back."""
-        self._page.picture.undo()
-
-    def redo(self) -> None:
-        """Paint again what was taken back last."""
-        self._page.picture.redo()
 
     def write_pending(self) -> None:
         """Write the mask where it is not written yet."""
@@ -103,21 +83,16 @@ class MaskControl(QObject):
     def _show_position(self, position: int) -> None:
         bench = self._bench
         if bench.session is not None and bench.folder is not None:
-            request = _Wanted(bench.folder, bench.session, position)
+            request = (bench.folder, bench.session, position)
             bench.run("mask_picture", _read, request, self._read, beside=True)
 
-    def _read(self, answer: _Read) -> None:
-        self._page.show_picture(answer.tones)
+    def _read(self, answer: tuple[Tones, Bools]) -> None:
+        tones, used = answer
+        self._page.show_picture(tones)
         if self._fresh:
             self._fresh = False
-            used = answer.mask if answer.mask is not None else np.ones(answer.shape, bool)
             self._page.show_mask(used)
             self._report()
-
-    def _take_everything(self) -> None:
-        history = self._page.picture.history
-        if history is not None:
-            self._page.picture.put(np.ones_like(history.used))
 
     def _edited(self) -> None:
         self._unwritten = True
@@ -128,14 +103,11 @@ class MaskControl(QObject):
         session = self._bench.session
         if session is None:
             return
+        text = tr("Saved in the folder as {file}.").format(file=session.mask)
         if session.mask is None:
-            self._page.show_kept(
-                tr("No pixels are excluded. The mask is saved in the folder as {file}.").format(
-                    file=MASK_FILE
-                )
-            )
-        else:
-            self._page.show_kept(tr("Saved in the folder as {file}.").format(file=session.mask))
+            text = tr("No pixels are excluded. The mask is saved in the folder as {file}.")
+            text = text.format(file=MASK_FILE)
+        self._page.kept.setText(text)
         self._bench.window.show_step("mask", "done", session.mask or tr("no pixels excluded"))
 
     def _found(self, key: str) -> None:
@@ -144,24 +116,24 @@ class MaskControl(QObject):
             return
         found = self._bench.results.get("geometry")
         if found is None:
-            self._page.show_outline(None)
+            self._page.picture.show_under()
             return
-        around = found.found.geometry.outline(np.linspace(0.0, 2.0 * np.pi, 361))
-        self._page.show_outline(Outline(np.asarray(around) + 0.5, tr("outline of the sphere"), dashed=True))
+        around = np.asarray(found.found.geometry.outline(np.linspace(0.0, 2.0 * np.pi, 361)))
+        self._page.picture.show_under(Outline(around + 0.5, tr("outline of the sphere"), dashed=True))
 
 
-def _read(request: _Wanted, _progress: Progress) -> _Read:
-    """Read the exposure of a position that is neither clipped nor dark, whole, and the mask."""
+def _read(request: tuple[Path, Session, int], _progress: Progress) -> tuple[Tones, Bools]:
+    """Read the exposure of a position that is neither clipped nor dark, whole, and the session's mask."""
     from brdf_suite.acquisition.photographs.reading import read_photograph
     from brdf_suite.acquisition.session.series import read_mask
 
-    session = request.session
-    names = session.positions[request.position].photographs
+    folder, session, position = request
+    names = session.positions[position].photographs
     bits = session.camera.bit_depth
     best = None
     # The longest exposure of which little is clipped, tried from the middle up: as a rule two or three are read.
     for name in names[len(names) // 2 :]:
-        found = read_photograph(request.folder / name)
+        found = read_photograph(folder / name)
         whole = found.facts.bits is not None
         clipped = whole and float((found.codes >= (1 << bits) - 1).any(axis=-1).mean()) > _MOST_CLIPPED
         if best is not None and clipped:
@@ -170,10 +142,37 @@ def _read(request: _Wanted, _progress: Progress) -> _Read:
     assert best is not None
     codes = np.asarray(best.codes)
     tones = tones_of_linear(codes) if best.facts.bits is None else tones_of_codes(codes, bits)
-    mask = read_mask(request.folder, session)
-    if mask is not None and mask.shape != codes.shape[:2]:
+    mask = read_mask(folder, session)
+    if mask is None:
+        return tones, np.ones(codes.shape[:2], bool)
+    if mask.shape != codes.shape[:2]:
         raise FileError(
-            request.folder / str(session.mask),
+            folder / str(session.mask),
             f"has {mask.shape[1]}×{mask.shape[0]} pixels, the photographs {codes.shape[1]}×{codes.shape[0]}",
         )
-    return _Read(tones, (int(codes.shape[0]), int(codes.shape[1])), mask)
+    return tones, mask
+
+
+def write_session_mask(folder: Path, session: Session, used: Bools) -> Session:
+    """Write the mask into the folder and name it in session.json; return the session that names it.
+
+    A mask of another name is left as it is, and so is a ``mask.png`` beside it that the session does not use.
+
+    Raises
+    ------
+    FileError
+        The folder cannot be written.
+    """
+    name = session.mask or MASK_FILE
+    if name != MASK_FILE and not (name.startswith("mask_") and name.endswith(".png")):
+        names = [MASK_FILE, *(f"mask_{number}.png" for number in range(2, _MOST_NAMES))]
+        name = next((free for free in names if not (folder / free).exists()), MASK_FILE)
+    stream = io.BytesIO()
+    Image.fromarray(np.where(used, 255, 0).astype(np.uint8)).save(stream, "png", optimize=True)
+    write_atomically(folder / name, stream.getvalue())
+    # Changes that other programs made meanwhile are kept: only the mask's name is changed.
+    present = read_session(folder)
+    if present.mask != name:
+        present = replace(present, mask=name)
+        write_session(present, folder)
+    return present

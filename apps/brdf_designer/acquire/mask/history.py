@@ -29,16 +29,12 @@ class MaskHistory:
     """A mask, true where pixels are used, and its steps."""
 
     def __init__(self, used: Bools) -> None:
-        self._used = np.array(used, dtype=bool)
+        self.used: Bools = np.array(used, dtype=bool)
+        """The mask as it is now (rows, columns); not to be written to."""
         self._undo: list[_Step] = []
         self._redo: list[_Step] = []
         self._stroke: Bools | None = None
-        self._box: list[int] | None = None
-
-    @property
-    def used(self) -> Bools:
-        """The mask as it is now (rows, columns); not to be written to."""
-        return self._used
+        self._box: tuple[int, int, int, int] | None = None
 
     @property
     def can_undo(self) -> bool:
@@ -53,12 +49,12 @@ class MaskHistory:
     @property
     def share(self) -> float:
         """The share of pixels that are used."""
-        return float(self._used.mean()) if self._used.size else 0.0
+        return float(self.used.mean()) if self.used.size else 0.0
 
     def begin(self) -> None:
         """Begin a stroke."""
         self.end()
-        self._stroke = self._used.copy()
+        self._stroke = self.used.copy()
         self._box = None
 
     def dab(self, start: tuple[float, float], end: tuple[float, float], radius: float, *, use: bool) -> bool:
@@ -80,14 +76,13 @@ class MaskHistory:
         self._stroke, self._box = None, None
         if before is None or box is None:
             return False
-        rows, columns = slice(box[0], box[1]), slice(box[2], box[3])
-        return self._push(rows, columns, before)
+        return self._push(slice(*box[:2]), slice(*box[2:]), before)
 
     def put(self, used: Bools) -> bool:
         """Put another mask of the same size in its place, as one step."""
         self.end()
-        before = self._used.copy()
-        self._used[:] = used
+        before = self.used.copy()
+        self.used[:] = used
         return self._push(slice(0, before.shape[0]), slice(0, before.shape[1]), before)
 
     def undo(self) -> bool:
@@ -99,7 +94,7 @@ class MaskHistory:
         return self._move(self._redo, self._undo, after=True)
 
     def _paint(self, start: tuple[float, float], end: tuple[float, float], radius: float, use: bool) -> bool:
-        rows, columns = self._used.shape
+        rows, columns = self.used.shape
         left, right = sorted((start[0], end[0]))
         top, bottom = sorted((start[1], end[1]))
         first_row, last_row = max(0, int(top - radius)), min(rows, int(np.ceil(bottom + radius)) + 1)
@@ -109,27 +104,19 @@ class MaskHistory:
         y, x = np.mgrid[first_row:last_row, first:last] + 0.5
         along = np.subtract(end, start)
         length = float(along @ along)
-        share = (
-            ((x - start[0]) * along[0] + (y - start[1]) * along[1]) / length if length else np.zeros_like(x)
-        )
-        share = np.clip(share, 0.0, 1.0)
+        share = np.clip(((x - start[0]) * along[0] + (y - start[1]) * along[1]) / (length or 1.0), 0.0, 1.0)
         away = (x - start[0] - share * along[0]) ** 2 + (y - start[1] - share * along[1]) ** 2
-        part = self._used[first_row:last_row, first:last]
+        part = self.used[first_row:last_row, first:last]
         hit = (away <= radius * radius) & (part != use)
         if not hit.any():
             return False
         part[hit] = use
-        box = [first_row, last_row, first, last]
-        known = self._box
-        self._box = (
-            box
-            if known is None
-            else [min(known[0], box[0]), max(known[1], box[1]), min(known[2], box[2]), max(known[3], box[3])]
-        )
+        top, foot, left, right = self._box or (first_row, last_row, first, last)
+        self._box = (min(top, first_row), max(foot, last_row), min(left, first), max(right, last))
         return True
 
     def _push(self, rows: slice, columns: slice, before: Bools) -> bool:
-        old, new = before[rows, columns], self._used[rows, columns]
+        old, new = before[rows, columns], self.used[rows, columns]
         if np.array_equal(old, new):
             return False
         self._undo = [*self._undo, _Step(rows, columns, np.packbits(old), np.packbits(new))][-MOST_STEPS:]
@@ -141,7 +128,7 @@ class MaskHistory:
         if not source:
             return False
         step = source.pop()
-        part = self._used[step.rows, step.columns]
+        part = self.used[step.rows, step.columns]
         bits = step.after if after else step.before
         part[:] = np.unpackbits(bits, count=part.size).astype(bool).reshape(part.shape)
         target.append(step)

@@ -8,26 +8,25 @@ from brdf_qt.fields.labels import plain_tip
 from brdf_qt.fields.number import NumberField
 from brdf_qt.fields.quiet import QuietSlider
 from brdf_qt.program.translation import tr
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QSizePolicy
 
 from brdf_designer.acquire.exposures.page import percent
 from brdf_designer.acquire.mask.view import LEAST_RADIUS, MOST_RADIUS, MaskView
-from brdf_designer.acquire.pictures.marks import Outline
 from brdf_designer.acquire.pictures.tone import Tones, drawn
-from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.window.widgets import button, make_row, wrapped
 from brdf_suite.arrays import Bools
 
 
 class MaskPage(AcquirePage):
     """The page of the mask.
 
-    Intents: ``mask_edited()``, ``position_chosen(index)``, ``everything_requested()``.
+    Intents: ``mask_edited()``, ``position_chosen(index)``.
     """
 
     mask_edited = Signal()
     position_chosen = Signal(int)
-    everything_requested = Signal()
 
     def __init__(self) -> None:
         super().__init__(
@@ -53,7 +52,9 @@ class MaskPage(AcquirePage):
             one.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.leave_out.setChecked(True)
         self.take_in.toggled.connect(self.picture.set_takes_in)
-        self.picture.mode_changed.connect(self._show_mode)
+        self.picture.mode_changed.connect(
+            lambda on: (self.take_in if on else self.leave_out).setChecked(True)
+        )
         form = Form()
         self.radius = NumberField(
             tr("Radius"), tr("pixels"), LEAST_RADIUS, MOST_RADIUS, 1.0, 1, self.picture.radius
@@ -65,25 +66,25 @@ class MaskPage(AcquirePage):
             self.radius,
             tr("Radius of the brush; [ and ] change it while the picture has the focus"),
         )
-        self.undo, self.redo = (
-            button(tr("Undo"), tr("Undo the last stroke (Ctrl+Z)")),
-            button(tr("Redo"), tr("Redo the last undone stroke (Ctrl+Shift+Z)")),
-        )
-        self.undo.clicked.connect(lambda _=False: self.picture.undo())
-        self.redo.clicked.connect(lambda _=False: self.picture.redo())
+        self.undo = button(tr("Undo"), tr("Undo the last stroke (Ctrl+Z)"), self.picture.undo)
+        self.redo = button(tr("Redo"), tr("Redo the last undone stroke (Ctrl+Shift+Z)"), self.picture.redo)
         self.picture.mask_edited.connect(self._edited)
         self.add_part(
-            "brush", tr("Brush"), beside(self.leave_out, self.take_in), form, beside(self.undo, self.redo)
+            "brush", tr("Brush"), make_row(self.leave_out, self.take_in), form, make_row(self.undo, self.redo)
         )
-        self.everything = button(tr("Include All"), tr("Replace the mask by one that excludes no pixels"))
-        self.everything.clicked.connect(lambda _=False: self.everything_requested.emit())
+        self.everything = button(
+            tr("Include All"),
+            tr("Replace the mask by one that excludes no pixels"),
+            self.picture.include_all,
+        )
         self.facts = Facts(tr("The mask"))
-        self.kept = wrapped("")
+        self.kept = wrapped()
         self.add_part("mask", tr("Mask"), self.facts, self.everything, self.kept)
         look = Form()
         self.position = QuietSlider(Qt.Orientation.Horizontal)
         self.position.valueChanged.connect(self._move)
-        self.where = wrapped("")
+        self.where = wrapped()
+        self._angles: tuple[float, ...] = ()
         self.brightness = NumberField(tr("Brightness"), "EV", -10.0, 12.0, 0.5, 1, 0.0)
         self.brightness.edited.connect(lambda _value: self._draw())
         look.add_row(tr("Position"), self.position, tr("Position of the photograph below the mask"))
@@ -97,13 +98,10 @@ class MaskPage(AcquirePage):
     def show_positions(self, angles_deg: tuple[float, ...]) -> None:
         """Offer these positions."""
         self._angles = angles_deg
-        self.position.blockSignals(True)
-        self.position.setRange(0, max(0, len(angles_deg) - 1))
-        self.position.setValue(len(angles_deg) // 2)
-        self.position.blockSignals(False)
+        with QSignalBlocker(self.position):
+            self.position.setRange(0, max(0, len(angles_deg) - 1))
+            self.position.setValue(len(angles_deg) // 2)
         self._report_position(self.position.value())
-
-    _angles: tuple[float, ...] = ()
 
     def show_picture(self, tones: Tones | None) -> None:
         """Show the picture below the mask."""
@@ -118,14 +116,6 @@ class MaskPage(AcquirePage):
         self.picture.show_mask(used)
         self._show_state()
 
-    def show_outline(self, outline: Outline | None) -> None:
-        """Draw the sphere's outline below the mask."""
-        self.picture.show_under(() if outline is None else (outline,))
-
-    def show_kept(self, text: str) -> None:
-        """Say where the mask is kept."""
-        self.kept.setText(text)
-
     def _edited(self) -> None:
         self._show_state()
         self.mask_edited.emit()
@@ -136,19 +126,10 @@ class MaskPage(AcquirePage):
             one.setEnabled(history is not None)
         self.undo.setEnabled(history is not None and history.can_undo)
         self.redo.setEnabled(history is not None and history.can_redo)
-        share = 0.0 if history is None else 1.0 - history.share
+        share = percent(0.0 if history is None else 1.0 - history.share)
         self.facts.show_rows(
-            (
-                (
-                    tr("Excluded"),
-                    percent(share),
-                    tr("Share of all pixels of the picture that the mask excludes"),
-                ),
-            )
+            [(tr("Excluded"), share, tr("Share of all pixels of the picture that the mask excludes"))]
         )
-
-    def _show_mode(self, takes_in: bool) -> None:
-        (self.take_in if takes_in else self.leave_out).setChecked(True)
 
     def _move(self, index: int) -> None:
         self._report_position(index)

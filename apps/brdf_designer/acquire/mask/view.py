@@ -8,6 +8,7 @@ Signals: ``mask_edited()`` after each stroke, undo and redo; ``radius_changed(pi
 
 from __future__ import annotations
 
+import numpy as np
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QPen
@@ -54,7 +55,7 @@ class MaskView(PictureView):
         self._at = QPointF(self.image.width() / 2.0, self.image.height() / 2.0)
         self._show()
 
-    def show_under(self, marks: tuple[Mark, ...]) -> None:
+    def show_under(self, *marks: Mark) -> None:
         """Draw these marks below the mask."""
         self._under = marks
         self._show()
@@ -88,6 +89,11 @@ class MaskView(PictureView):
         """Put another mask in its place, as one step."""
         if self.history is not None and self.history.put(used):
             self._edited()
+
+    def include_all(self) -> None:
+        """Put a mask that leaves nothing out in its place."""
+        if self.history is not None:
+            self.put(np.ones_like(self.history.used))
 
     def _edited(self) -> None:
         self._show()
@@ -158,10 +164,8 @@ class MaskView(PictureView):
             Qt.Key.Key_Down: QPointF(0.0, step),
         }
         if key in moves:
-            at = self._at + moves[key]
-            self._at = QPointF(
-                min(max(at.x(), 0.0), self.image.width()), min(max(at.y(), 0.0), self.image.height())
-            )
+            at, width, height = self._at + moves[key], self.image.width(), self.image.height()
+            self._at = QPointF(min(max(at.x(), 0.0), width), min(max(at.y(), 0.0), height))
             self.hovered.emit(self._at.x(), self._at.y())
         elif key == Qt.Key.Key_Space:
             self._stroke_takes_in = self.takes_in != bool(keys & Qt.KeyboardModifier.ControlModifier)

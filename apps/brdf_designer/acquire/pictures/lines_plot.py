@@ -16,9 +16,10 @@ from brdf_qt.fields.labels import PlainLabel, plain_tip
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QPalette, QPen
-from PySide6.QtWidgets import QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
-from brdf_designer.colour.plot_items import dress_plot, make_plot
+from brdf_designer.colour.plot_items import dress_plot, line, make_plot
+from brdf_designer.window.widgets import fill_column
 
 Kind = Literal["red", "green", "blue", "text", "faint"]
 Mark = Literal["line", "points", "fill"]
@@ -65,13 +66,12 @@ class Axis:
 class LinesPlot(QWidget):
     """Curves with named axes and a legend."""
 
-    def __init__(self, name: str, x: Axis, y: Axis, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-
+    def __init__(self, name: str, x: Axis, y: Axis, *, rising: bool = False) -> None:
+        super().__init__()
         self._x, self._y = x, y
         self.curves: tuple[Curve, ...] = ()
+        self._marks: tuple[tuple[float, str], ...] = ()
         self._items: list[Any] = []
-        self._lines: list[tuple[Any, float, str]] = []
         logarithmic = tuple(side for side, axis in (("bottom", x), ("left", y)) if axis.log)
         self.plot = make_plot(y.name, decades=logarithmic)
         for side in ("bottom", "left"):
@@ -85,12 +85,11 @@ class LinesPlot(QWidget):
         self.plot.getAxis("left").setWidth(64)
         self.plot.getPlotItem().vb.setDefaultPadding(0.03)
         self.plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self._legend = self.plot.addLegend(offset=(-8, 8))
+        # Curves that rise leave room at the left.
+        self._legend = self.plot.addLegend(offset=(8, 8) if rising else (-8, 8))
         self.setAccessibleName(name)
         self.setToolTip(plain_tip(name))
         self.setMinimumSize(160, 120)
-        box = QVBoxLayout(self)
-        box.setContentsMargins(0, 0, 0, 0)
         self._empty = PlainLabel()
         self._empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._empty.setWordWrap(True)
@@ -98,16 +97,11 @@ class LinesPlot(QWidget):
         self._empty.setAutoFillBackground(True)
         self._empty.setMargin(24)
         self._empty.hide()
-        box.addWidget(self.plot)
-        box.addWidget(self._empty)
+        fill_column(self, self.plot, self._empty)
         self._take_palette()
 
     def sizeHint(self) -> QSize:
         return QSize(480, 280)
-
-    def put_legend(self, *, left: bool) -> None:
-        """Put the legend into the upper left or the upper right corner."""
-        self._legend.setOffset((8, 8) if left else (-8, 8))
 
     def show_empty(self, text: str) -> None:
         """Show no curves, and say why."""
@@ -125,8 +119,6 @@ class LinesPlot(QWidget):
         self._marks = tuple(marks)
         self._draw()
         self.setAccessibleDescription(", ".join(curve.name for curve in curves if curve.name))
-
-    _marks: tuple[tuple[float, str], ...] = ()
 
     def _draw(self) -> None:
         for item in self._items:
@@ -167,13 +159,11 @@ class LinesPlot(QWidget):
                     item.setBrush(ground)
             self._items.append(item)
         for place, name in self._marks:
-            pen = QPen(self.palette().color(QPalette.ColorRole.PlaceholderText), 1.0)
-            pen.setCosmetic(True)
-            line = pg.InfiniteLine(np.log10(place) if self._x.log else place, pen=pen)
-            self.plot.addItem(line, ignoreBounds=True)
+            pen = line(self._colour("faint"), 1.0)
+            endless = pg.InfiniteLine(np.log10(place) if self._x.log else place, pen=pen)
+            self.plot.addItem(endless, ignoreBounds=True)
             # A line without an end is named in the legend by one that has no points.
-            named = self.plot.plot([], [], pen=pen, name=name)
-            self._items += [line, named]
+            self._items += [endless, self.plot.plot([], [], pen=pen, name=name)]
         self._range()
 
     def _range(self) -> None:
@@ -204,8 +194,7 @@ class LinesPlot(QWidget):
     def _pen(self, curve: Curve, width: float | None = None) -> QPen:
         width = curve.width if width is None else width
         # The width of a cosmetic pen is in pixels of the device.
-        pen = QPen(self._colour(curve.kind), width * self.devicePixelRatioF())
-        pen.setCosmetic(True)
+        pen = line(self._colour(curve.kind), width * self.devicePixelRatioF())
         pen.setCapStyle(Qt.PenCapStyle.FlatCap)
         dashes = _DASHES[curve.dash]
         if dashes and curve.mark != "points":

@@ -11,9 +11,10 @@ import numpy as np
 from brdf_qt.program.translation import tr
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QImage, QMouseEvent, QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import QBrush, QFontMetricsF, QImage, QMouseEvent, QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from brdf_designer.acquire.pictures.marks import hatch_area
 from brdf_designer.acquire.pictures.tone import area_of, image_of
 
 _BAR = 14.0
@@ -108,7 +109,10 @@ class MapPlot(QWidget):
         if place.width() < 8.0 or place.height() < 8.0:
             return
         painter.drawImage(place, self._image)
-        self._hatch(painter, place)
+        faint = self.palette().color(role.PlaceholderText)
+        hatching = QBrush(faint, Qt.BrushStyle.BDiagPattern)
+        ground = self.palette().color(role.Base)
+        hatch_area(painter, self._unknown, place, place.toAlignedRect(), ground, hatching)
         painter.setPen(ink)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(place)
@@ -134,24 +138,6 @@ class MapPlot(QWidget):
             painter.drawText(QPointF(place.left() - wide - 6.0, y + 0.35 * metrics.ascent()), text)
         self._upright(painter, self.map.y_name, place.left() - widest - 10.0 - 0.5 * line, place)
         self._scale(painter, place, metrics)
-
-    def _hatch(self, painter: QPainter, place: QRectF) -> None:
-        ratio = self.devicePixelRatioF()
-        whole = place.toAlignedRect()
-        layer = QImage(whole.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
-        layer.setDevicePixelRatio(ratio)
-        layer.fill(QColor(0, 0, 0, 0))
-        inside = QPainter(layer)
-        inside.translate(-whole.topLeft())
-        inside.drawImage(place, self._unknown)
-        inside.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
-        base = self.palette().color(QPalette.ColorRole.Base)
-        inside.fillRect(whole, base)
-        inside.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceAtop)
-        faint = self.palette().color(QPalette.ColorRole.PlaceholderText)
-        inside.fillRect(whole, QBrush(faint, Qt.BrushStyle.BDiagPattern))
-        inside.end()
-        painter.drawImage(whole.topLeft(), layer)
 
     def _scale(self, painter: QPainter, place: QRectF, metrics: QFontMetricsF) -> None:
         assert self.map is not None

@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QImage, QPainter, QPen, QPolygonF, QTransform
 
 Shape = Literal["cross", "ring", "dot"]
@@ -123,17 +123,25 @@ def _draw_area(painter: QPainter, mark: Area, to_screen: QTransform) -> None:
     place = shown.intersected(QRectF(painter.viewport())).toAlignedRect()
     if place.isEmpty():
         return
+    ground, hatching = QColor(0, 0, 0, 120), QBrush(QColor(255, 255, 255, 150), mark.pattern)
+    hatch_area(painter, mark.image, shown, place, ground, hatching)
+
+
+def hatch_area(
+    painter: QPainter, area: QImage, shown: QRectF, place: QRect, ground: QColor, hatching: QBrush
+) -> None:
+    """Hatch the opaque part of ``area``, which is drawn at ``shown``, within ``place``, in points of the screen."""
     ratio = painter.device().devicePixelRatioF()
     layer = QImage(place.size() * ratio, QImage.Format.Format_ARGB32_Premultiplied)
     layer.setDevicePixelRatio(ratio)
     layer.fill(QColor(0, 0, 0, 0))
     stencil = QPainter(layer)
     stencil.translate(-place.topLeft())
-    stencil.drawImage(shown, mark.image)
+    stencil.drawImage(shown, area)
     stencil.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
-    stencil.fillRect(place, QColor(0, 0, 0, 120))
+    stencil.fillRect(place, ground)
     stencil.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceAtop)
-    stencil.fillRect(place, QBrush(QColor(255, 255, 255, 150), mark.pattern))
+    stencil.fillRect(place, hatching)
     stencil.end()
     painter.drawImage(place.topLeft(), layer)
 

@@ -13,6 +13,8 @@ from PySide6.QtGui import QImage
 
 from brdf_suite.appearance.colour.colorimetry import srgb_encode
 
+LONGEST_SIDE = 1200
+"""Pictures beyond it are drawn from every second, third … pixel; what is counted is counted over all."""
 _LEVELS = 65536
 _DARKEST, _BRIGHTEST = -6.0, 2.0
 _DECADES = _BRIGHTEST - _DARKEST
@@ -27,11 +29,6 @@ class Tones:
 
     codes: NDArray[np.uint16]
     values: NDArray[np.float64]
-
-    @property
-    def size(self) -> tuple[int, int]:
-        """Columns and rows."""
-        return int(self.codes.shape[1]), int(self.codes.shape[0])
 
 
 def tones_of_codes(codes: NDArray[np.uint16], bits: int, values: NDArray[np.float64] | None = None) -> Tones:

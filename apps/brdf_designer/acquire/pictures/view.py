@@ -48,42 +48,35 @@ class PictureView(QWidget):
         self.setMinimumSize(160, 120)
         self.setToolTip(tr("Wheel, + and − zoom; middle drag, Shift drag and the arrow keys pan; F frames"))
         self._empty = empty_text
-        self._image = QImage()
-        self._marks: tuple[Mark, ...] = ()
-        self._scale, self._centre = 1.0, QPointF()
+        self.image = QImage()
+        """What is shown; null while there is none."""
+        self.marks: tuple[Mark, ...] = ()
+        self.scale = 1.0
+        """Points of the screen for a pixel of the picture."""
+        self._centre = QPointF()
         self._framed = True
         self._grip: QPointF | None = None
 
     def sizeHint(self) -> QSize:
         return QSize(480, 360)
 
-    @property
-    def image(self) -> QImage:
-        """What is shown; null while there is none."""
-        return self._image
-
-    @property
-    def marks(self) -> tuple[Mark, ...]:
-        """What is drawn over it."""
-        return self._marks
-
     def show_empty(self, text: str) -> None:
         """Show no picture, and say why."""
-        self._empty, self._image, self._marks = text, QImage(), ()
+        self._empty, self.image, self.marks = text, QImage(), ()
         self.setAccessibleDescription(text)
         self.update()
 
     def show_image(self, image: QImage) -> None:
         """Show another picture; one of the same size stays where it is on the screen."""
-        new_size = image.size() != self._image.size()
-        self._image = image
+        new_size = image.size() != self.image.size()
+        self.image = image
         if new_size:
             self.frame()
         self.update()
 
     def show_marks(self, marks: Sequence[Mark]) -> None:
         """Draw these over the picture."""
-        self._marks = tuple(marks)
+        self.marks = tuple(marks)
         self.setAccessibleDescription("; ".join(mark.name for mark in marks if mark.name))
         self.update()
 
@@ -94,36 +87,31 @@ class PictureView(QWidget):
         """From pixels of the picture to points of the widget."""
         middle = QPointF(self.width() / 2.0, self.height() / 2.0)
         found = QTransform.fromTranslate(middle.x(), middle.y())
-        found.scale(self._scale, self._scale)
+        found.scale(self.scale, self.scale)
         return found.translate(-self._centre.x(), -self._centre.y())
 
     def to_picture(self, at: QPointF) -> QPointF:
         """Return the place in the picture under a point of the widget."""
         return self.to_screen.inverted()[0].map(at)
 
-    @property
-    def scale(self) -> float:
-        """Points of the screen for a pixel of the picture."""
-        return self._scale
-
     def frame(self) -> None:
         """Show all of it."""
         self._framed = True
-        if self._image.isNull():
+        if self.image.isNull():
             return
         room = QSize(max(1, self.width() - 2 * int(_ROOM)), max(1, self.height() - 2 * int(_ROOM)))
-        self._scale = min(room.width() / self._image.width(), room.height() / self._image.height())
-        self._centre = QPointF(self._image.width() / 2.0, self._image.height() / 2.0)
+        self.scale = min(room.width() / self.image.width(), room.height() / self.image.height())
+        self._centre = QPointF(self.image.width() / 2.0, self.image.height() / 2.0)
         self.update()
 
     def zoom(self, factor: float, about: QPointF | None = None) -> None:
         """Zoom about a point of the widget, which stays over its pixel."""
-        if self._image.isNull():
+        if self.image.isNull():
             return
         about = QPointF(self.rect().center()) if about is None else about
         fixed = self.to_picture(about)
         self._framed = False
-        self._scale = min(_MOST, max(_LEAST, self._scale * factor))
+        self.scale = min(_MOST, max(_LEAST, self.scale * factor))
         moved = self.to_picture(about)
         self._centre += fixed - moved
         self.update()
@@ -131,7 +119,7 @@ class PictureView(QWidget):
     def move_by(self, across: float, down: float) -> None:
         """Move the picture by points of the screen."""
         self._framed = False
-        self._centre -= QPointF(across, down) / self._scale
+        self._centre -= QPointF(across, down) / self.scale
         self.update()
 
     # Events.
@@ -139,22 +127,22 @@ class PictureView(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Base))
-        if self._image.isNull():
+        if self.image.isNull():
             painter.setPen(self.palette().color(QPalette.ColorRole.WindowText))
             room = self.rect().adjusted(24, 24, -24, -24)
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self._empty)
         else:
             to_screen = self.to_screen
             # Small pixels are averaged; large ones are seen as what they are.
-            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self._scale < 2.0)
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, self.scale < 2.0)
             painter.drawImage(
-                to_screen.mapRect(QRectF(0.0, 0.0, self._image.width(), self._image.height())), self._image
+                to_screen.mapRect(QRectF(0.0, 0.0, self.image.width(), self.image.height())), self.image
             )
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            for mark in self._marks:
+            for mark in self.marks:
                 draw_mark(painter, mark, to_screen)
             self.draw_over(painter)
-            draw_legend(painter, list(self._marks), QRectF(self.rect()))
+            draw_legend(painter, list(self.marks), QRectF(self.rect()))
             painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -190,7 +178,7 @@ class PictureView(QWidget):
             self.move_by(step.x(), step.y())
             return
         at = self.to_picture(event.position())
-        if not self._image.isNull() and QRectF(self._image.rect()).contains(at):
+        if not self.image.isNull() and QRectF(self.image.rect()).contains(at):
             self.hovered.emit(at.x(), at.y())
         else:
             self.left_picture.emit()

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import tr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QSplitter
 
 from brdf_designer.acquire.pictures.lines_plot import CHANNELS, Axis, Curve, LinesPlot
 from brdf_designer.acquire.states import ResponseState
-from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.window.widgets import button, combo, split, wrapped
 
 
 class ResponsePage(AcquirePage):
@@ -30,37 +29,26 @@ class ResponsePage(AcquirePage):
             tr("Camera response"),
             Axis(tr("Code")),
             Axis(tr("Exposure (half at the middle code)"), log=True),
+            rising=True,
         )
-        self.plot.put_legend(left=True)
         self.times = LinesPlot(
             tr("Stated exposure times compared with estimates from the photographs"),
             Axis(tr("Stated time (ms)"), log=True),
             Axis(tr("Difference (%)")),
         )
-        split = QSplitter(Qt.Orientation.Vertical)
-        split.setHandleWidth(8)
-        split.addWidget(self.plot)
-        split.addWidget(self.times)
-        split.setStretchFactor(0, 5)
-        split.setStretchFactor(1, 2)
-        split.setChildrenCollapsible(False)
-        self.centre.addWidget(split, 1)
-        self.kind = QuietComboBox()
-        self.kind.addItem(tr("From session.json"), "auto")
-        self.kind.addItem(tr("Linear camera"), "linear")
-        self.kind.setAccessibleName(tr("Response type"))
-        self.kind.setToolTip(
+        self.centre.addWidget(split(Qt.Orientation.Vertical, (self.plot, 5), (self.times, 2)), 1)
+        self.kind = combo(
+            ((tr("From session.json"), "auto"), (tr("Linear camera"), "linear")),
+            tr("Response type"),
             tr(
                 "From session.json: estimated from the photographs if session.json names no "
                 "curve. Linear camera: no curve"
-            )
+            ),
         )
         self.kind.activated.connect(lambda _index: self.kind_chosen.emit(str(self.kind.currentData())))
-        self.start = button(
-            tr("Find Response"), tr("Estimate the response curve from photographs of several positions")
-        )
-        self.start.clicked.connect(lambda _=False: self.recover_requested.emit())
-        self.note = wrapped("")
+        tip = tr("Estimate the response curve from photographs of several positions")
+        self.start = button(tr("Find Response"), tip, self.recover_requested.emit)
+        self.note = wrapped()
         self.add_part("find", tr("Response"), self.kind, self.start, self.note)
         self.facts = Facts(tr("Quality of the response curve"))
         self.known = self.add_part("known", tr("Quality"), self.facts)
@@ -99,17 +87,8 @@ class ResponsePage(AcquirePage):
         self.facts.show_rows(state.facts)
         if state.times:
             stated, off = (np.array(column) for column in zip(*state.times, strict=True))
-            self.times.show_curves(
-                [
-                    Curve(1e3 * stated, np.zeros_like(off), "", "faint", "dash"),
-                    Curve(
-                        1e3 * stated, 100.0 * off, tr("estimated − stated"), "text", mark="points", width=3.0
-                    ),
-                ]
-            )
+            zero = Curve(1e3 * stated, np.zeros_like(off), "", "faint", "dash")
+            name = tr("estimated − stated")
+            self.times.show_curves([zero, Curve(1e3 * stated, 100.0 * off, name, mark="points", width=3.0)])
         self.times.setVisible(bool(state.times))
         self.plot.setAccessibleDescription("; ".join(f"{name}: {value}" for name, value, _ in state.facts))
-
-    def show_kind(self, name: str) -> None:
-        """Show which kind is chosen."""
-        self.kind.setCurrentIndex(max(0, self.kind.findData(name)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,12 +10,13 @@ from brdf_qt.program.settings import settings
 from brdf_qt.program.translation import tr
 from brdf_qt.window.dialogs import Dialogs
 from brdf_qt.window.message_bar import Message, message_of
-from PySide6.QtCore import QObject, QTimer
+from brdf_qt.work.timer import make_timer
+from PySide6.QtCore import QObject
 
 from brdf_designer.acquire.pictures.tone import drawn
 from brdf_designer.acquire.reconstruction_session import ReconstructionSession
 from brdf_designer.acquire.session.page import SessionPage
-from brdf_designer.acquire.states import Problem, Series, SessionState
+from brdf_designer.acquire.states import Problem, Series
 from brdf_suite.acquisition.session.session import SESSION_FILE, Session
 from brdf_suite.acquisition.session.store import read_session, write_session
 from brdf_suite.errors import SuiteError
@@ -23,18 +24,8 @@ from brdf_suite.progress import Progress, report
 
 _LAST = "acquire/folder"
 _PAUSE_MS = 500
-_MM = 1e3
 _MOST_STEPS = 100
 _SEVERITIES = {"fatal": "error", "position": "error", "exposure": "error", "warning": "warning"}
-
-
-@dataclass(frozen=True)
-class _Opened:
-    """What opening a folder gives."""
-
-    folder: Path
-    session: Session
-    problems: tuple[Problem, ...]
 
 
 class SessionControl(QObject):
@@ -47,10 +38,7 @@ class SessionControl(QObject):
         self._undo: list[Session] = []
         self._redo: list[Session] = []
         self._pending: dict[str, float] = {}
-        self._pause = QTimer(self)
-        self._pause.setSingleShot(True)
-        self._pause.setInterval(_PAUSE_MS)
-        self._pause.timeout.connect(self.write_pending)
+        self._pause = make_timer(self, self.write_pending, _PAUSE_MS)
         page.open_requested.connect(self.ask)
         page.template_requested.connect(self.ask_new)
         page.check_requested.connect(self.check)
@@ -94,12 +82,12 @@ class SessionControl(QObject):
         if self._bench.folder is not None:
             self.open(self._bench.folder)
 
-    def _taken(self, answer: _Opened) -> None:
-        settings().setValue(_LAST, str(answer.folder))
-        self.problems = answer.problems
+    def _taken(self, answer: tuple[Path, Session, tuple[Problem, ...]]) -> None:
+        folder, session, self.problems = answer
+        settings().setValue(_LAST, str(folder))
         self._undo.clear()
         self._redo.clear()
-        self._bench.open(answer.folder, answer.session)
+        self._bench.open(folder, session)
 
     def _opened(self) -> None:
         self._show()
@@ -126,11 +114,7 @@ class SessionControl(QObject):
             self._page.picture.show_empty(tr("None of the photographs of this position can be read."))
 
     def _show(self) -> None:
-        session, folder = self._bench.session, self._bench.folder
-        if session is None or folder is None:
-            self._page.show_session(None)
-        else:
-            self._page.show_session(state_of(folder, session))
+        self._page.show_session(self._bench.folder, self._bench.session)
 
     # Editing.
 
@@ -202,56 +186,12 @@ class SessionControl(QObject):
         return kept if kept.is_dir() else Path.home()
 
 
-def state_of(folder: Path, session: Session) -> SessionState:
-    """Return what the page shows of a session."""
-    values = {key: _value(session, key) * (_MM if key.endswith("_m") else 1.0) for key in _KEYS}
-    extras = []
-    if session.dark:
-        extras.append(tr("With dark frames"))
-    if session.white is not None:
-        extras.append(tr("With a white reference"))
-    if session.flat_field is not None:
-        extras.append(tr("With a flat field"))
-    if session.camera.board is not None:
-        extras.append(
-            tr("With {count} photographs of a board").format(count=len(session.camera.board.photographs))
-        )
-    return SessionState(
-        str(folder),
-        session.name,
-        session.date,
-        session.notes,
-        values,
-        tuple(position.angle_deg for position in session.positions),
-        session.exposures_s,
-        session.camera.bit_depth,
-        session.camera.response,
-        tuple(extras),
-    )
-
-
-_KEYS = (
-    "sphere.radius_m",
-    "camera.distance_m",
-    "camera.height_m",
-    "camera.tilt_deg",
-    "light.distance_m",
-    "light.height_m",
-    "light.angle_offset_deg",
-)
-
-
-def _value(session: Session, key: str) -> float:
-    part, name = key.split(".")
-    return float(getattr(getattr(session, part), name))
-
-
 def apply_edit(session: Session, values: dict[str, float]) -> Session:
     """Return the session with these numbers, in the units of the fields."""
     changed: dict[str, dict[str, Any]] = {}
     for key, value in values.items():
         part, name = key.split(".")
-        changed.setdefault(part, {})[name] = value / _MM if name.endswith("_m") else value
+        changed.setdefault(part, {})[name] = value / 1e3 if name.endswith("_m") else value
     parts = {part: replace(getattr(session, part), **numbers) for part, numbers in changed.items()}
     return replace(session, **parts)
 
@@ -264,20 +204,14 @@ def _make(folder: Path, progress: Progress) -> Path:
     return folder
 
 
-def _open(folder: Path, progress: Progress) -> _Opened:
+def _open(folder: Path, progress: Progress) -> tuple[Path, Session, tuple[Problem, ...]]:
     from brdf_suite.acquisition.session.check import check_session
 
     report(progress, 0.0, tr("Reading {folder}").format(folder=folder.name))
     session = read_session(folder)
-    findings = check_session(folder, session, progress)
-    problems = tuple(
-        Problem(_SEVERITIES.get(finding.severity, "info"), _relative(finding.path, folder), finding.reason)
-        for finding in findings
-    )
-    return _Opened(folder, session, problems)
-
-
-def _relative(path: object, folder: Path) -> str:
-    text = str(path)
-    inside = Path(text)
-    return str(inside.relative_to(folder)) if inside.is_relative_to(folder) else text
+    problems = []
+    for finding in check_session(folder, session, progress):
+        path = Path(str(finding.path))
+        name = path.relative_to(folder) if path.is_relative_to(folder) else finding.path
+        problems.append(Problem(_SEVERITIES.get(finding.severity, "info"), str(name), finding.reason))
+    return folder, session, tuple(problems)

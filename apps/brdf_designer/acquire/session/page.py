@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 
 from brdf_qt.fields.form import Form
 from brdf_qt.fields.labels import plain_tip
@@ -13,82 +14,34 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QTreeWidget, QTreeWidgetItem
 
 from brdf_designer.acquire.pictures.view import PictureView
-from brdf_designer.acquire.states import Problem, SessionState
-from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
+from brdf_designer.acquire.states import Problem
+from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.window.widgets import button, make_row, wrapped
+from brdf_suite.acquisition.session.session import Session
 
+# Of each number by the end of its key: range, step and decimals of its field, in millimetres or degrees.
+_REACHES = {
+    "radius_m": (0.1, 10_000.0, 0.1, 2),
+    "distance_m": (10.0, 100_000.0, 1.0, 1),
+    "height_m": (-50_000.0, 50_000.0, 1.0, 1),
+    "tilt_deg": (-89.0, 89.0, 0.1, 2),
+    "angle_offset_deg": (-45.0, 45.0, 0.1, 2),
+}
+_HEIGHT_TIP = mark("Height above the centre of the sphere")
+_CAMERA_TIP = mark("Horizontal distance from the centre of projection to the axis of the turntable")
+_LAMP_TIP = mark("Horizontal distance from the lamp to the axis of the turntable")
+_OFFSET_TIP = mark("Known zero error of the turntable; added to every stated angle")
 NUMBERS = (
-    (
-        "sphere.radius_m",
-        mark("Sphere radius"),
-        "mm",
-        0.1,
-        10_000.0,
-        0.1,
-        2,
-        mark("Radius of the painted sphere"),
-    ),
-    (
-        "camera.distance_m",
-        mark("Camera distance"),
-        "mm",
-        10.0,
-        100_000.0,
-        1.0,
-        1,
-        mark("Horizontal distance from the centre of projection to the axis of the turntable"),
-    ),
-    (
-        "camera.height_m",
-        mark("Camera height"),
-        "mm",
-        -50_000.0,
-        50_000.0,
-        1.0,
-        1,
-        mark("Height above the centre of the sphere"),
-    ),
-    (
-        "camera.tilt_deg",
-        mark("Camera tilt"),
-        "°",
-        -89.0,
-        89.0,
-        0.1,
-        2,
-        mark("Tilt of the optical axis, positive upwards"),
-    ),
-    (
-        "light.distance_m",
-        mark("Lamp distance"),
-        "mm",
-        10.0,
-        100_000.0,
-        1.0,
-        1,
-        mark("Horizontal distance from the lamp to the axis of the turntable"),
-    ),
-    (
-        "light.height_m",
-        mark("Lamp height"),
-        "mm",
-        -50_000.0,
-        50_000.0,
-        1.0,
-        1,
-        mark("Height above the centre of the sphere"),
-    ),
-    (
-        "light.angle_offset_deg",
-        mark("Angle offset"),
-        "°",
-        -45.0,
-        45.0,
-        0.1,
-        2,
-        mark("Known zero error of the turntable; added to every stated angle"),
-    ),
+    ("sphere.radius_m", mark("Sphere radius"), mark("Radius of the painted sphere")),
+    ("camera.distance_m", mark("Camera distance"), _CAMERA_TIP),
+    ("camera.height_m", mark("Camera height"), _HEIGHT_TIP),
+    ("camera.tilt_deg", mark("Camera tilt"), mark("Tilt of the optical axis, positive upwards")),
+    ("light.distance_m", mark("Lamp distance"), _LAMP_TIP),
+    ("light.height_m", mark("Lamp height"), _HEIGHT_TIP),
+    ("light.angle_offset_deg", mark("Angle offset"), _OFFSET_TIP),
 )
-"""Key in the session, name, unit, range, step, decimals and explanation; millimetres stand for metres there."""
+"""Key in the session, name and explanation."""
+_MM = 1e3
 _SIGNS = {"error": "warning-octagon", "warning": "warning", "info": "info"}
 _MOST_ROWS = 8
 _WORDS = {"error": mark("Error"), "warning": mark("Warning"), "info": mark("Note")}
@@ -114,45 +67,43 @@ class SessionPage(AcquirePage):
         self.picture = PictureView(tr("A photograph of the session"))
         self.centre.addWidget(self.picture, 3)
         self.problems = problem_list(tr("Problems of the session"))
-        self.verdict = wrapped("")
+        self.verdict = wrapped()
         self.centre.addWidget(self.verdict)
         self.centre.addWidget(self.problems, 2)
-        self.open_button = button(tr("Open Folder…"), tr("Open a folder with a session.json"))
-        self.template_button = button(
-            tr("New Folder…"), tr("Create a folder with a session.json template for new photographs")
+        opening = make_row(
+            button(tr("Open Folder…"), tr("Open a folder with a session.json"), self.open_requested.emit),
+            button(
+                tr("New Folder…"),
+                tr("Create a folder with a session.json template for new photographs"),
+                self.template_requested.emit,
+            ),
         )
-        self.open_button.clicked.connect(lambda _=False: self.open_requested.emit())
-        self.template_button.clicked.connect(lambda _=False: self.template_requested.emit())
-        self.folder = wrapped("")
+        self.folder = wrapped()
         self.folder.setAccessibleName(tr("Folder"))
-        self.check_button = button(tr("Check Again"), tr("Check all photographs of the folder again"))
-        self.check_button.clicked.connect(lambda _=False: self.check_requested.emit())
-        self.add_part(
-            "folder",
-            tr("Folder"),
-            self.folder,
-            beside(self.open_button, self.template_button),
-            self.check_button,
+        self.check_button = button(
+            tr("Check Again"), tr("Check all photographs of the folder again"), self.check_requested.emit
         )
+        self.add_part("folder", tr("Folder"), self.folder, opening, self.check_button)
         form = Form()
         self.fields: dict[str, NumberField] = {}
-        for key, name, unit, low, high, step, decimals, tip in NUMBERS:
+        for key, name, tip in NUMBERS:
+            low, high, step, decimals = _REACHES[key.partition(".")[2]]
+            unit = "mm" if key.endswith("_m") else "°"
             field = NumberField(tr(name), unit, low, high, step, decimals, low)
             field.edited.connect(lambda value, key=key: self.number_edited.emit(key, value))
             form.add_row(tr(name), field, tr(tip))
             self.fields[key] = field
-        self.kept = wrapped(tr("Changes are saved immediately. Undo: Ctrl+Z."))
-        self.rig = self.add_part("rig", tr("Rig"), form, self.kept)
+        kept = wrapped(tr("Changes are saved immediately. Undo: Ctrl+Z."))
+        self.rig = self.add_part("rig", tr("Rig"), form, kept)
         self.facts = Facts(tr("Contents of the session"))
         self.about = self.add_part("photographs", tr("Photographs"), self.facts)
-        self.show_session(None)
+        self.show_session(None, None)
 
-    def show_session(self, state: SessionState | None) -> None:
+    def show_session(self, folder: Path | None, session: Session | None) -> None:
         """Show a session, or what to do where none is open."""
-        there = state is not None
         for widget in (self.rig, self.about, self.check_button):
-            widget.setVisible(there)
-        if state is None:
+            widget.setVisible(session is not None)
+        if session is None:
             self.folder.setText(tr("No folder is open."))
             self.picture.show_empty(
                 tr(
@@ -162,38 +113,51 @@ class SessionPage(AcquirePage):
             )
             self.show_problems(None)
             return
-        self.folder.setText(state.folder)
+        self.folder.setText(str(folder))
         for key, field in self.fields.items():
-            field.set_value(state.values[key])
-        first, last = state.angles_deg[0], state.angles_deg[-1]
-        short, long = 1e3 * state.exposures_s[0], 1e3 * state.exposures_s[-1]
+            part, name = key.split(".")
+            value = float(getattr(getattr(session, part), name))
+            field.set_value(_MM * value if name.endswith("_m") else value)
+        first, last = session.positions[0].angle_deg, session.positions[-1].angle_deg
+        short, long = 1e3 * session.exposures_s[0], 1e3 * session.exposures_s[-1]
+        camera = session.camera
         rows = [
-            (tr("Name"), state.name, tr("Name in session.json")),
+            (tr("Name"), session.name, tr("Name in session.json")),
             (
                 tr("Positions"),
                 tr("{count}, {first:g} to {last:g}°").format(
-                    count=len(state.angles_deg), first=first, last=last
+                    count=len(session.positions), first=first, last=last
                 ),
                 tr("Lamp angles; 0° is at the camera"),
             ),
             (
                 tr("Exposures"),
                 tr("{count}, {short:g} to {long:g} ms").format(
-                    count=len(state.exposures_s), short=short, long=long
+                    count=len(session.exposures_s), short=short, long=long
                 ),
                 tr("Exposures of each position, shortest first"),
             ),
             (
                 tr("Codes"),
-                tr("{bits} bits, response: {response}").format(bits=state.bit_depth, response=state.response),
+                tr("{bits} bits, response: {response}").format(
+                    bits=camera.bit_depth, response=camera.response
+                ),
                 tr("Encoding of the pixel values"),
             ),
         ]
-        if state.date:
-            rows.append((tr("Date"), state.date, tr("Name in session.json")))
-        rows += [("", extra, "") for extra in state.extras]
-        if state.notes:
-            rows.append((tr("Notes"), state.notes, tr("Name in session.json")))
+        if session.date:
+            rows.append((tr("Date"), session.date, tr("Name in session.json")))
+        if session.dark:
+            rows.append(("", tr("With dark frames"), ""))
+        if session.white is not None:
+            rows.append(("", tr("With a white reference"), ""))
+        if session.flat_field is not None:
+            rows.append(("", tr("With a flat field"), ""))
+        if camera.board is not None:
+            count = len(camera.board.photographs)
+            rows.append(("", tr("With {count} photographs of a board").format(count=count), ""))
+        if session.notes:
+            rows.append((tr("Notes"), session.notes, tr("Name in session.json")))
         self.facts.show_rows(rows)
 
     def keep_opened(self) -> None:
@@ -231,9 +195,9 @@ def problem_list(name: str) -> QTreeWidget:
     made.setTextElideMode(Qt.TextElideMode.ElideNone)
     made.setUniformRowHeights(False)
     header = made.header()
-    header.setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-    header.setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
-    header.setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+    modes = QHeaderView.ResizeMode
+    for column, mode in enumerate((modes.ResizeToContents, modes.ResizeToContents, modes.Stretch)):
+        header.setSectionResizeMode(column, mode)
     header.setStretchLastSection(True)
     return made
 

@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from brdf_qt.fields.quiet import QuietComboBox
 from brdf_qt.program.translation import tr
 from numpy.typing import NDArray
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox
 
 from brdf_designer.acquire.pictures.map_plot import AngleMap, MapPlot
 from brdf_designer.acquire.states import CoverageState
-from brdf_designer.acquire.step_page import AcquirePage, Facts, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
+from brdf_designer.window.widgets import button, combo, wrapped
 
 What = Literal["share", "pixels", "error"]
 _TICKS_DEG = (0.0, 2.0, 10.0, 30.0, 60.0, 90.0)
@@ -35,33 +34,35 @@ class CoveragePage(AcquirePage):
         self._state: CoverageState | None = None
         self.map = MapPlot(tr("Coverage of the table"))
         self.centre.addWidget(self.map, 1)
-        self.what = QuietComboBox()
-        for key, name in (
-            ("share", tr("Share of the φd bins measured")),
-            ("pixels", tr("Pixels per cell")),
-            ("error", tr("Relative standard error")),
-        ):
-            self.what.addItem(name, key)
-        self.what.setAccessibleName(tr("Quantity on the map"))
-        self.what.setToolTip(tr("Quantity that the grey of a cell represents"))
-        self.what.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.what = combo(
+            (
+                (tr("Share of the φd bins measured"), "share"),
+                (tr("Pixels per cell"), "pixels"),
+                (tr("Relative standard error"), "error"),
+            ),
+            tr("Quantity on the map"),
+            tr("Quantity that the grey of a cell represents"),
+        )
         self.what.currentIndexChanged.connect(lambda _index: self._draw())
         self.cell = Facts(tr("The cell under the cursor"))
         self.add_part("map", tr("Map"), self.what, self.cell)
         self.facts = Facts(tr("The table"))
         self.known = self.add_part("table", tr("Table"), self.facts)
         self.save = button(
-            tr("Save Table…"), tr("Save as .brdftable with the coverage, or as .binary in the MERL layout")
+            tr("Save Table…"),
+            tr("Save as .brdftable with the coverage, or as .binary in the MERL layout"),
+            self.save_requested.emit,
         )
-        self.save.clicked.connect(lambda _=False: self.save_requested.emit())
-        self.kept = wrapped("")
-        self.saving = self.add_part("save", tr("Save"), self.save, self.kept)
+        self.kept = wrapped()
+        self.add_part("save", tr("Save"), self.save, self.kept)
         self.map.hovered.connect(self._read)
         self.show_coverage(None)
 
     def show_coverage(self, state: CoverageState | None) -> None:
         """Show a table's coverage, or that there is no table yet."""
         self._state = state
+        if state is None:
+            self.kept.setText("")
         self.save.setEnabled(state is not None)
         self.known.setVisible(state is not None)
         if state is None:
@@ -71,10 +72,6 @@ class CoveragePage(AcquirePage):
         self._draw()
         self._read(-1, -1)
 
-    def show_kept(self, text: str) -> None:
-        """Say where the table is."""
-        self.kept.setText(text)
-
     def _draw(self) -> None:
         if self._state is not None:
             self.map.show_map(coverage_map(self._state, self.what.currentData()))
@@ -82,30 +79,22 @@ class CoveragePage(AcquirePage):
     def _read(self, row: int, column: int) -> None:
         state = self._state
         if state is None or row < 0:
-            rows = [(tr("Cell"), "–", tr("θh and θd under the cursor"))]
-        else:
-            share, error = state.share[row, column], state.error[row, column]
-            where = f"θh {state.theta_h_deg[column]:.3g}°, θd {state.theta_d_deg[row]:.3g}°"
-            known = np.isfinite(share) and share > 0.0
-            rows = [
+            self.cell.show_rows([(tr("Cell"), "–", tr("θh and θd under the cursor"))])
+            return
+        share, error = state.share[row, column], state.error[row, column]
+        where = f"θh {state.theta_h_deg[column]:.3g}°, θd {state.theta_d_deg[row]:.3g}°"
+        known = np.isfinite(share) and share > 0.0
+        measured = f"{100.0 * share:.0f} %" if known else tr("no")
+        pixels = f"{state.pixels[row, column]:.0f}" if known else "–"
+        spread = f"{100.0 * error:.2g} %" if known and np.isfinite(error) else "–"
+        self.cell.show_rows(
+            [
                 (tr("Cell"), where, tr("θh and θd under the cursor")),
-                (
-                    tr("Measured"),
-                    f"{100.0 * share:.0f} %" if known else tr("no"),
-                    tr("Share of measured φd bins"),
-                ),
-                (
-                    tr("Pixels"),
-                    f"{state.pixels[row, column]:.0f}" if known else "–",
-                    tr("Pixels in this cell"),
-                ),
-                (
-                    tr("Error"),
-                    f"{100.0 * error:.2g} %" if known and np.isfinite(error) else "–",
-                    tr("Relative standard error of the mean"),
-                ),
+                (tr("Measured"), measured, tr("Share of measured φd bins")),
+                (tr("Pixels"), pixels, tr("Pixels in this cell")),
+                (tr("Error"), spread, tr("Relative standard error of the mean")),
             ]
-        self.cell.show_rows(rows)
+        )
 
 
 def coverage_map(state: CoverageState, what: What) -> AngleMap:

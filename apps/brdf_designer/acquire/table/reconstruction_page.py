@@ -14,20 +14,27 @@ from PySide6.QtWidgets import QApplication, QProgressBar
 from brdf_designer.acquire.pictures.map_plot import MapPlot
 from brdf_designer.acquire.session.page import fill_problems, problem_list
 from brdf_designer.acquire.states import CoverageState, Problem
-from brdf_designer.acquire.step_page import AcquirePage, Facts, beside, button, wrapped
+from brdf_designer.acquire.step_page import AcquirePage, Facts
 from brdf_designer.acquire.table.coverage_page import coverage_map
+from brdf_designer.window.widgets import button, make_row, wrapped
 
 
 class GreyBar(QProgressBar):
-    """A bar filled with grey: the accent is for focus and selection alone."""
+    """A thin bar filled with grey: the accent is for focus and selection alone."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._dress()
+        self.setRange(0, 1000)
+        self.setTextVisible(False)
+        self.setMaximumHeight(12)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.ApplicationPaletteChange:
-            self.dress()
+            self._dress()
 
-    def dress(self) -> None:
-        """Take the theme's grey."""
+    def _dress(self) -> None:
         colours = QPalette()
         grey = QApplication.palette().color(QPalette.ColorRole.PlaceholderText)
         colours.setColor(QPalette.ColorRole.Highlight, grey)
@@ -54,26 +61,20 @@ class ReconstructionPage(AcquirePage):
             ),
         )
         self.bar = GreyBar()
-        self.bar.dress()
-        self.bar.setRange(0, 1000)
-        self.bar.setTextVisible(False)
-        self.bar.setMaximumHeight(12)
         self.bar.setAccessibleName(tr("Progress of the reconstruction"))
-        self.progress_text = wrapped("")
+        self.progress_text = wrapped()
         self.map = MapPlot(tr("Coverage so far"))
         self.problems = problem_list(tr("Skipped positions"))
         self.centre.addWidget(self.progress_text)
         self.centre.addWidget(self.bar)
         self.centre.addWidget(self.map, 3)
         self.centre.addWidget(self.problems, 1)
-        self.start = button(tr("Start"), tr("Combine all photographs into a table of the reflectance"))
-        self.cancel = button(tr("Stop"), tr("Stop. Finished positions are kept; you can resume later."))
-        self.again = button(
-            tr("Start Over"), tr("Discard the finished positions and start with the first one")
-        )
-        self.start.clicked.connect(lambda _=False: self.start_requested.emit())
-        self.cancel.clicked.connect(lambda _=False: self.cancel_requested.emit())
-        self.again.clicked.connect(lambda _=False: self.again_requested.emit())
+        tip = tr("Combine all photographs into a table of the reflectance")
+        self.start = button(tr("Start"), tip, self.start_requested.emit)
+        tip = tr("Stop. Finished positions are kept; you can resume later.")
+        self.cancel = button(tr("Stop"), tip, self.cancel_requested.emit)
+        tip = tr("Discard the finished positions and start with the first one")
+        self.again = button(tr("Start Over"), tip, self.again_requested.emit)
         form = Form()
         self.grazing = NumberField(tr("Grazing cut-off"), "°", 45.0, 89.0, 1.0, 0, 80.0)
         self.grazing.edited.connect(self.grazing_edited)
@@ -82,7 +83,7 @@ class ReconstructionPage(AcquirePage):
             self.grazing,
             tr("Largest angle of light or view from the normal; pixels beyond it are skipped"),
         )
-        self.add_part("run", tr("Reconstruction"), beside(self.start, self.cancel), self.again, form)
+        self.add_part("run", tr("Reconstruction"), make_row(self.start, self.cancel), self.again, form)
         self.facts = Facts(tr("Progress"))
         self.add_part("done", tr("Done"), self.facts)
         self.show_progress(0.0, "", running=False)
@@ -100,18 +101,12 @@ class ReconstructionPage(AcquirePage):
     def show_done(self, done: int, total: int, failed: Sequence[Problem]) -> None:
         """Show how many positions are done, and which could not be used."""
         self.start.setText(tr("Resume") if 0 < done < total else tr("Start"))
+        counts = tr("{done} of {total}").format(done=done, total=total)
+        tip = tr("Lamp positions that could not be used; the list gives the reasons")
         self.facts.show_rows(
             (
-                (
-                    tr("Positions"),
-                    tr("{done} of {total}").format(done=done, total=total),
-                    tr("Lamp positions included in the table"),
-                ),
-                (
-                    tr("Excluded"),
-                    str(len(failed)),
-                    tr("Lamp positions that could not be used; the list gives the reasons"),
-                ),
+                (tr("Positions"), counts, tr("Lamp positions included in the table")),
+                (tr("Excluded"), str(len(failed)), tip),
             )
         )
         fill_problems(self.problems, failed)

@@ -59,14 +59,6 @@ class TableRequest:
     partial: Callable[[int, int, CoverageState | None], None]
 
 
-@dataclass(frozen=True, eq=False)
-class SaveTable:
-    """A table, and where it is to be."""
-
-    acquired: Any
-    path: Path
-
-
 def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
     """Look what an earlier run has left."""
     from brdf_suite.acquisition.reconstruction.table import kept_calibration
@@ -133,40 +125,26 @@ def coverage_state(table: IsotropicTable, acquired: Any = None) -> CoverageState
     coverage = table.coverage
     share = coverage_map(table)
     pixels = np.zeros_like(share) if coverage is None else np.asarray(coverage.samples.sum(axis=2).T, float)
-    facts: list[tuple[str, str, str]] = []
+    facts: tuple[tuple[str, str, str], ...] = ()
     if acquired is not None:
-        facts = [
-            (
-                tr("Measured"),
-                tr("{share:.1f} %").format(share=100.0 * covered_share(table, 75.0)),
-                tr(
-                    "Share of the bins with light and view up to 75° from the normal; the others "
-                    "are filled from neighbours"
-                ),
-            ),
+        measured = tr("{share:.1f} %").format(share=100.0 * covered_share(table, 75.0))
+        tip = tr(
+            "Share of the bins with light and view up to 75° from the normal; the others "
+            "are filled from neighbours"
+        )
+        done, failed = len(acquired.positions_done), len(acquired.positions_failed)
+        positions = tr("{done} of {total}").format(done=done, total=done + failed)
+        facts = (
+            (tr("Measured"), measured, tip),
             (tr("Readings"), thousands(int(acquired.readings)), tr("Pixels used for the table")),
-            (
-                tr("Positions"),
-                tr("{done} of {total}").format(
-                    done=len(acquired.positions_done),
-                    total=len(acquired.positions_done) + len(acquired.positions_failed),
-                ),
-                tr("Lamp positions"),
-            ),
+            (tr("Positions"), positions, tr("Lamp positions")),
             *(("", notice, "") for notice in acquired.notices),
-        ]
-    return CoverageState(
-        share,
-        pixels,
-        deviation_map(table),
-        np.degrees(theta_h),
-        np.degrees(theta_d),
-        tuple(facts),
-    )
+        )
+    return CoverageState(share, pixels, deviation_map(table), np.degrees(theta_h), np.degrees(theta_d), facts)
 
 
-def save_table(request: SaveTable, _progress: Progress) -> tuple[str, ...]:
-    """Write the table; that the file may be overwritten was asked before."""
+def save_table(request: tuple[Any, Path], _progress: Progress) -> tuple[str, ...]:
+    """Write what was acquired to a file; that it may be overwritten was asked before."""
     from brdf_suite.acquisition.reconstruction.output import write_acquired
 
-    return write_acquired(request.acquired, request.path, overwrite=True)
+    return write_acquired(*request, overwrite=True)

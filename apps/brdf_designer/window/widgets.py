@@ -1,0 +1,96 @@
+"""Columns, rows, labels, lists and buttons as all parts of Designer have them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from brdf_qt.fields.labels import PlainLabel, plain_tip
+from brdf_qt.fields.quiet import QuietComboBox
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QSizePolicy,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+Margins = tuple[int, int, int, int]
+
+
+def fill_column(
+    parent: QWidget | None, *widgets: QWidget, spacing: int = 8, margins: Margins = (0, 0, 0, 0)
+) -> QVBoxLayout:
+    """Lay widgets out in ``parent`` from top to bottom."""
+    box = QVBoxLayout() if parent is None else QVBoxLayout(parent)
+    box.setContentsMargins(*margins)
+    box.setSpacing(spacing)
+    for widget in widgets:
+        box.addWidget(widget)
+    return box
+
+
+def make_row(*widgets: QWidget, spacing: int = 8, stretch: int = 1) -> QWidget:
+    """Return widgets side by side; ``stretch`` 0: none is wider than it has to be."""
+    made = QWidget()
+    box = QHBoxLayout(made)
+    box.setContentsMargins(0, 0, 0, 0)
+    box.setSpacing(spacing)
+    for widget in widgets:
+        box.addWidget(widget, stretch)
+    return made
+
+
+def split(orientation: Qt.Orientation, *parts: tuple[QWidget, int]) -> QSplitter:
+    """Return widgets with a handle between them, and the share of the room that each takes."""
+    made = QSplitter(orientation)
+    made.setHandleWidth(8)
+    for place, (widget, stretch) in enumerate(parts):
+        made.addWidget(widget)
+        made.setStretchFactor(place, stretch)
+    made.setChildrenCollapsible(False)
+    return made
+
+
+def wrapped(text: str = "") -> QLabel:
+    """Return a label that breaks its lines and can be copied from."""
+    label = PlainLabel(text)
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    label.setMinimumWidth(64)
+    return label
+
+
+def set_font(label: QWidget, *, bold: bool = False, italic: bool = False) -> None:
+    """Set a text bold or italic; nothing where it is so already."""
+    font = label.font()
+    if (font.bold(), font.italic()) != (bold, italic):
+        font.setBold(bold)
+        font.setItalic(italic)
+        label.setFont(font)
+
+
+def button(text: str, tip: str, action: Callable[[], object] | None = None) -> QPushButton:
+    """Return a button that gives way in a narrow column, and calls ``action``."""
+    made = QPushButton(text)
+    made.setToolTip(plain_tip(tip))
+    made.setAccessibleDescription(tip)
+    made.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+    made.setMinimumWidth(48)
+    if action is not None:
+        made.clicked.connect(lambda: action())
+    return made
+
+
+def combo(choices: Iterable[tuple[str, object]], name: str = "", tip: str = "") -> QuietComboBox:
+    """Return a list of (title, value) that is no wider than its place."""
+    made = QuietComboBox()
+    for title, value in choices:
+        made.addItem(title, value)
+    made.setAccessibleName(name)
+    made.setToolTip(tip)
+    made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    return made
