@@ -46,14 +46,9 @@ class PaletteRecovery(Recovery[Palette]):
         self.timer.timeout.disconnect(self.write)
         self.timer.timeout.connect(self.write_in_background)
 
-    @property
-    def file(self) -> Path:
-        """The file of the autosave; it exists while there is unsaved work."""
-        return self._file
-
     def saved(self) -> Recovered[Palette]:
         """Return what the file of the autosave holds."""
-        return self._read(self._file)
+        return self._read(self.file)
 
     def write(self) -> bool:
         """Write the unsaved palette now, and wait for it; see :meth:`Recovery.write`."""
@@ -106,13 +101,13 @@ class PaletteRecovery(Recovery[Palette]):
         """Write what was encoded: here, so that it never comes after the file was removed because all is saved."""
         if self._closed or self._store.is_clean:
             return
-        draft = self._file.with_suffix(".tmp")
+        draft = self.file.with_suffix(".tmp")
         try:
             draft.write_bytes(content)
-            draft.replace(self._file)
+            draft.replace(self.file)
         except OSError as error:
             self._fails = True
-            self._failed(FileError(self._file, f"the autosave cannot be written ({error.strerror})"))
+            self._failed(FileError(self.file, f"the autosave cannot be written ({error.strerror})"))
             return
         if self._fails:
             self._fails = False

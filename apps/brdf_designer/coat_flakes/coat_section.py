@@ -50,6 +50,7 @@ class CoatSection(PaintSection):
 
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
+        self._last_peel = DEFAULT_PEEL
         self.panel = self.add_panel("gloss.gu_20", "gloss.gu_60")
         self.has_60 = QCheckBox(tr("Specify 60° gloss"))
         self.has_60.setToolTip(
@@ -86,7 +87,6 @@ class CoatSection(PaintSection):
         self.peel = self.add_panel("orange_peel.amplitude_um", "orange_peel.wavelength_mm")
         self.slope = computed()
         self.peel.add_row(tr("Slope"), self.slope, tr(_SLOPE_TIP))
-        self._last_peel = DEFAULT_PEEL
         self._solved = (1.5, LOWEST_ROUGHNESS)
         self._held: tuple[float, float] | None = None
         self._asked: tuple[float, float] | None = None

@@ -32,6 +32,7 @@ class FlakesSection(PaintSection):
 
     def __init__(self, session: PaintSession) -> None:
         super().__init__(session)
+        self._last = DEFAULT_FLAKES
         self.has_flakes = QCheckBox(tr("Visible flakes"))
         self.has_flakes.setToolTip(tr(_DRAWN))
         self.has_flakes.clicked.connect(lambda on: session.edit(SetFlakes(self._last if on else None)))
@@ -46,7 +47,6 @@ class FlakesSection(PaintSection):
             form.add_row(tr("Sparkle {angle:g}°").format(angle=angle), label, tip)
             self.figures[angle] = label
         self.box.addWidget(form)
-        self._last = DEFAULT_FLAKES
 
     def part_of(self, paint: Paint) -> object:
         """Return what of a paint is shown here."""

@@ -174,8 +174,8 @@ def changed_lamp(lamp: StudioLamp, name: str, value: Any) -> StudioLamp:
         return dataclasses.replace(lamp, facing=None if value else (-x, -y, -z))
     if name in ("facing_azimuth", "facing_elevation"):
         now = facing_deg(lamp)
-        angles = (value, now[1]) if name == "facing_azimuth" else (now[0], value)
-        return dataclasses.replace(lamp, facing=point_at(*angles, 1.0))
+        azimuth, elevation = (value, now[1]) if name == "facing_azimuth" else (now[0], value)
+        return dataclasses.replace(lamp, facing=point_at(azimuth, elevation, 1.0))
     if name == "softness_cm":
         return dataclasses.replace(lamp, softness_m=0.01 * value)
     return dataclasses.replace(lamp, **{name: value})
