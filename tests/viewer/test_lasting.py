@@ -60,7 +60,7 @@ def test_after_a_wild_session_a_viewer_is_as_a_new_one(
         fresnel="off",
     )
     controller.undo()
-    window.commands.copy_requested.emit()
+    window.commands.copy.trigger()
     window.messages.show_message(Message("note", "A note."))
     window.status.showMessage("something")
     window.environment.exposure.setFocus()
