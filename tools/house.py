@@ -51,7 +51,7 @@ LATE_IMPORTS: dict[str, str] = {
     "brdf_suite/documents/store.py": "OpenEXR is loaded for the textures of factored paints alone",
     "brdf_suite/fitting/lobes/background.py": "concurrent.futures loads logging, and a program may start without a fit",
     "brdf_suite/fitting/lobes/measured_samples.py": "scipy.spatial takes 0.5 s, and only measured data need it",
-    "brdf_suite/fitting/lobes/solver.py": "highspy takes 20 ms, and a program may start without a fit",
+    "brdf_suite/fitting/lobes/highs_model.py": "highspy takes 20 ms, and a program may start without a fit",
     "brdf_suite/paint_design/feasible_colours.py": "scipy.optimize takes half a second, and few edits need it",
     "brdf_suite/reflectance/blocks.py": "concurrent.futures loads logging, and small calls need no threads",
     "brdf_suite/reflectance/factored/model.py": "OpenEXR is loaded for the textures of factored paints alone",

@@ -13,7 +13,7 @@ from collections.abc import Container, Sequence
 from importlib import import_module
 from importlib.metadata import version
 
-from brdf_suite.cli import programs
+from brdf_suite.cli import default_action
 from brdf_suite.errors import Cancelled, SuiteError
 from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 
@@ -129,7 +129,7 @@ def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
     )
     top.add_argument("--version", action="version", version=f"brdf-suite {version('brdf-suite')}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND")
-    programs.add(commands)
+    default_action.add(commands)
     for name, (module, summary) in COMMANDS.items():
         command = commands.add_parser(name, help=summary)
         if name in wanted:
@@ -143,12 +143,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given[:1] == [MODULE_OPTION]:
         return _run_module(given[1:])
     try:
-        if given and given[0] in programs.PROGRAMS:
+        if given and given[0] in default_action.PROGRAMS:
             # argparse would take the program's options for its own.
-            return programs.open_one(given[0], given[1:])
+            return default_action.open_one(given[0], given[1:])
         try:
             options = parser(given[:1]).parse_args(given)
-            status = int(getattr(options, "run", programs.open_both)(options))
+            status = int(getattr(options, "run", default_action.open_both)(options))
         finally:
             if sys.stdout is not None:  # None where the caller closed it
                 sys.stdout.flush()  # here and not at exit, where a failure can no longer be reported

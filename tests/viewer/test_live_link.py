@@ -20,7 +20,7 @@ from PySide6.QtWidgets import QPushButton
 from brdf_suite.documents.paint import Gloss, solid_paint
 from brdf_suite.documents.store import paint_to_json, save_paint, view_from_json
 from brdf_suite.documents.view import Camera
-from brdf_suite.fitting.lobes.solver import SolverOutcome
+from brdf_suite.fitting.lobes.highs_model import SolverOutcome
 from brdf_suite.pipeline.lobe_fit import PaintFitter, fit_material
 from brdf_suite.pipeline.material import load_material
 

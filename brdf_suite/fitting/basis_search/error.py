@@ -30,9 +30,9 @@ from brdf_suite.fitting.basis_search.database import (
     coat_counts,
     coat_rings,
 )
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram, base_program, coat_program, with_energy
 from brdf_suite.fitting.lobes.samples import BaseSamples, CoatSamples
-from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 #: What counts as much at the measured angles as a ΔE00 of 1 elsewhere: there readings are compared with the paint.
 MEASURED_UNIT = 0.4

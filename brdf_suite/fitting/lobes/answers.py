@@ -12,8 +12,8 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
+from brdf_suite.fitting.lobes.highs_model import BlockSolution
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import BlockSolution
 
 if TYPE_CHECKING:  # 3 ms with the logging that it loads, on the start-up path of programs that may not fit
     from concurrent.futures import Future

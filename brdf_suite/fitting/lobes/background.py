@@ -24,8 +24,8 @@ import numpy as np
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.answers import LimitedSolution, NormalizedTargets, optimal_answer
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 if TYPE_CHECKING:
     from concurrent.futures import Future

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.arrays import Floats
+from brdf_suite.fitting.lobes.highs_model import BlockSolution
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import BlockSolution
 
 #: A gap between an answer's error and its dual bound that is worth a refinement, relative to the error.
 GAP = 1e-8

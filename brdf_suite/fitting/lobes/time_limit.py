@@ -36,8 +36,8 @@ from brdf_suite.fitting.lobes.answers import (
 from brdf_suite.fitting.lobes.background import MOST_TRIES, BackgroundSolver
 from brdf_suite.fitting.lobes.exact_vertex import KeptVertex, kept_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
+from brdf_suite.fitting.lobes.highs_model import SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram
-from brdf_suite.fitting.lobes.solver import SolverOutcome
 
 if TYPE_CHECKING:
     from concurrent.futures import Future  # see answers.py

@@ -18,7 +18,7 @@ from brdf_suite.fitting import LobeFitter
 from brdf_suite.fitting.lobes import solver as solver_module
 from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
-from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 from brdf_suite.reflectance.designed.build import build_paint
 

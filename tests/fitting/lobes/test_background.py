@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.errors import FittingError
+from brdf_suite.fitting.lobes.highs_model import SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import SolverOutcome
 from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0

@@ -3,8 +3,8 @@ from __future__ import annotations
 import numpy as np
 
 from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
+from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import build_program
-from brdf_suite.fitting.lobes.solver import BlockSolver, SolverOutcome
 
 
 def test_a_target_that_the_columns_reach_is_reached_to_rounding() -> None:

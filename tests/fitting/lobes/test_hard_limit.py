@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.fitting.lobes import fallback, time_limit
+from brdf_suite.fitting.lobes.highs_model import BlockSolution, BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.time_limit import LimitedSolver
 
 PATIENCE_S = 250.0

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from brdf_suite.fitting.lobes.exact_vertex import kept_vertex
+from brdf_suite.fitting.lobes.highs_model import BlockSolution, BlockSolver, SolverOutcome
 from brdf_suite.fitting.lobes.program import PartProgram, build_program
-from brdf_suite.fitting.lobes.solver import BlockSolution, BlockSolver, SolverOutcome
 
 
 def solved(parts: list[PartProgram], targets: list[np.ndarray]) -> BlockSolution:
