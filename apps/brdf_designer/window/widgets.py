@@ -91,6 +91,6 @@ def combo(choices: Iterable[tuple[str, object]], name: str = "", tip: str = "") 
     for title, value in choices:
         made.addItem(title, value)
     made.setAccessibleName(name)
-    made.setToolTip(tip)
+    made.setToolTip(plain_tip(tip))
     made.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
     return made
