@@ -6,11 +6,9 @@ the colours, a glossmeter of the standard's three angles the gloss; both see the
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
@@ -143,14 +141,3 @@ def _is_at(geometry: Geometry, aspecular_deg: float) -> bool:
 
 def _triple(values: Floats) -> Triple:
     return float(values[0]), float(values[1]), float(values[2])
-
-
-def measure_lab(
-    reflectance: Reflectance, illumination_deg: npt.ArrayLike, aspecular_deg: npt.ArrayLike
-) -> Floats:
-    """Return CIE L*a*b* (..., 3), D65 and 10° observer, in the plane of incidence; angles in degrees.
-
-    The reading of a whole paint: base and coat. ρ = π f_r, so a perfect diffuser reads L* = 100.
-    """
-    wi, wo = illumination(illumination_deg), aspecular_view(illumination_deg, aspecular_deg)
-    return working_to_lab(math.pi * reflectance.eval(wi, wo))
