@@ -15,7 +15,7 @@ from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, FlopIndex, Travel, flop_index, travel
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Triple, triple
 from brdf_suite.errors import FittingError
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture, reflectance_factor
@@ -27,8 +27,6 @@ _FLOP_LIGHT_DEG = 45.0
 _SAME_DEG = 1e-6
 # Relative change between the last two refinements above which a reading is called uncertain.
 _UNCERTAIN = 5e-3
-
-Triple = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -48,7 +46,7 @@ class Reading:
     @property
     def lch(self) -> Triple:
         """L*, C*ab and hue in degrees."""
-        return _triple(lab_to_lch(self.lab))
+        return triple(lab_to_lch(self.lab))
 
 
 @dataclass(frozen=True)
@@ -112,7 +110,7 @@ def _read(reflectance: Reflectance, geometry: Geometry, aperture: Aperture, noti
             f"At {geometry.name} the integral over the aperture is uncertain by {100.0 * change:.1f} %."
         )
     lab = working_to_lab(rho)
-    return Reading(geometry, _triple(rho), _triple(lab_to_xyz(lab)), _triple(lab))
+    return Reading(geometry, triple(rho), triple(lab_to_xyz(lab)), triple(lab))
 
 
 def _flop(readings: tuple[Reading, ...]) -> FlopIndex | None:
@@ -137,7 +135,3 @@ def _is_at(geometry: Geometry, aspecular_deg: float) -> bool:
         abs(geometry.illumination_deg - _FLOP_LIGHT_DEG) <= _SAME_DEG
         and abs(geometry.aspecular_deg - aspecular_deg) <= _SAME_DEG
     )
-
-
-def _triple(values: Floats) -> Triple:
-    return float(values[0]), float(values[1]), float(values[2])
