@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
@@ -22,3 +22,11 @@ Bytes = NDArray[np.uint8]
 Codes = NDArray[np.uint8] | NDArray[np.uint16]  # the values in an image file
 
 AnyArray = NDArray[Any]
+
+Triple = tuple[float, float, float]  # one colour or place as a document has it
+
+
+def triple(values: ArrayLike) -> Triple:
+    """Return three numbers (3,) as a tuple of floats."""
+    x, y, z = np.asarray(values, float).tolist()
+    return x, y, z

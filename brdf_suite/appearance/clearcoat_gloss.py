@@ -25,7 +25,7 @@ from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 
-from brdf_suite.errors import UnreachableError, ValueRangeError
+from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.fresnel import fresnel_at
 
 
@@ -149,36 +149,19 @@ def gloss_units(angle_deg: int, ior: float, roughness: float) -> float:
     )
 
 
-def solve_coat(
+def nearest_coat(
     gu_20: float, gu_60: float | None = None, base_gu_20: float = 0.0, base_gu_60: float = 0.0
-) -> Coat:
-    """Return the coat whose gloss and the base's flux together give the readings.
+) -> tuple[Coat, str | None]:
+    """Return the coat whose gloss and the base's flux together give the readings; or the nearest, and a refusal.
 
     With ``gu_20`` alone, the index stays 1.5 and the roughness is solved, down to .002; a higher gloss keeps
-    that roughness and raises the index. With ``gu_60`` both are solved.
+    that roughness and raises the index. With ``gu_60`` both are solved. The refusal is a sentence that names the
+    reading and what can be reached; it may be lifted where a search's base is not final yet.
 
     Parameters
     ----------
     base_gu_20, base_gu_60
         What the base alone sends into the receptors, gloss units.
-
-    Raises
-    ------
-    UnreachableError
-        No coat gives the reading; the message names it and what can be reached.
-    """
-    coat, refusal = nearest_coat(gu_20, gu_60, base_gu_20, base_gu_60)
-    if refusal is not None:
-        raise UnreachableError(refusal)
-    return coat
-
-
-def nearest_coat(
-    gu_20: float, gu_60: float | None = None, base_gu_20: float = 0.0, base_gu_60: float = 0.0
-) -> tuple[Coat, str | None]:
-    """Return the coat of :func:`solve_coat`, or the nearest one with a sentence of refusal.
-
-    For a search whose base is not final yet, where a refusal may still be lifted.
     """
     if gu_60 is not None:
         return _from_two(gu_20, gu_60, base_gu_20, base_gu_60)

@@ -15,7 +15,6 @@ from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Lab
-from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -60,11 +59,6 @@ class HeldOut:
     away: ErrorFigures | None
 
 
-def as_rgb_tuple(row: Floats) -> tuple[float, float, float]:
-    """Return three numbers as plain ones."""
-    return float(row[0]), float(row[1]), float(row[2])
-
-
 def aspecular_lab(
     reflectance: Reflectance, aspecular_deg: Sequence[float], illumination_deg: float = 45.0
 ) -> Floats:
@@ -100,14 +94,3 @@ def error_figures(
         cube_root_rms=rms(cosine * (np.cbrt(wanted) - np.cbrt(given))),
         log_rms=rms(np.log1p(wanted * cosine) - np.log1p(given * cosine)),
     )
-
-
-def directional_reflectance(reflectance: Reflectance, samples: CoatSamples | None = None) -> Floats:
-    """Return ``(3,)`` what a coat reflects of a constant environment, seen at 45° (``∫ f_r·(N·L) dω``).
-
-    The integral is over rings around the mirror direction, within 90° of it: meant for a coat, and finer than
-    the fit's own rings so that it is a check of them.
-    """
-    rings = samples or CoatSamples(first_ring_rad=2e-4, log_step=0.08, azimuths=24)
-    values = reflectance.eval(rings.lights, rings.view) * rings.cosines[..., None]
-    return np.asarray(rings.solid_angle @ values.mean(axis=1))

@@ -21,22 +21,6 @@ from brdf_suite.arrays import Floats
 _QUARTER = math.pi / 4.0
 
 
-def square_to_disc(u: npt.ArrayLike) -> Floats:
-    """Return points (..., 2) of the unit disc for points ``u`` (..., 2) of the unit square, both ends included.
-
-    >>> square_to_disc([1.0, 0.5]).tolist()
-    [1.0, 0.0]
-    """
-    radius, azimuth = _polar(np.asarray(u, float))
-    return np.stack((radius * np.cos(azimuth), radius * np.sin(azimuth)), axis=-1)
-
-
-def disc_to_square(point: npt.ArrayLike) -> Floats:
-    """Return points (..., 2) of the unit square for points (..., 2) of the unit disc; the inverse of the map."""
-    x, y = np.moveaxis(np.asarray(point, float), -1, 0)
-    return _from_polar(np.hypot(x, y), x, y)
-
-
 def square_to_hemisphere(u: npt.ArrayLike) -> Floats:
     """Return unit directions (..., 3) above the horizon for points ``u`` (..., 2) of the unit square.
 

@@ -34,12 +34,3 @@ def texel_directions(size: int) -> NDArray[np.float64]:
     )
     directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
     return directions
-
-
-def texel_solid_angles(size: int) -> NDArray[np.float64]:
-    """Return the solid angles (size, size) in steradians of a face's texels; six faces sum to 4π."""
-    edges = 2.0 * np.arange(size + 1) / size - 1.0
-    x, y = edges[None, :], edges[:, None]
-    corner = np.arctan2(x * y, np.sqrt(x * x + y * y + 1.0))
-    area: NDArray[np.float64] = np.diff(np.diff(corner, axis=0), axis=1)
-    return area

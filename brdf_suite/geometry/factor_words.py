@@ -108,10 +108,6 @@ class Factor:
 
 DEFAULT_FACTORS = "p:wo q:h p:wi"
 """p(ωo) q(h) p(ωi), equation 9."""
-COSINE_FACTORS = "p:w.h,h.n q:wi.n,wo.n"
-"""p(h·ω, h·n) q(ωi·n, ωo·n), equation 21: for isotropic reflectances."""
-RADIAL_FACTORS = "p:|wo| q:|h| p:|wi|"
-"""Equation 9 where its maps are radially symmetric, as of isotropic reflectances: one number a ring."""
 MEASURED_FACTORS = "p:|wo| q:sqrt|h| p:|wi| d:w.h@16"
 """Of isotropic measurements: radial maps, that of the half vector fine at the normal, and one over Fresnel's angle."""
 MOST_FACTORS = 8

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_XYZ
+from brdf_suite.arrays import triple
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, fejer_weights, ring_angles
 
@@ -100,13 +101,13 @@ def environment_statistics(environment: Environment) -> EnvironmentStatistics:
     flux = float(by_row.sum())
     sun, share = _sun(luminance, theta, phi, solid_angle, flux)
     return EnvironmentStatistics(
-        average_radiance=(float(average[0]), float(average[1]), float(average[2])),
+        average_radiance=triple(average),
         average_luminance=flux / (4.0 * np.pi),
         horizontal_illuminance=up,
         vertical_illuminance=(towards[0], towards[1], towards[2], towards[3]),
         brightest_luminance=brightest,
         dynamic_range_stops=_range(luminance, solid_angle, brightest),
-        sun_direction=None if sun is None else (float(sun[0]), float(sun[1]), float(sun[2])),
+        sun_direction=None if sun is None else triple(sun),
         sun_elevation_deg=None if sun is None else float(np.degrees(np.arcsin(np.clip(sun[1], -1.0, 1.0)))),
         sun_azimuth_deg=None if sun is None else float(np.degrees(np.arctan2(sun[0], sun[2])) % 360.0),
         sun_share=share,

@@ -13,6 +13,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry
+from brdf_suite.arrays import triple
 from brdf_suite.documents.paint import Lab, Measurement, Paint
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -116,4 +117,4 @@ def _model_lab(model: Reflectance, geometries: Sequence[Geometry]) -> list[Lab]:
     # Adding 0 turns -0.0, which would be saved as such, into 0.
     rows = np.round(working_to_lab(rho), DIGITS) + 0.0
     rows[:, 0] = np.maximum(rows[:, 0], 0.0)
-    return [(float(row[0]), float(row[1]), float(row[2])) for row in rows]
+    return [triple(row) for row in rows]

@@ -17,6 +17,7 @@ import numpy as np
 from brdf_suite.appearance.colour.flat_colours import within_paint
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.appearance.geometries import GEOMETRY_SETS, Geometry, GeometrySet
+from brdf_suite.arrays import triple
 from brdf_suite.documents.paint import PARAMETERS, Gloss, Interpolation, Lab, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import SuiteError, UnreachableError
@@ -238,7 +239,7 @@ def _nearest_rule(
             continue
         given = measure(design, geometries).lab
         rows = tuple(
-            HeldOutGeometry(g.illumination_deg, g.aspecular_deg, _lab(one), _lab(two), float(delta))
+            HeldOutGeometry(g.illumination_deg, g.aspecular_deg, triple(one), triple(two), float(delta))
             for g, one, two, delta in zip(
                 geometries.geometries, original, given, delta_e_2000(original, given), strict=True
             )
@@ -280,10 +281,6 @@ def _unused(paint: Paint) -> list[Geometry]:
                 continue
             found.append(Geometry(light, angle))
     return found
-
-
-def _lab(row: np.ndarray[tuple[int], np.dtype[np.float64]]) -> Lab:
-    return float(row[0]), float(row[1]), float(row[2])
 
 
 def _name(item: Material) -> str:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.measured import UndividedFit, fit_rows, fit_undivided, scattered_values
 from brdf_suite.fitting.lobes.measured_samples import (
@@ -27,7 +27,7 @@ from brdf_suite.fitting.lobes.measured_samples import (
     views_with_light_at_minus_x,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights, RaisedWeights
-from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, as_rgb_tuple, error_figures
+from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, error_figures
 from brdf_suite.geometry.directions import (
     angle_between,
     aspecular_angle,
@@ -122,9 +122,7 @@ def _angle_errors(
     lab, lab_fitted = working_to_lab(np.pi * data), working_to_lab(np.pi * lobes)
     difference = delta_e_2000(lab, lab_fitted)
     return tuple(
-        AngleError(
-            light, gamma, as_rgb_tuple(lab[k]), as_rgb_tuple(lab_fitted[k]), float(difference[k]), fitted[k]
-        )
+        AngleError(light, gamma, triple(lab[k]), triple(lab_fitted[k]), float(difference[k]), fitted[k])
         for k, (light, gamma) in enumerate(geometries)
         if known[k]
     )

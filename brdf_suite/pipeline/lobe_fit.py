@@ -22,7 +22,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.atomic import with_lists
 from brdf_suite.documents.paint import Flakes, OrangePeel, Paint
 from brdf_suite.documents.view_settings import LightColour
@@ -30,7 +30,7 @@ from brdf_suite.errors import FittingError
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.fitter import LayersFit, LobeFitter
 from brdf_suite.fitting.lobes.weights import LobeWeights
-from brdf_suite.fitting.metrics import AngleError, HeldOut, as_rgb_tuple
+from brdf_suite.fitting.metrics import AngleError, HeldOut
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.pipeline.material import SCATTERED, material_of, under_illuminant
 from brdf_suite.progress import Progress, report, subrange
@@ -330,7 +330,7 @@ def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleErr
         material=material,
         kind="measured",
         weights=fit.weights,
-        l1_errors={"whole": as_rgb_tuple(fit.relative_error)},
+        l1_errors={"whole": triple(fit.relative_error)},
         notices=(*known, *fit.notices),
         fit_seconds=fit.seconds,
         angles=angles,
@@ -341,7 +341,7 @@ def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleErr
 
 
 def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:
-    return {"base": as_rgb_tuple(fit.base_error.relative), "coat": as_rgb_tuple(fit.coat_error.relative)}
+    return {"base": triple(fit.base_error.relative), "coat": triple(fit.coat_error.relative)}
 
 
 def _light_notice(reflectance: Reflectance, weights: LobeWeights) -> tuple[str, ...]:
@@ -369,6 +369,6 @@ def _readings(paint: Paint | None, weights: LobeWeights) -> tuple[AngleError, ..
     fitted = working_to_lab(np.pi * weights.eval(light, view))
     difference = delta_e_2000(lab, fitted)
     return tuple(
-        AngleError(m.illumination_deg, m.aspecular_deg, m.lab, as_rgb_tuple(fitted[i]), float(difference[i]))
+        AngleError(m.illumination_deg, m.aspecular_deg, m.lab, triple(fitted[i]), float(difference[i]))
         for i, m in enumerate(paint.measurements)
     )

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.view import SENSOR_WIDTH_MM, Camera
 
 MARGIN = 1.18
@@ -49,7 +49,7 @@ class Bounds:
             return Bounds((-0.5, -0.5, -0.5), (0.5, 0.5, 0.5))
         outline = _farthest(np.concatenate(found))
         # The axes are among the directions, so the outline has the box's own extremes.
-        return Bounds(_triple(outline.min(axis=0)), _triple(outline.max(axis=0)), outline)
+        return Bounds(triple(outline.min(axis=0)), triple(outline.max(axis=0)), outline)
 
     @property
     def centre(self) -> tuple[float, float, float]:
@@ -144,7 +144,7 @@ def compose(camera: Camera, bounds: Bounds, size: tuple[int, int]) -> Camera:
         picture = moved[:, :2] / (distance - moved[:, 2:])
         shift[:2] += 0.5 * (picture.max(axis=0) + picture.min(axis=0)) * distance
     distance = _fitting_distance(local - shift, tangents, bounds.radius)
-    return replace(camera, target=_triple(np.asarray(bounds.centre) + basis @ shift), distance=distance)
+    return replace(camera, target=triple(np.asarray(bounds.centre) + basis @ shift), distance=distance)
 
 
 def _fitting_distance(local: Floats, tangents: tuple[float, float], radius: float) -> float:
@@ -209,7 +209,7 @@ def pan(camera: Camera, bounds: Bounds, size: tuple[int, int], right_px: float, 
     metres_per_pixel = 2 * half_tangents(camera, size)[0] * camera.distance / size[0]
     basis = axes(camera)
     target = np.asarray(camera.target) + metres_per_pixel * (-right_px * basis[:, 0] + down_px * basis[:, 1])
-    return replace(camera, target=_triple(target))
+    return replace(camera, target=triple(target))
 
 
 def dolly(camera: Camera, bounds: Bounds, size: tuple[int, int], factor: float) -> Camera:
@@ -237,7 +237,7 @@ def dolly_to(
     shrunk = 2 * half_tangents(camera, size)[1] * (start.distance - nearer.distance)
     basis = axes(camera)
     target = np.asarray(start.target) + shrunk * (place[0] * basis[:, 0] + place[1] * basis[:, 1])
-    return replace(nearer, target=_triple(target))
+    return replace(nearer, target=triple(target))
 
 
 def frame(camera: Camera) -> Camera:
@@ -255,8 +255,3 @@ def _farthest(points: NDArray[Any]) -> Floats:
     directions = np.concatenate([np.eye(3), -np.eye(3), spread])
     farthest = [int(np.argmax(points @ direction.astype(points.dtype))) for direction in directions]
     return np.asarray(points[farthest], np.float64)
-
-
-def _triple(point: NDArray[Any]) -> tuple[float, float, float]:
-    x, y, z = (float(c) for c in point)
-    return x, y, z

@@ -10,13 +10,13 @@ from brdf_suite.acquisition.geometry.sphere.placement import (
     RigGeometry,
     in_rig,
     nominal_geometry,
-    triple,
     unit,
 )
 from brdf_suite.acquisition.radiance.white_reference import irradiance_from_white, with_refined_white
 from brdf_suite.acquisition.session.session import Session, WhiteReference
 from brdf_suite.acquisition.simulator import Simulator, SimulatorSettings
 from brdf_suite.acquisition.table.samples import PositionSamples, SphereSampler
+from brdf_suite.arrays import triple
 from brdf_suite.errors import AcquisitionError, ValueRangeError
 from brdf_suite.geometry.directions import half_angle_coordinates
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from brdf_suite.appearance.colour.colorimetry import display_to_lab
-from brdf_suite.appearance.difference.colour_scale import STEPS, scale_colour, scale_table
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 
 
 def test_lightness_rises_evenly_and_nothing_is_clipped() -> None:
@@ -14,11 +13,3 @@ def test_lightness_rises_evenly_and_nothing_is_clipped() -> None:
     np.testing.assert_allclose(lab[:, 0], np.linspace(6.0, 94.0, STEPS + 1), atol=0.05)
     steps = np.linalg.norm(np.diff(lab, axis=0), axis=1)
     assert steps.max() < 4.0 * np.median(steps)
-
-
-def test_between_two_colours_it_is_a_straight_line() -> None:
-    table = scale_table()
-    middle = scale_colour((np.arange(STEPS) + 0.5) / STEPS)
-    np.testing.assert_allclose(middle, 0.5 * (table[1:] + table[:-1]), atol=1e-12)
-    assert scale_colour(-1.0) == pytest.approx(table[0])
-    assert scale_colour(7.0) == pytest.approx(table[-1])

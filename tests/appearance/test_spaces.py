@@ -16,16 +16,15 @@ from brdf_suite.appearance.colour.colorimetry import (
     in_srgb_gamut,
     lab_to_working,
     lab_to_xyz,
+    srgb_encode,
     working_to_display,
 )
 from brdf_suite.appearance.colour.spaces import (
+    DISPLAY_P3_SPACE,
     adapt_xyz,
     in_display_gamut,
     lab_to_lch,
-    lab_to_working_by,
     lch_to_lab,
-    working_to_lab_by,
-    working_to_p3,
     working_to_xyz,
     xyz_to_working,
 )
@@ -55,7 +54,7 @@ def test_xyz_and_p3_agree_with_another_program(colour: ModuleType, labs: np.ndar
     to_p3 = np.linalg.inv(colour.normalised_primary_matrix(screen.primaries, screen.whitepoint)) @ to_xyz
     linear = rho @ to_p3.T
     expected = np.copysign(colour.models.eotf_inverse_sRGB(np.abs(linear)), linear)
-    np.testing.assert_allclose(working_to_p3(rho), expected, atol=1e-6)
+    np.testing.assert_allclose(srgb_encode(DISPLAY_P3_SPACE.of_working(rho)), expected, atol=1e-6)
 
 
 def test_bradford_agrees_with_another_program(colour: ModuleType, labs: np.ndarray) -> None:
@@ -66,11 +65,6 @@ def test_bradford_agrees_with_another_program(colour: ModuleType, labs: np.ndarr
         )
         actual = adapt_xyz(lab_to_xyz(labs), WHITE_D65_10, white, name)
         np.testing.assert_allclose(actual, 100.0 * expected, atol=1e-6)
-        np.testing.assert_allclose(working_to_lab_by(lab_to_working_by(labs, name), name), labs, atol=1e-8)
-    np.testing.assert_array_equal(lab_to_working_by(labs, "CAT16"), lab_to_working(labs))
-    difference = np.abs(lab_to_working_by(labs, "Bradford") - lab_to_working(labs)).max()
-    assert 1e-5 < difference < 0.02
-    np.testing.assert_allclose(lab_to_working_by([60.0, 0.0, 0.0], "Bradford"), lab_to_working([60.0, 0, 0]))
     with pytest.raises(ValueRangeError, match="CAT16, Bradford"):
         adaptation([95, 100, 108], [95, 100, 108], "von Kries")
 
@@ -85,9 +79,8 @@ def test_the_wider_display_shows_more(labs: np.ndarray) -> None:
     # The red primary of Display P3 is no colour of sRGB, and the other way it is a paler one.
     red = np.array([1.0, 0.0, 0.0])
     assert working_to_display(xyz_to_working(100.0 * np.array([0.4866, 0.2290, 0.0]))).max() > 1.0
-    np.testing.assert_allclose(
-        working_to_p3(xyz_to_working(100.0 * np.array([0.48657, 0.22897, 0.0]))), red, atol=3e-3
-    )
+    wide_red = DISPLAY_P3_SPACE.of_working(xyz_to_working(100.0 * np.array([0.48657, 0.22897, 0.0])))
+    np.testing.assert_allclose(srgb_encode(wide_red), red, atol=3e-3)
 
 
 @given(st.floats(0.0, 250.0), st.floats(0.0, 250.0), st.floats(0.0, 359.999))
@@ -99,7 +92,7 @@ def test_any_lch_comes_back(lightness: float, chroma: float, hue: float) -> None
 
 
 def test_shapes_are_kept() -> None:
-    for function in (lab_to_lch, lch_to_lab, working_to_xyz, xyz_to_working, working_to_p3):
+    for function in (lab_to_lch, lch_to_lab, working_to_xyz, xyz_to_working):
         assert function(np.zeros((2, 0, 3))).shape == (2, 0, 3)
         assert np.isnan(function([np.nan, np.nan, np.nan])).any()
     assert in_display_gamut(np.zeros((4, 5, 3)), "Display P3").shape == (4, 5)

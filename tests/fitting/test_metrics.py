@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from brdf_suite.fitting import LobeFitter, LobeWeights
+from brdf_suite.fitting.lobes.samples import CoatSamples
 from brdf_suite.fitting.metrics import (
     aspecular_delta_e,
     aspecular_lab,
-    directional_reflectance,
     error_figures,
 )
 
@@ -38,6 +38,13 @@ def test_error_figures_of_two_diffusers_by_hand() -> None:
     assert figures.cosine_rms == pytest.approx(0.8 * 7.0)
     assert figures.cube_root_rms == pytest.approx(0.8 * 1.0)
     assert figures.log_rms == pytest.approx(np.log(1 + 6.4) - np.log(1 + 0.8))
+
+
+def directional_reflectance(coat: Any) -> np.ndarray:
+    """What a coat reflects of a constant environment, seen at 45°, over rings finer than the fit's own."""
+    rings = CoatSamples(first_ring_rad=2e-4, log_step=0.08, azimuths=24)
+    values = coat.eval(rings.lights, rings.view) * rings.cosines[..., None]
+    return rings.solid_angle @ values.mean(axis=1)
 
 
 def test_directional_reflectance_of_a_coat(make_paint: Callable[..., Any], fitter: LobeFitter) -> None:

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from brdf_suite.geometry.cube_map import texel_directions, texel_solid_angles
+from brdf_suite.geometry.cube_map import texel_directions
 
 
 def gl_look_up(direction: np.ndarray, size: int) -> tuple[int, int, int]:
@@ -33,8 +33,3 @@ def test_texel_is_found_where_gl_looks(size: int, data: st.DataObject) -> None:
         or abs(np.linalg.norm(direction) - 1) < 1e-12
     )
     assert gl_look_up(direction, size) == (face, row, column)
-
-
-def test_solid_angles_sum_to_the_sphere() -> None:
-    assert abs(6.0 * texel_solid_angles(10).sum() - 4.0 * np.pi) < 1e-12
-    assert texel_solid_angles(10).min() > 0.0

@@ -8,7 +8,7 @@ import pytest
 
 from brdf_suite.errors import Cancelled, ValueRangeError
 from brdf_suite.files.images.environments import read_environment_image
-from brdf_suite.geometry.cube_map import texel_directions, texel_solid_angles
+from brdf_suite.geometry.cube_map import texel_directions
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.face_array import pack_faces
 from brdf_suite.lighting.filter.harmonics import BROAD_BANDLIMIT, lobe_bandlimit
@@ -201,6 +201,14 @@ def test_packing_keeps_a_range_of_a_hundred_million() -> None:
     assert abs(back[0, 0, 0, 0] / 1e5 - 1.0) < 1e-3
     assert abs(back[2, 0, 0, 0] / 1e-3 - 1.0) < 0.1
     assert pack_faces(np.zeros((6, 2, 2, 3))).radiance().max() == 0.0
+
+
+def texel_solid_angles(size: int) -> np.ndarray:
+    """Return the solid angles (size, size) in steradians of a face's texels; six faces sum to 4π."""
+    edges = 2.0 * np.arange(size + 1) / size - 1.0
+    x, y = edges[None, :], edges[:, None]
+    corner = np.arctan2(x * y, np.sqrt(x * x + y * y + 1.0))
+    return np.diff(np.diff(corner, axis=0), axis=1)
 
 
 def test_every_real_environment_is_filtered_sensibly(shared_data: Path) -> None:

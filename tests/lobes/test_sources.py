@@ -41,7 +41,7 @@ def holed_table(tmp_path_factory) -> Path:
     holes = np.array(table.holes)
     holes[:, 5] = True
     path = tmp_path_factory.mktemp("tables") / "holed.brdftable"
-    write_measured(IsotropicTable.from_bins(table.values, holes), path)
+    write_measured(IsotropicTable(table.values, holes), path)
     return path
 
 

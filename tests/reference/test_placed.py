@@ -17,8 +17,8 @@ from brdf_suite.geometry.directions import spherical
 from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, load_shipped_paint, material_of
 from brdf_suite.reflectance.designed.build import build_paint
-from brdf_suite.reflectance.flakes.glints import glint_field, glint_ratio
 from brdf_suite.reflectance.flakes.tilt import tilt_place
+from tools.evaluation.flake_model import flake_texture_ratio, glint_field, glint_ratio
 from tools.evaluation.visible_flake_part import visible_flake_part
 
 pytestmark = pytest.mark.usefixtures("variant")
@@ -75,7 +75,6 @@ def test_the_flakes_are_those_of_the_core(variant, monkeypatch) -> None:
 def test_the_flake_texture_is_that_of_the_core(variant) -> None:
     from brdf_suite.reference.flakes.texture import flakes_seen, seen_ratio
     from brdf_suite.reflectance.flakes.footprint import PIXEL_REACH
-    from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
 
     rng = np.random.default_rng(8)
     at, across, down = pixels(rng, 20_000, 0.003, 0.3)

@@ -27,8 +27,8 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
 
     from brdf_suite.reference.flakes.texture import flakes_seen
     from brdf_suite.reference.raytraced import flakes as fl
-    from brdf_suite.reflectance.flakes.glints import flake_texture_ratio
     from brdf_suite.reflectance.flakes.tilt import flake_slope
+    from tools.evaluation.flake_model import flake_texture_ratio
 
     rng = np.random.default_rng(7)
     n = 4000

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, in_rig, triple
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, in_rig
 from brdf_suite.acquisition.session.session import Session
+from brdf_suite.arrays import triple
 from brdf_suite.errors import AcquisitionError
 
 _LEAST_COSINE = 0.05

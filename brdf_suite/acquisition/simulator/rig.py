@@ -19,7 +19,6 @@ from brdf_suite.acquisition.session.session import (
     Sphere,
     WhiteReference,
 )
-from brdf_suite.acquisition.session.values import Point
 from brdf_suite.acquisition.simulator.optics import (
     HOUSING_RADIUS_M,
     POST_RADIUS_M,
@@ -41,7 +40,7 @@ from brdf_suite.acquisition.simulator.picture import (
 )
 from brdf_suite.acquisition.simulator.sensor import Sensor, response
 from brdf_suite.acquisition.simulator.settings import SimulatorSettings
-from brdf_suite.arrays import Codes, Floats, Singles
+from brdf_suite.arrays import Codes, Floats, Singles, triple
 from brdf_suite.reflectance.protocol import Reflectance
 
 WHITE_ANGLE_DEG = 30.0
@@ -93,7 +92,7 @@ class Simulator:
         board = white = stated = matrix = None
         if settings.colour_matrix:
             red, green, blue = np.linalg.inv(_FROM_WORKING)
-            matrix = (_three(red), _three(green), _three(blue))
+            matrix = (triple(red), triple(green), triple(blue))
         if settings.board:
             square = board_square_m(self.optics, settings)
             board = Board(BOARD_COLUMNS, BOARD_ROWS, square, series("board", BOARD_PICTURES))
@@ -101,7 +100,7 @@ class Simulator:
             region = tile_region(self.optics, settings)
             white = WhiteReference(series("white"), region, (TILE_REFLECTANCE,) * 3, WHITE_ANGLE_DEG)
         else:
-            stated = _three(self._irradiance())
+            stated = triple(self._irradiance())
         camera = SessionCamera(
             settings.camera_distance_m,
             settings.camera_height_m,
@@ -240,11 +239,6 @@ class Simulator:
 
     def _photographed(self, picture: Floats, exposures_s: tuple[float, ...], shot: int) -> Codes:
         return self.sensor.expose((picture * self._vignette).astype(np.float32), exposures_s, shot)
-
-
-def _three(values: Floats) -> Point:
-    x, y, z = values.tolist()
-    return x, y, z
 
 
 def _tilt(settings: SimulatorSettings) -> float:

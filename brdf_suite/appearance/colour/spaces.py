@@ -17,18 +17,15 @@ from numpy.typing import ArrayLike, NDArray
 from brdf_suite.appearance.colour.colorimetry import (
     REC709_PRIMARIES,
     REC2020_PRIMARIES,
-    WHITE_D65_10,
     WHITE_XY,
     WORKING_TO_SRGB,
     WORKING_TO_XYZ,
     AdaptationTransform,
     adaptation,
     lab_to_working,
-    lab_to_xyz,
     primaries_to_xyz,
     srgb_decode,
     srgb_encode,
-    xyz_to_lab,
 )
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ValueRangeError
@@ -83,29 +80,6 @@ def adapt_xyz(
 ) -> Floats:
     """Return XYZ adapted completely from one white to another, by CAT16 or Bradford."""
     return np.asarray(np.asarray(xyz, float) @ adaptation(white_from, white_to, transform).T)
-
-
-def lab_to_working_by(lab: npt.ArrayLike, transform: AdaptationTransform) -> Floats:
-    """Return ρ in the working space of L*a*b* (D65, 10°) with a stated adaptation to the 2° white.
-
-    ``CAT16`` is :func:`~brdf_suite.appearance.colour.colorimetry.lab_to_working`. Both leave greys grey; on saturated
-    colours they differ by some thousandths, as the two whites are close.
-    """
-    if transform == "CAT16":
-        return lab_to_working(lab)
-    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-    return xyz_to_working(adapt_xyz(lab_to_xyz(lab), WHITE_D65_10, white, transform))
-
-
-def working_to_lab_by(rho: npt.ArrayLike, transform: AdaptationTransform) -> Floats:
-    """Return L*a*b* (D65, 10°) of ρ in the working space; the inverse of :func:`lab_to_working_by`."""
-    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-    return xyz_to_lab(adapt_xyz(working_to_xyz(rho), white, WHITE_D65_10, transform))
-
-
-def working_to_p3(rho: npt.ArrayLike) -> Floats:
-    """Return Display P3 values with its transfer curve (that of sRGB) of working-space ones; not clipped."""
-    return srgb_encode(np.asarray(rho, float) @ WORKING_TO_P3.T)
 
 
 def in_display_gamut(

@@ -9,7 +9,6 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.colour.colorimetry import in_srgb_gamut, lab_to_working, working_to_display
 from brdf_suite.appearance.colour.spaces import lch_to_lab
@@ -43,16 +42,3 @@ def scale_table() -> Floats:
     table = np.clip(working_to_display(lab_to_working(lab)), 0.0, 1.0)
     table.flags.writeable = False
     return np.asarray(table)
-
-
-def scale_colour(share: npt.ArrayLike) -> Floats:
-    """Return encoded sRGB (..., 3) for shares (...) of the scale's end; clamped to 0…1.
-
-    >>> scale_colour(2.0).tolist() == scale_colour(1.0).tolist()
-    True
-    """
-    table = scale_table()
-    at = np.clip(np.asarray(share, float), 0.0, 1.0) * STEPS
-    below = np.minimum(at.astype(int), STEPS - 1)
-    part = (at - below)[..., None]
-    return np.asarray(table[below] * (1.0 - part) + table[below + 1] * part)

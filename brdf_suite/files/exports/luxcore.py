@@ -26,7 +26,7 @@ from importlib.metadata import version
 
 import numpy as np
 
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import PathLike
@@ -127,8 +127,8 @@ def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Fl
 
 
 def _paint(weights: Floats, m: tuple[float, float, float], r3: float) -> CarPaint:
-    kd, ks1, ks2 = ((float(row[0]), float(row[1]), float(row[2])) for row in weights)
-    widths = (float(m[0]), float(m[1]), float(m[2]))
+    kd, ks1, ks2 = (triple(row) for row in weights)
+    widths = triple(m)
     return CarPaint(kd, (ks1, ks2, (1.0, 1.0, 1.0)), (1.0, 1.0, r3), widths, (), False)
 
 

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Bools, Floats
+from brdf_suite.arrays import Bools, Floats, triple
 from brdf_suite.documents.cook_torrance import CookTorranceLobe, CookTorrancePaint
 from brdf_suite.errors import FittingError
 from brdf_suite.fitting.cook_torrance.model import LobeModel, Terms, Vector
@@ -253,11 +253,11 @@ class CookTorranceFit:
             advice = "fit cook-torrance, or write a table"
             raise FittingError(f"Lobes of the model {self.model.name} cannot be saved as a paint; {advice}.")
         lobes = tuple(
-            CookTorranceLobe(_three(ks), float(m), float(r))
+            CookTorranceLobe(triple(ks), float(m), float(r))
             for number, (ks, m, r) in enumerate(zip(self.ks, self.m, self.r, strict=True))
             if number not in self.dropped
         )
-        return CookTorrancePaint(name, _three(self.kd), lobes, notes=notes, source=source)
+        return CookTorrancePaint(name, triple(self.kd), lobes, notes=notes, source=source)
 
     def to_json(self) -> dict[str, object]:
         """Return everything as plain values; undetermined values are null."""
@@ -287,10 +287,6 @@ class CookTorranceFit:
             "lobes_without_weight": len(self.dropped),
             "notices": list(self.notices),
         }
-
-
-def _three(values: Floats) -> tuple[float, float, float]:
-    return float(values[0]), float(values[1]), float(values[2])
 
 
 def _plain(values: npt.ArrayLike) -> object:

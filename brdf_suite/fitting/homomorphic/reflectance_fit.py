@@ -11,7 +11,7 @@ from typing import Literal, get_args
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.factor_textures import write_textures
 from brdf_suite.documents.factored import PARAMETERS, FactoredPaint
 from brdf_suite.documents.store import PAINT_ENDING, save_paint
@@ -210,7 +210,7 @@ def factor_reflectance(
         factor_words(whole.product.factors),
         factor_words(peak),
         uneven,
-        (float(correction[0]), float(correction[1]), float(correction[2])),
+        triple(correction),
         errors,
         found.used / sum(values[..., 0].size for values in maps.values()),
         found.used,
@@ -337,7 +337,7 @@ def save_factored(found: FactoredFit, path: PathLike, *, name: str | None = None
         name or found.name,
         write_textures({key: values.astype(np.float32) for key, values in found.maps.items()}, target),
         found.factors,
-        (float(alpha[0]), float(alpha[1]), float(alpha[2])),
+        triple(alpha),
         peak=found.peak,
         largest=float(found.value.facts["largest"]),
         source=found.value.source,

@@ -19,7 +19,6 @@ from brdf_suite.appearance.colour.colorimetry import (
     LUMINANCE,
     WORKING_TO_SRGB,
     WORKING_TO_XYZ,
-    srgb_decode,
     srgb_encode,
 )
 from brdf_suite.appearance.difference.cam02ucs import xyz_to_cam02ucs
@@ -92,11 +91,6 @@ def _uniform(linear: Floats) -> Floats:
     white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
     working = linear @ np.linalg.inv(WORKING_TO_SRGB).T
     return xyz_to_cam02ucs(100.0 * working @ WORKING_TO_XYZ.T, white)
-
-
-def uniform_steps(codes: Bytes) -> Floats:
-    """Return the CAM02-UCS distances (n - 1,) between neighbours of a map (n, 3)."""
-    return np.asarray(np.linalg.norm(np.diff(_uniform(srgb_decode(codes / 255.0)), axis=0), axis=-1))
 
 
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")

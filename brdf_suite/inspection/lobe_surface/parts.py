@@ -17,7 +17,7 @@ from typing import Literal
 import numpy as np
 import numpy.typing as npt
 
-from brdf_suite.arrays import Floats, Singles
+from brdf_suite.arrays import Floats, Singles, triple
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
@@ -139,14 +139,14 @@ class FitLobe:
 
 def fit_lobes(weights: LobeWeights) -> tuple[FitLobe, ...]:
     """Return the lobes of a fit that have any weight, diffuse first, then by part and rising exponent."""
-    rows: list[FitLobe] = [FitLobe("diffuse", 0, None, _triple(weights.kd))]
+    rows: list[FitLobe] = [FitLobe("diffuse", 0, None, triple(weights.kd))]
     order = np.argsort(weights.exponents, kind="stable").tolist()
     tables: tuple[tuple[FitPart, npt.NDArray[np.float64]], ...] = (
         ("directional", weights.kdd),
         ("gloss", weights.kg),
     )
     for part, table in tables:
-        rows += [FitLobe(part, i, float(weights.exponents[i]), _triple(table[i])) for i in order]
+        rows += [FitLobe(part, i, float(weights.exponents[i]), triple(table[i])) for i in order]
     return tuple(row for row in rows if any(row.weight))
 
 
@@ -185,7 +185,3 @@ class FitOnGrid:
             single = weight.astype(np.float32)
             total += single if exponent is None else self._power(exponent)[..., None] * single
         return total
-
-
-def _triple(row: npt.NDArray[np.float64]) -> tuple[float, float, float]:
-    return float(row[0]), float(row[1]), float(row[2])

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import PROJECTIONS
@@ -164,10 +164,3 @@ class FactoredMaps:
     def has_directions(self) -> bool:
         """Whether any map is over directions, so that it matters how the surface's tangent lies."""
         return any(self.form(name) == "hemisphere" for name in self.maps)
-
-
-def soft_clip(values: ArrayLike, ceiling: float) -> NDArray[np.float64]:
-    """Return values (..., 3) as the shader bends them: what is above ``ceiling`` comes to it."""
-    given = np.asarray(values, np.float64)
-    share = (given.max(axis=-1, keepdims=True) / ceiling) ** 4
-    return np.asarray(given / (1.0 + share) ** 0.25)

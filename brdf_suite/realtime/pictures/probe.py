@@ -13,8 +13,9 @@ import moderngl
 import numpy as np
 from numpy.typing import NDArray
 
-from brdf_suite.arrays import Floats, Singles
+from brdf_suite.arrays import Floats, Singles, triple
 from brdf_suite.documents.view import View
+from brdf_suite.geometry.directions import angle_between
 from brdf_suite.realtime.camera import crop
 from brdf_suite.realtime.gl.context import graphics_errors
 from brdf_suite.realtime.gl.objects import Size, Target
@@ -98,7 +99,7 @@ class SurfacePoint:
     @property
     def view_angle_deg(self) -> float:
         """The angle between the normal and the viewer, 0…90."""
-        return angle_deg(self.normal, self.to_viewer)
+        return float(np.degrees(angle_between(self.normal, self.to_viewer)))
 
     def aspecular_deg(self, to_light: Vector) -> float | None:
         """The angle between the mirror direction of a light and the viewer; None where it does not reach the surface.
@@ -110,7 +111,7 @@ class SurfacePoint:
         cosine = float(n @ light)
         if cosine <= 0.0:
             return None
-        return angle_deg(2.0 * cosine * n - light, self.to_viewer)
+        return float(np.degrees(angle_between(2.0 * cosine * n - light, self.to_viewer)))
 
 
 @dataclass(frozen=True)
@@ -152,7 +153,7 @@ class PixelProbe:
         light = tile[inside]
         places, normals = self._geometry(view, (width, height), corner)
         point = self._point(view, (width, height), places[inside], normals[inside])
-        return RadianceProbe(_triple(light[:3]), float(light[3]), point)
+        return RadianceProbe(triple(light[:3]), float(light[3]), point)
 
     def _point(
         self, view: View, size: Size, place: NDArray[np.float32], normal: NDArray[np.float32]
@@ -166,9 +167,9 @@ class PixelProbe:
         name = mesh.names[part]
         chosen = {item.part: item.material for item in view.surface_look.materials}
         return SurfacePoint(
-            _triple(place[:3]),
-            _triple(normal[:3]),
-            _triple(to_viewer / np.linalg.norm(to_viewer)),
+            triple(place[:3]),
+            triple(normal[:3]),
+            triple(to_viewer / np.linalg.norm(to_viewer)),
             name,
             chosen.get(name, mesh.materials[part]),
         )
@@ -184,18 +185,3 @@ class PixelProbe:
         with graphics_errors(self._renderer.context, "looking for the surface under the cursor"):
             framebuffer, _ = self._target.prepare(_TILE, "f4")
             return _draw_geometry(self._renderer, self._program, framebuffer, cropped, camera.eye)
-
-
-def angle_deg(first: Vector | NDArray[np.float64], second: Vector | NDArray[np.float64]) -> float:
-    """Return the angle between two vectors, 0…180, exact also where it is small.
-
-    >>> round(angle_deg((0.0, 0.0, 1.0), (0.0, 1.0, 1.0)), 6)
-    45.0
-    """
-    a, b = np.asarray(first, np.float64), np.asarray(second, np.float64)
-    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)))
-
-
-def _triple(values: NDArray[np.floating]) -> Vector:
-    x, y, z = (float(v) for v in values)
-    return x, y, z

@@ -1,6 +1,6 @@
 // Provides: struct FlakeTexture, FlakeTexture flake_texture(...), vec3 flake_texture_ratio(FlakeTexture f, vec2 slope,
 //           float spread), float flake_contrast(FlakeTexture f, float spread)
-// Needs:    nothing. The same functions in numpy: reflectance/flakes/glints.py
+// Needs:    nothing. The same functions in numpy: tools/evaluation/flake_model.py
 //
 // The flake texture of Guenther et al. 2005, section 5.2: the cell of the texture coordinate seeds a generator, which
 // draws the flake's normal from Beckmann's distribution with the paint's m,

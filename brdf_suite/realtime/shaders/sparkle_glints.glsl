@@ -1,7 +1,7 @@
 // Provides: struct GlintField, GlintField glint_field(...), float glint_contrast(GlintField g, float width),
 //           MOST_GLINT_LIGHTS, glint_widths, glint_places, glint_powers, vec3 glint_difference(GlintField g, int
 // count),           vec3 glint_ratio(GlintField g, vec3 place, float spread), float shown_share(float weight)
-// Needs:    nothing. The same functions in numpy: reflectance/flakes/glints.py
+// Needs:    nothing. The same functions in numpy: tools/evaluation/flake_model.py
 //
 // How bright the visible flakes of a footprint are in one light, over their mean: 1 for endlessly many, mostly 0 and
 // sometimes very much for a few. After Kemppinen et al., "Glinty NDFs in Constant Time" (SIGGRAPH Asia 2025).

@@ -1,7 +1,7 @@
 // Provides: uint scrambled(uint x), uint cell_key(ivec2 cell, uint salt), vec2 halves(uint word)
 // Needs:    nothing
 //
-// Integers only, so that every machine, and the same functions in numpy (reflectance/flakes/glints.py), agree to the
+// Integers only, so that every machine, and the same functions in numpy (tools/evaluation/flake_model.py), agree to the
 // last bit: a flake has to be the same flake in every frame, tile and program.
 
 // A bijection of 32 bits in which each bit in changes each bit out with a chance near one half (two rounds of

@@ -11,7 +11,8 @@ from typing import Any
 from brdf_suite.reference.bsdfs import terms
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, LocalBsdf, TwoToneBsdf
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene.place import Place, Viewpoint
+from brdf_suite.reference.scene.camera import Pinhole
+from brdf_suite.reference.scene.place import Place
 
 
 def make_bsdf(term: Any) -> Any:
@@ -32,7 +33,7 @@ def _plug_in() -> Any:
             self.m_components = [flags]
             self.m_flags = flags
             self.term: Any = None
-            self.viewpoint: Viewpoint | None = None
+            self.viewpoint: Pinhole | None = None
 
         def sample(self, _context: Any, si: Any, choice: Any, u: Any, active: Any = True) -> tuple[Any, Any]:
             view, side = _facing(si.wi)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
+from brdf_suite.arrays import triple
 from brdf_suite.reference.bsdfs.aspecular import AspecularBaseTerm, SeveralLightsTerm
 from brdf_suite.reference.bsdfs.factored import FactoredTerm
 from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
@@ -109,7 +110,7 @@ def _exact(reflectance: object) -> Any | None:
     if isinstance(reflectance, CosineLobes):
         return _cosine_lobes(reflectance)
     if isinstance(reflectance, CoreLambertian):
-        return LambertianTerm(_triple(reflectance.albedo))
+        return LambertianTerm(triple(reflectance.albedo))
     return None
 
 
@@ -128,7 +129,7 @@ def _cook_torrance(model: CookTorrance) -> SumTerm:
         weight = 4.0 * full * _dot(lobe.ks)
         lobes.append(
             FacetLobe(
-                _triple(lobe.ks),
+                triple(lobe.ks),
                 lobe.m,
                 full,
                 index_from_reflectance(lobe.r) if lobe.r < 1.0 else None,
@@ -137,13 +138,8 @@ def _cook_torrance(model: CookTorrance) -> SumTerm:
         )
     # The widest facets leave gaps towards grazing that a few even directions fill.
     least = 0.05 * (_dot(paint.kd) + sum(lobe.weight for lobe in lobes))
-    return SumTerm((LambertianTerm(_triple(paint.kd), max(_dot(paint.kd), least, 1e-6)), *lobes))
+    return SumTerm((LambertianTerm(triple(paint.kd), max(_dot(paint.kd), least, 1e-6)), *lobes))
 
 
 def _dot(colour: Any) -> float:
     return float(sum(c * y for c, y in zip(colour, LUMINANCE.tolist(), strict=True)))
-
-
-def _triple(colour: Any) -> tuple[float, float, float]:
-    r, g, b = (float(c) for c in colour)
-    return r, g, b

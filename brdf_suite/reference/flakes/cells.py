@@ -1,6 +1,6 @@
 """Shared parts of both flake models: the hash that generates flakes, their tint, and their visibility in a sample.
 
-The counterpart of ``flakes.footprint``, and of the hash and ``flake_tint`` in ``flakes.glints``.
+The counterpart of ``flakes.footprint``, and of the hash and ``flake_tint`` of the shaders.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ GOLDEN = 0x9E3779B9
 
 
 def scramble(x: Word) -> Word:
-    """Return a hash of a word of 32 bits, each bit of which hangs on each of ``x``; see ``flakes.glints``."""
+    """Return a hash of a word of 32 bits, each bit of which hangs on each of ``x``; see ``sparkle_hash.glsl``."""
     x = (x ^ (x >> 16)) * mi.UInt32(0x21F0AAAD)
     x = (x ^ (x >> 15)) * mi.UInt32(0xD35A2D97)
     return x ^ (x >> 15)

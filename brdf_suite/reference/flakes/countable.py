@@ -87,7 +87,7 @@ def tilt_bell(slope2: Real, roughness: float) -> Real:
 
 @dataclass(frozen=True, eq=False)
 class FlakeField:
-    """The flakes in the footprint of a place; see ``flakes.glints.GlintField``."""
+    """The flakes in the footprint of a place; see ``sparkle_glints.glsl``."""
 
     spot: Spot
     level: Real

@@ -1,4 +1,4 @@
-"""Flake texture in the renderer, as ``flakes.glints.flake_texture_ratio`` (Günther et al. 2005, section 5.2)."""
+"""Flake texture in the renderer, as ``flake_texture.glsl`` (Günther et al. 2005, section 5.2)."""
 
 from __future__ import annotations
 

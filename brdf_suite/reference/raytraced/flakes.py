@@ -1,6 +1,6 @@
 """Sparkling flakes: normals from a texture in surface coordinates, faded with distance (section 5.2).
 
-The counterpart of :func:`brdf_suite.reflectance.flakes.glints.flake_texture_ratio`: the same hash, so the same flakes
+The counterpart of ``flake_texture.glsl``: the same hash, so the same flakes
 as in the real-time picture's flake texture, and the same in every frame. Each light is multiplied by how bright the
 flakes of the pixel are in it over their mean, for the share of the broad part that flakes which can be counted send;
 its mean over the surface is 1, so flakes neither add light nor take it. The share is that of

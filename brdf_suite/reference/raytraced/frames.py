@@ -12,9 +12,9 @@ import numpy.typing as npt
 from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.numbers import copy_to_device
 from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene, trace
+from brdf_suite.reference.scene.camera import Pinhole
 
 _TILE = 4
 _PIECE_RAYS = 6_000_000

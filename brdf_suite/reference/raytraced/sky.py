@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.camera import Pinhole
+from brdf_suite.reference.scene.camera import Pinhole
 
 
 @dataclass(frozen=True, eq=False)

@@ -36,8 +36,6 @@ from brdf_suite.reference.raytraced.lobes import (
 from brdf_suite.reference.raytraced.numbers import copy_to_device
 
 TableSplit = Literal["clamp", "subtract"]
-TABLE_SPLITS: tuple[TableSplit, ...] = ("clamp", "subtract")
-
 CLAMP_DEG = 15.0
 """Beside the mirror direction; both sides of it are half as far from the normal, as half vectors."""
 OUTER_DEG, INNER_DEG = 25.0, 6.0

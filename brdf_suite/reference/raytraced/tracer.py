@@ -28,13 +28,13 @@ from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import scramble
 from brdf_suite.reference.flakes.texture import FlakesSeen, flakes_seen
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.flakes import SparkleField, sparkling
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
 from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import TracedSky
 from brdf_suite.reference.raytraced.surface import Surface, SurfaceHit
+from brdf_suite.reference.scene.camera import Pinhole
 
 _GOLDEN = 0x9E3779B9
 """The golden ratio's part of 2³²: places of a sequence that fills the circle evenly."""

@@ -17,7 +17,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.filter.prefilter import prefilter
 from brdf_suite.lighting.latlong import sample
-from brdf_suite.reference.scene.scene import PinholeCamera
+from brdf_suite.reference.scene.camera import PinholeCamera
 
 Look = Callable[[Floats], npt.NDArray[Any]]
 """Radiance (..., 3) along directions (..., 3) of the environment, before any turn."""

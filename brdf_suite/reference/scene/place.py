@@ -16,32 +16,10 @@ import numpy.typing as npt
 from brdf_suite.reference.bsdfs.directions import TINY, Real, Square, Vector, number
 from brdf_suite.reference.bsdfs.terms import Sampler
 from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.scene.camera import Pinhole
 
 _SAME_DIRECTION = 1e-9
 """Squared distance of two unit directions that are one but for rounding: 0.002°."""
-
-
-@dataclass(frozen=True, eq=False)
-class Viewpoint:
-    """Camera data for surface evaluation, in device memory, so that a change needs no recompilation."""
-
-    eye: Any
-    right: Any
-    up: Any
-    back: Any
-    step: Any
-
-    @classmethod
-    def of(
-        cls,
-        place: npt.NDArray[np.float64],
-        axes: npt.NDArray[np.float64],
-        half_width_tangent: float,
-        size: tuple[int, int],
-    ) -> Viewpoint:
-        """Return that of an eye (3,), right, up and backward as columns (3, 3), and a picture's width and height."""
-        eye, right, up, back = (_point(column) for column in (place, *axes.T))
-        return cls(eye, right, up, back, number(2.0 * half_width_tangent / size[0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,21 +53,17 @@ class Place:
     side: Any
 
     @classmethod
-    def of(cls, si: Any, side: Real, viewpoint: Viewpoint) -> Place:
+    def of(cls, si: Any, side: Real, camera: Pinhole) -> Place:
         """Return the place of an interaction."""
         n = si.sh_frame.n
         # The gradients of u and v: across the lines of the other one, on the plane.
         du, dv = dr.cross(si.dp_dv, n), dr.cross(n, si.dp_du)
         long_u, long_v = dr.dot(du, si.dp_du), dr.dot(dv, si.dp_dv)
         du, dv = du / _off_zero(long_u), dv / _off_zero(long_v)
-        to_eye = viewpoint.eye - si.p
-        ray = -dr.normalize(to_eye)
+        from_eye = si.p - camera.place
+        ray = dr.normalize(from_eye)
         seen = dr.squared_norm(si.to_world(si.wi) + ray) < _SAME_DIRECTION
-        depth = dr.dot(to_eye, viewpoint.back)
-        forward = -to_eye / depth
-        across, down = (
-            _moved(axis, viewpoint.step * depth, forward, si.n) for axis in (viewpoint.right, -viewpoint.up)
-        )
+        across, down = camera.footprint(ray, dr.norm(from_eye), si.n)
         local_u, local_v = si.sh_frame.to_local(du), si.sh_frame.to_local(dv)
         return cls(
             si.uv,
@@ -108,12 +82,6 @@ class Place:
         return self.frame.to_world(mi.Vector3f(direction.x, direction.y, direction.z * self.side))
 
 
-def _moved(axis: Vector, length: Real, forward: Vector, normal: Vector) -> Vector:
-    """Return the displacement on the plane for a ray displaced by ``length`` along ``axis`` at the place's depth."""
-    along = dr.dot(axis, normal) / _off_zero(dr.dot(forward, normal))
-    return length * (axis - forward * along)
-
-
 def _off_zero(x: Real) -> Real:
     return dr.select(abs(x) < TINY, mi.Float(TINY), x)
 
@@ -121,10 +89,6 @@ def _off_zero(x: Real) -> Real:
 def _unit(v: Vector) -> Vector:
     across = mi.Vector3f(v.x, v.y, 0.0)
     return across * dr.rsqrt(dr.maximum(dr.squared_norm(across), TINY))
-
-
-def _point(values: npt.NDArray[np.float64]) -> Any:
-    return mi.Vector3f(*(number(float(v)) for v in values))
 
 
 def footprint_of_sample(pixel: float) -> float:

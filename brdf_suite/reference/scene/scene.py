@@ -23,8 +23,9 @@ from brdf_suite.geometry.directions import from_horizon
 from brdf_suite.lighting.latlong import column_angles, direction, sample
 from brdf_suite.reference.bsdfs.plugin import make_bsdf
 from brdf_suite.reference.mitsuba_modules import mi
+from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.reference.scene.ground import FIRST_SAMPLES, GroundGrid, ground_mesh
-from brdf_suite.reference.scene.place import Viewpoint, texture
+from brdf_suite.reference.scene.place import texture
 
 DEFAULT_DEPTH = 8
 """Surfaces that a path may meet, and one more for the light: interreflections of a car body fade by a factor each."""
@@ -39,15 +40,6 @@ class SurfacePart:
     normals: npt.NDArray[Any]
     triangles: npt.NDArray[Any]
     uvs: npt.NDArray[Any] | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class PinholeCamera:
-    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
-
-    place: npt.NDArray[np.float64]
-    axes: npt.NDArray[np.float64]
-    half_width_tangent: float
 
 
 @dataclass(eq=False)
@@ -146,7 +138,7 @@ def build_scene(
 def _set_viewpoint(bsdfs: Mapping[str, Any], eye: PinholeCamera, size: tuple[int, int]) -> None:
     ours = [bsdf for bsdf in bsdfs.values() if hasattr(bsdf, "term")]
     if ours:
-        viewpoint = Viewpoint.of(eye.place, eye.axes, eye.half_width_tangent, size)
+        viewpoint = Pinhole.of(eye, size)
         for bsdf in ours:
             bsdf.viewpoint = viewpoint
 

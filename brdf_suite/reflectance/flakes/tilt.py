@@ -6,8 +6,6 @@ standard deviation along an axis, in radians of tilt.
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 import numpy.typing as npt
 
@@ -46,26 +44,3 @@ def tilt_place(slope: Floats, roughness: float) -> tuple[Floats, Floats]:
     place = 0.5 + wide * (0.5 * up / np.sqrt(1.0 + up))[..., None]
     stretch = np.sqrt(tilt_bell((slope**2).sum(-1), roughness) / 8.0) / roughness
     return place, np.asarray(stretch)
-
-
-def beckmann_slopes(slope2: npt.ArrayLike, roughness: npt.ArrayLike) -> Floats:
-    """Return Beckmann's density over slopes, exp(-s²/m²) / (π m²), for s² and m (...)."""
-    m2 = np.asarray(roughness, float) ** 2
-    return np.asarray(np.exp(-np.asarray(slope2, float) / m2) / (math.pi * m2))
-
-
-def ggx_density(slope2: npt.ArrayLike, roughness: float) -> Floats:
-    """Return GGX per solid angle, (1 + s²)² / (π m² (1 + s²/m²)²), for s² (...)."""
-    slope2 = np.asarray(slope2, float)
-    m2 = roughness * roughness
-    return np.asarray(((1.0 + slope2) / (1.0 + slope2 / m2)) ** 2 / (math.pi * m2))
-
-
-def beckmann_tilt(r1: npt.ArrayLike, r2: npt.ArrayLike, roughness: float) -> Floats:
-    """Return slopes (..., 2) drawn by even numbers (...): tan θ = m √(-ln(1 - r1)), φ = 2π r2.
-
-    The sampling of Beckmann's distribution by Günther et al. 2005, section 5.2.
-    """
-    tangent = roughness * np.sqrt(-np.log1p(-np.asarray(r1, float)))
-    phi = 2.0 * math.pi * np.asarray(r2, float)
-    return np.stack([tangent * np.cos(phi), tangent * np.sin(phi)], axis=-1)

@@ -6,18 +6,16 @@ the colours, a glossmeter of the standard's three angles the gloss; both see the
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from brdf_suite.appearance.clearcoat_gloss import haze_units
 from brdf_suite.appearance.colour.colorimetry import lab_to_xyz, working_to_lab
 from brdf_suite.appearance.colour.spaces import lab_to_lch
 from brdf_suite.appearance.flop.travel import FIRST_DEG, LAST_DEG, FlopIndex, Travel, flop_index, travel
 from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometry, GeometrySet
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, Triple, triple
 from brdf_suite.errors import FittingError
 from brdf_suite.geometry.directions import aspecular_view, illumination
 from brdf_suite.reflectance.instruments.aperture import POINT, Aperture, reflectance_factor
@@ -29,8 +27,6 @@ _FLOP_LIGHT_DEG = 45.0
 _SAME_DEG = 1e-6
 # Relative change between the last two refinements above which a reading is called uncertain.
 _UNCERTAIN = 5e-3
-
-Triple = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -50,7 +46,7 @@ class Reading:
     @property
     def lch(self) -> Triple:
         """L*, C*ab and hue in degrees."""
-        return _triple(lab_to_lch(self.lab))
+        return triple(lab_to_lch(self.lab))
 
 
 @dataclass(frozen=True)
@@ -114,7 +110,7 @@ def _read(reflectance: Reflectance, geometry: Geometry, aperture: Aperture, noti
             f"At {geometry.name} the integral over the aperture is uncertain by {100.0 * change:.1f} %."
         )
     lab = working_to_lab(rho)
-    return Reading(geometry, _triple(rho), _triple(lab_to_xyz(lab)), _triple(lab))
+    return Reading(geometry, triple(rho), triple(lab_to_xyz(lab)), triple(lab))
 
 
 def _flop(readings: tuple[Reading, ...]) -> FlopIndex | None:
@@ -139,18 +135,3 @@ def _is_at(geometry: Geometry, aspecular_deg: float) -> bool:
         abs(geometry.illumination_deg - _FLOP_LIGHT_DEG) <= _SAME_DEG
         and abs(geometry.aspecular_deg - aspecular_deg) <= _SAME_DEG
     )
-
-
-def _triple(values: Floats) -> Triple:
-    return float(values[0]), float(values[1]), float(values[2])
-
-
-def measure_lab(
-    reflectance: Reflectance, illumination_deg: npt.ArrayLike, aspecular_deg: npt.ArrayLike
-) -> Floats:
-    """Return CIE L*a*b* (..., 3), D65 and 10° observer, in the plane of incidence; angles in degrees.
-
-    The reading of a whole paint: base and coat. ρ = π f_r, so a perfect diffuser reads L* = 100.
-    """
-    wi, wo = illumination(illumination_deg), aspecular_view(illumination_deg, aspecular_deg)
-    return working_to_lab(math.pi * reflectance.eval(wi, wo))

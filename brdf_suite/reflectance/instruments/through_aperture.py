@@ -18,7 +18,7 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import lab_to_working, working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.arrays import Floats
+from brdf_suite.arrays import Floats, triple
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import UnreachableError, ValueRangeError
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -106,10 +106,7 @@ def build_through(paint: Paint, aperture: Aperture) -> SolvedPaint:
 
 
 def _with_colours(paint: Paint, lab: Floats) -> Paint:
-    measurements = tuple(
-        replace(m, lab=(float(row[0]), float(row[1]), float(row[2])))
-        for m, row in zip(paint.measurements, lab, strict=True)
-    )
+    measurements = tuple(replace(m, lab=triple(row)) for m, row in zip(paint.measurements, lab, strict=True))
     return replace(paint, measurements=measurements)
 
 

@@ -129,33 +129,6 @@ class IsotropicTable(HalfVectorSampled):
         object.__setattr__(self, "holes", holes)
 
     @classmethod
-    def from_bins(
-        cls,
-        values: npt.ArrayLike,
-        holes: npt.ArrayLike,
-        *,
-        reciprocal: bool = True,
-        source: str = "",
-        facts: Mapping[str, Any] | None = None,
-    ) -> IsotropicTable:
-        """Return a table of ``values`` with ``holes`` filled from their neighbours; the arguments are kept as is.
-
-        What ``values`` holds in a hole does not matter.
-
-        Raises
-        ------
-        ValueRangeError
-            As the class; or every bin is a hole.
-        """
-        own, mask = np.array(values, np.float32, order="C"), np.array(holes, np.bool_)
-        if own.ndim != 4 or mask.shape != own.shape[:3]:
-            raise ValueRangeError("holes", f"has the shape {mask.shape}, values {own.shape}")
-        if mask.all():
-            raise ValueRangeError("holes", "every bin is a hole; nothing was measured")
-        fill_holes(own, mask, infer_grid(own, reciprocal))
-        return cls(own, mask, reciprocal, source, facts or {})
-
-    @classmethod
     def from_reflectance(
         cls,
         reflectance: Reflectance,

@@ -33,13 +33,13 @@ from brdf_suite.progress import Progress, report
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.bsdfs import directions as d
-from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.frames import Film, trace_samples
 from brdf_suite.reference.raytraced.picture import Sums
 from brdf_suite.reference.raytraced.quality import DEFAULT_PRESET, PRESETS, Quality, find_quality
 from brdf_suite.reference.raytraced.sky import TracedSky, sky_behind
 from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene
+from brdf_suite.reference.scene.camera import Pinhole
 from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.raytraced.scene_parts import (

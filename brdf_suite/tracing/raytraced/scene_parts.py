@@ -20,7 +20,6 @@ from brdf_suite.realtime.camera import Bounds, compose, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.reference.bsdfs.translate import translate
-from brdf_suite.reference.raytraced.camera import Pinhole
 from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
 from brdf_suite.reference.raytraced.flakes import SparkleField
 from brdf_suite.reference.raytraced.light_set import LightSet, Strata
@@ -31,7 +30,7 @@ from brdf_suite.reference.raytraced.surface import Surface, SurfaceArrays
 from brdf_suite.reference.raytraced.table_split import TableSplit
 from brdf_suite.reference.raytraced.tracer import LightArrays
 from brdf_suite.reference.scene.backdrop import blur_map
-from brdf_suite.reference.scene.scene import PinholeCamera
+from brdf_suite.reference.scene.camera import Pinhole, PinholeCamera
 from brdf_suite.surface.mesh import Mesh
 from brdf_suite.tracing.optics import lobe_term
 from brdf_suite.tracing.traced_picture import PAINT, Kept, Size, choose_materials

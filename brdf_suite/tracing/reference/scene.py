@@ -34,8 +34,9 @@ from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.passes import Estimate
 from brdf_suite.reference.scene.backdrop import backdrop, blur_map, compose_picture, sharp
+from brdf_suite.reference.scene.camera import PinholeCamera
 from brdf_suite.reference.scene.ground import GroundGrid
-from brdf_suite.reference.scene.scene import PinholeCamera, SurfacePart, TracedScene, build_scene
+from brdf_suite.reference.scene.scene import SurfacePart, TracedScene, build_scene
 from brdf_suite.reference.variant import Variant, start
 from brdf_suite.reflectance.albedo import directional_albedo
 from brdf_suite.reflectance.protocol import Reflectance

@@ -18,7 +18,7 @@ from brdf_suite.errors import UnreachableError
 from brdf_suite.fitting import LobeBasis, LobeFitter, LobeWeights, default_basis, log_spaced
 from brdf_suite.fitting.lobes.basis import STORED_NAME, stored_bases
 from brdf_suite.fitting.lobes.samples import CoatSamples
-from brdf_suite.fitting.metrics import aspecular_delta_e, directional_reflectance
+from brdf_suite.fitting.metrics import aspecular_delta_e
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.coat_lobe import CoatLobe
 from brdf_suite.reflectance.protocol import Layered
@@ -75,7 +75,7 @@ def coat_figures(fitter: LobeFitter, roughness: float, ior: float = 1.5) -> Coat
     fine = CoatSamples(first_ring_rad=2e-4, log_step=0.05, azimuths=12)
     wanted = (coat.eval(fine.lights, fine.view) * fine.cosines[..., None]).mean(axis=1)[:, 0]
     given = fine.cosine_lobes(fitter.basis.array()) @ weights.kg[:, 0]
-    energy = float(directional_reflectance(coat)[0])
+    energy = float(fine.solid_angle @ wanted)
     near = fine.gamma_rad <= np.radians(0.9)  # half the width of a 20° glossmeter's receptor
     return CoatFigures(
         energy=energy,

@@ -21,7 +21,7 @@ from brdf_suite.fitting.homomorphic.peak import MEASURED_SMOOTHNESS, factorize_w
 from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, sample_reflectance
 from brdf_suite.fitting.lobes.measured import fit_undivided
 from brdf_suite.geometry import warps
-from brdf_suite.geometry.factor_words import MEASURED_FACTORS, RADIAL_FACTORS
+from brdf_suite.geometry.factor_words import MEASURED_FACTORS
 from brdf_suite.progress import report
 from brdf_suite.reflectance.tabulated.scattered import ScatteredSamples
 from tools.evaluation.separable_expansion import separate
@@ -74,7 +74,7 @@ def methods(measured: ScatteredSamples) -> dict[str, Callable[[FactorizationSamp
             factorize_with_peak(s, factors=MEASURED_FACTORS, smooth=MEASURED_SMOOTHNESS, form="map")[0].eval
         ),
         "the same without a peak": alone(MEASURED_FACTORS),
-        "p(|wo|) q(|h|) p(|wi|)": alone(RADIAL_FACTORS),
+        "p(|wo|) q(|h|) p(|wi|)": alone("p:|wo| q:|h| p:|wi|"),
         "p(wo) q(h) p(wi)": alone("p:wo q:h p:wi"),
         "three Cook-Torrance lobes": lambda s: (
             fit_lobes(s.wi, s.wo, s.values, settings=Settings(lobes=3, starts=4)).eval

@@ -36,10 +36,10 @@ def test_eval_is_in_the_working_space_and_never_negative(shared_data: Path, name
 
 
 def test_the_paper_is_white_and_the_vinyl_golden(shared_data: Path) -> None:
-    from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
+    from brdf_suite.fitting.metrics import aspecular_lab
 
-    paper = measure_lab(read_measured(shared_data / "brdf" / REAL[0]), 45.0, 45.0)
-    gold = measure_lab(read_measured(shared_data / "brdf" / REAL[1]), 45.0, [15.0, 45.0])
+    paper = aspecular_lab(read_measured(shared_data / "brdf" / REAL[0]), 45.0)
+    gold = aspecular_lab(read_measured(shared_data / "brdf" / REAL[1]), [15.0, 45.0])
     assert 90.0 < paper[0] < 102.0
     assert abs(paper[1]) < 6.0
     assert gold[0, 0] > gold[1, 0] + 30.0  # a metallic film: much brighter near the mirror

@@ -15,8 +15,8 @@ from brdf_suite.errors import FileError
 from brdf_suite.files.measured import read_measured, sniff, write_measured
 from brdf_suite.files.measured.format import ReadOptions
 from brdf_suite.files.measured.samples import as_samples
+from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.geometry.directions import spherical
-from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 SPECTRAL = ("cayman.brdf", "krylon_blue.brdf")
 
@@ -75,10 +75,10 @@ def test_the_first_row_of_cayman_is_what_the_file_says(shared_data: Path) -> Non
 
 
 def test_the_colours_are_those_of_the_names(shared_data: Path) -> None:
-    blue = measure_lab(read_measured(shared_data / "brdf" / "krylon_blue.brdf"), 45.0, 45.0)
+    blue = aspecular_lab(read_measured(shared_data / "brdf" / "krylon_blue.brdf"), 45.0)
     assert blue[2] < -30.0
     assert abs(blue[1]) < 15.0
-    cayman = measure_lab(read_measured(shared_data / "brdf" / "cayman.brdf"), 45.0, 45.0)
+    cayman = aspecular_lab(read_measured(shared_data / "brdf" / "cayman.brdf"), 45.0)
     assert cayman[1] < -20.0  # a bluish green
 
 
@@ -391,5 +391,5 @@ def test_spectral_samples_go_into_a_tensor_and_keep_their_bands(shared_data: Pat
     write_rgl(tabulate(first, incidences=12, resolution=24), tmp_path / "a.bsdf")
     value = read_rgl(tmp_path / "a.bsdf")
     np.testing.assert_array_equal(value.wavelengths_nm, first.wavelengths_nm)
-    here, there = measure_lab(first, 45.0, 45.0), measure_lab(value, 45.0, 45.0)
+    here, there = aspecular_lab(first, 45.0), aspecular_lab(value, 45.0)
     assert np.abs(here - there).max() < 3.0

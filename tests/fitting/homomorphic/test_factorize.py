@@ -16,10 +16,8 @@ from brdf_suite.fitting.homomorphic.samples import FactorizationSamples, even_di
 from brdf_suite.fitting.homomorphic.solve import MapLayout, constraints, smoothness
 from brdf_suite.geometry import warps
 from brdf_suite.geometry.factor_words import (
-    COSINE_FACTORS,
     DEFAULT_FACTORS,
     PROJECTIONS,
-    RADIAL_FACTORS,
     parse_factors,
 )
 from brdf_suite.geometry.parabolic import bilinear
@@ -106,7 +104,7 @@ def test_the_masks_of_figure_3() -> None:
 
 
 @pytest.mark.parametrize(
-    "factors", [DEFAULT_FACTORS, COSINE_FACTORS, RADIAL_FACTORS, "a:h b:w.h", "a:wi.wo b:h"]
+    "factors", [DEFAULT_FACTORS, "p:w.h,h.n q:wi.n,wo.n", "p:|wo| q:|h| p:|wi|", "a:h b:w.h", "a:wi.wo b:h"]
 )
 def test_every_projection_comes_near_an_isotropic_paint(factors: str) -> None:
     samples = sample_reflectance(Shiny(), 6000)

@@ -13,7 +13,7 @@ from brdf_suite.documents.view_settings import Lamp, Relief, Sparkle, TwoTone
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.geometry.factor_words import PROJECTIONS
 from brdf_suite.pipeline.factored_maps import factored_maps, maps_of
-from brdf_suite.realtime.factors.values import FactoredMaps, FactorMap, FactorTerm, soft_clip
+from brdf_suite.realtime.factors.values import FactoredMaps, FactorMap, FactorTerm
 from brdf_suite.realtime.pictures.display import LINEAR
 from brdf_suite.realtime.pictures.probe import geometry_picture
 from brdf_suite.realtime.relief.values import MaskImage, TangentMap
@@ -152,6 +152,12 @@ def test_lamps_add_up_in_one_pass_and_one_below_the_horizon_adds_nothing(lit):
     np.testing.assert_allclose(sum(lit(maps, [one]) for one in LAMPS), together, rtol=1e-4, atol=1e-5)
     below = Lamp("directional", azimuth_deg=180.0, elevation_deg=20.0, strength=50.0)
     np.testing.assert_array_equal(lit(maps, [*LAMPS, below]), together)
+
+
+def soft_clip(values, ceiling):
+    """Values (..., 3) as the shader bends them: what is above ``ceiling`` comes to it."""
+    given = np.asarray(values, float)
+    return given / (1.0 + (given.max(axis=-1, keepdims=True) / ceiling) ** 4) ** 0.25
 
 
 def test_what_is_beyond_the_ceiling_bends_to_it_and_keeps_its_colour(lit, wanted):

@@ -13,7 +13,7 @@ from brdf_suite.appearance.colour.colorimetry import (
     srgb_encode,
     working_to_lab,
 )
-from brdf_suite.appearance.difference.colour_scale import scale_colour
+from brdf_suite.appearance.difference.colour_scale import STEPS, scale_table
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Compare
@@ -118,7 +118,9 @@ def test_the_difference_of_the_light_is_that_of_its_colours(stand) -> None:
     background = np.s_[:4, :4]
     assert (got[background] == 0.0).all()
     shown = stand.drawn(view)
-    np.testing.assert_allclose(shown / 255.0, scale_colour(got / 12.0), atol=0.02)
+    along = np.linspace(0.0, 1.0, STEPS + 1)
+    scale = np.stack([np.interp(got / 12.0, along, channel) for channel in scale_table().T], axis=-1)
+    np.testing.assert_allclose(shown / 255.0, scale, atol=0.02)
 
 
 def test_the_difference_of_the_pictures_is_that_of_what_is_shown(stand) -> None:

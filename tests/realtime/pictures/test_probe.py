@@ -9,7 +9,8 @@ import pytest
 
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import PartMaterial, SurfaceLook
-from brdf_suite.realtime.pictures.probe import PixelProbe, SurfacePoint, angle_deg
+from brdf_suite.geometry.directions import angle_between
+from brdf_suite.realtime.pictures.probe import PixelProbe, SurfacePoint
 
 SIZE = (61, 40)
 CAMERA = Camera(azimuth_deg=20.0, elevation_deg=15.0, distance=0.6, target=(0.0, 0.0, 0.0))
@@ -51,7 +52,9 @@ def test_the_point_and_its_normal_are_those_of_the_sphere(probe, renderer, scene
         np.testing.assert_allclose(point.position, 0.1 * exact, atol=1e-3)
         np.testing.assert_allclose(point.normal, exact, atol=2e-2)
         np.testing.assert_allclose(point.to_viewer, to_viewer[pixel[1], pixel[0]], atol=1e-3)
-        assert point.view_angle_deg == pytest.approx(angle_deg(exact, to_viewer[pixel[1], pixel[0]]), abs=1.0)
+        assert point.view_angle_deg == pytest.approx(
+            np.degrees(angle_between(exact, to_viewer[pixel[1], pixel[0]])), abs=1.0
+        )
         seen += 1
     assert seen >= 3
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import glints, tilt
+from brdf_suite.reflectance.flakes import tilt
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
+from tools.evaluation import flake_model as glints
 
 N = 6000
 
@@ -63,7 +64,7 @@ def test_distributions(evaluate, roughness):
         f"vec4(beckmann_slopes(x.z, {r}), ggx_density(x.z, {r}), tilt_bell(x.z, {r}), 1.0)",
         x,
     )
-    want = [f(slope**2, roughness) for f in (tilt.beckmann_slopes, tilt.ggx_density, tilt.tilt_bell)]
+    want = [f(slope**2, roughness) for f in (glints.beckmann_slopes, glints.ggx_density, tilt.tilt_bell)]
     np.testing.assert_allclose(got[:, :3], np.stack(want, -1), rtol=1e-4, atol=1e-6)
     got = evaluate("flake_tilt.glsl", f"vec4(tilt_place(x.xy, {r}), 1.0)", x)
     place, stretch = tilt.tilt_place(np.stack([slope, 0.3 * slope], -1), roughness)

@@ -12,10 +12,10 @@ from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Measurement, Paint
 from brdf_suite.documents.store import load_paint
+from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.pipeline.lobe_fit import PaintFitter
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.instruments.aperture import POINT
-from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 from brdf_suite.reflectance.instruments.through_aperture import build_through
 from brdf_suite.resources import resource, resource_names
 
@@ -34,7 +34,7 @@ def shipped(name: str, **fields: object) -> Paint:
 
 def read_at(paint: Paint, angles: tuple[float, ...]) -> Paint:
     """The paint as an instrument of other angles without aperture knows it."""
-    labs = measure_lab(build_paint(paint), 45.0, angles).tolist()
+    labs = aspecular_lab(build_paint(paint), angles).tolist()
     read = tuple(Measurement(45.0, angle, tuple(lab)) for angle, lab in zip(angles, labs, strict=True))
     return replace(paint, measurements=read)
 
@@ -42,7 +42,7 @@ def read_at(paint: Paint, angles: tuple[float, ...]) -> Paint:
 def misses(paint: Paint) -> Floats:
     asked = [m.lab for m in paint.measurements]
     angles = [m.aspecular_deg for m in paint.measurements]
-    return delta_e_2000(measure_lab(build_paint(paint), 45.0, angles), asked)
+    return delta_e_2000(aspecular_lab(build_paint(paint), angles), asked)
 
 
 @pytest.mark.parametrize("out_of_plane", ["aspecular", "half_vector"])
@@ -56,8 +56,8 @@ def test_a_real_paint_comes_back(name: str, angles: tuple[float, ...], out_of_pl
     # Also where nothing was read: it is the same paint.
     between = np.linspace(-40.0, 110.0, 31)
     np.testing.assert_allclose(
-        measure_lab(built, 45.0, between),
-        measure_lab(build_paint(shipped(name, out_of_plane=out_of_plane)), 45.0, between),
+        aspecular_lab(built, between),
+        aspecular_lab(build_paint(shipped(name, out_of_plane=out_of_plane)), between),
         atol=0.1,
     )
 

@@ -14,12 +14,12 @@ from brdf_suite.appearance.clearcoat_gloss import gloss_units
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Gloss, Measurement, Paint, solid_paint
 from brdf_suite.errors import UnreachableError
+from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.paint_reflectance import PaintReflectance
 from brdf_suite.reflectance.designed.rules import FlakeRule, MonotoneRule
 from brdf_suite.reflectance.instruments.glossmeter import base_gloss, total_gloss
-from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 ANGLES = (15.0, 45.0, 110.0)
 
@@ -31,7 +31,7 @@ def paint_of(labs, gu_20: float = 90.0, gu_60: float | None = None, **fields) ->
 
 def worst_difference(paint: Paint, reflectance: PaintReflectance) -> float:
     return max(
-        float(delta_e_2000(measure_lab(reflectance, m.illumination_deg, m.aspecular_deg), m.lab))
+        float(delta_e_2000(aspecular_lab(reflectance, m.aspecular_deg, m.illumination_deg), m.lab))
         for m in paint.measurements
     )
 
@@ -138,7 +138,7 @@ def test_a_colour_outside_the_working_space_is_clamped_and_said() -> None:
     built = build_paint(paint_of((scarlet, (20.0, 30.0, 15.0), (9.0, 15.0, 8.0))))
     [notice] = [notice for notice in built.notices if "saturated" in notice]
     assert notice.startswith("The colour at 15° ")
-    shown = float(delta_e_2000(measure_lab(built, 45.0, 15.0), scarlet))
+    shown = float(delta_e_2000(aspecular_lab(built, 15.0), scarlet))
     assert f"ΔE00 {shown:.2f}" in notice
 
 
@@ -168,7 +168,7 @@ def test_readings_in_any_order_and_more_of_them() -> None:
     np.testing.assert_array_equal(build_paint(paint).eval(wi, wo), build_paint(turned).eval(wi, wo))
 
     truth = build_paint(paint)
-    five = [Measurement(45.0, g, tuple(measure_lab(truth, 45.0, g).tolist())) for g in (15, 25, 45, 75, 110)]
+    five = [Measurement(45.0, g, tuple(aspecular_lab(truth, g).tolist())) for g in (15, 25, 45, 75, 110)]
     built = build_paint(dataclasses.replace(paint, measurements=tuple(five)))
     assert worst_difference(dataclasses.replace(paint, measurements=tuple(five)), built) < 0.05
     np.testing.assert_allclose(built.base.eval(wi, wo), truth.base.eval(wi, wo), rtol=1e-3)
@@ -179,7 +179,7 @@ def test_readings_on_both_sides_of_the_mirror_direction_are_joined() -> None:
     both = (*paint.measurements, Measurement(45.0, -15.0, (126.0, 0.0, 0.0)))
     built = build_paint(dataclasses.replace(paint, measurements=both))
     # Less light leaves the coat to 60° than to 30°: for 128 on the near side, 126 beyond is too much.
-    near, beyond = measure_lab(built, 45.0, [15.0, -15.0])[:, 0]
+    near, beyond = aspecular_lab(built, [15.0, -15.0])[:, 0]
     assert near > 128.0
     assert beyond < 126.0
 

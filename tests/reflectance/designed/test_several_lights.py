@@ -10,11 +10,11 @@ import pytest
 
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.paint import Gloss, Measurement, Paint
+from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.geometry.directions import aspecular_view, illumination, spherical
 from brdf_suite.reflectance.designed.aspecular_base import SeveralLights
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.designed.rules import squared_tilt, squared_tilt_between
-from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 
 AT_45 = ((15.0, (62.0, -4.0, -45.0)), (45.0, (25.0, 4.0, -38.0)), (110.0, (9.0, 8.0, -28.0)))
 AT_15 = ((15.0, (60.0, 14.0, -46.0)), (45.0, (25.0, 12.0, -37.0)), (80.0, (14.0, 9.0, -32.0)))
@@ -28,7 +28,7 @@ def paint_of(*lights: tuple[float, tuple], **fields) -> Paint:
 def differences(paint: Paint) -> list[float]:
     built = build_paint(paint)
     return [
-        float(delta_e_2000(measure_lab(built, m.illumination_deg, m.aspecular_deg), m.lab))
+        float(delta_e_2000(aspecular_lab(built, m.aspecular_deg, m.illumination_deg), m.lab))
         for m in paint.measurements
     ]
 

@@ -11,9 +11,9 @@ import pytest
 from brdf_suite.appearance.difference.formulas import delta_e_2000
 from brdf_suite.documents.cook_torrance import CookTorrancePaint
 from brdf_suite.documents.store import load_any_paint, load_paint
+from brdf_suite.fitting.metrics import aspecular_lab
 from brdf_suite.reflectance.designed.build import build_paint
 from brdf_suite.reflectance.instruments.glossmeter import total_gloss
-from brdf_suite.reflectance.instruments.spectrophotometer import measure_lab
 from brdf_suite.reflectance.models.table_1 import SOURCE, TABLE_1
 from brdf_suite.resources import resource, resource_names
 
@@ -49,7 +49,7 @@ def test_each_returns_its_own_readings(name: str) -> None:
     built = build_paint(paint)
     assert built.notices == ()
     for m in paint.measurements:
-        assert float(delta_e_2000(measure_lab(built, m.illumination_deg, m.aspecular_deg), m.lab)) < 0.05
+        assert float(delta_e_2000(aspecular_lab(built, m.aspecular_deg, m.illumination_deg), m.lab)) < 0.05
     assert total_gloss(built.base, built.coat)[0] == pytest.approx(paint.gloss.gu_20, abs=0.5)
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from brdf_suite.reflectance.flakes import glints, tilt
+from brdf_suite.reflectance.flakes import tilt
 from brdf_suite.reflectance.flakes.footprint import flake_footprint
+from tools.evaluation import flake_model as glints
 
 PAINT = {"density": 120.0, "size": 0.02, "roughness": 0.17}
 
@@ -126,7 +127,7 @@ def test_seen_close_a_flake_is_a_disc_of_its_size():
 
 def test_flake_texture_draws_beckmann():
     r = np.random.default_rng(3).random((2, 200_000))
-    slopes = tilt.beckmann_tilt(*r, 0.17)
+    slopes = glints.beckmann_tilt(*r, 0.17)
     assert (slopes**2).sum(-1).mean() == pytest.approx(0.17**2, rel=0.01)
     # Within the tangent of m lies 1 - 1/e of them.
     assert ((slopes**2).sum(-1) < 0.17**2).mean() == pytest.approx(1 - np.exp(-1), abs=0.005)

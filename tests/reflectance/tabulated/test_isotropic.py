@@ -75,7 +75,7 @@ def test_where_only_one_of_a_pair_was_measured_that_one_counts() -> None:
     holes = np.zeros(GRID.shape, bool)
     holes[3, 3, 5] = holes[4, 4, 17] = True
     holes[5, 5, 6] = holes[5, 5, 18] = True
-    even = IsotropicTable.from_bins(values, holes, reciprocal=False).made_reciprocal()
+    even = IsotropicTable(values, holes, reciprocal=False).made_reciprocal()
     assert even.values[3, 3, 5, 0] == 3.0
     assert even.values[4, 4, 5, 0] == 1.0
     assert even.values[5, 5, 6, 0] == pytest.approx(2.0, abs=0.01)
@@ -168,11 +168,6 @@ def test_arrays_cannot_be_changed_through_the_table() -> None:
 def test_what_is_no_table_is_refused_by_name(change: dict[str, np.ndarray], place: str) -> None:
     with pytest.raises(ValueRangeError, match=place):
         IsotropicTable(**change)
-
-
-def test_a_table_of_holes_alone_is_refused() -> None:
-    with pytest.raises(ValueRangeError, match="every bin is a hole"):
-        IsotropicTable.from_bins(np.ones((4, 4, 4, 3)), np.ones((4, 4, 4), bool))
 
 
 def test_an_odd_whole_turn_cannot_be_averaged() -> None:

@@ -23,8 +23,8 @@ import numpy as np
 
 from brdf_suite.acquisition.geometry.sphere.highlight import Highlight
 from brdf_suite.acquisition.geometry.sphere.outline import SphereOutline
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, triple, unit
-from brdf_suite.arrays import Bools, Floats, Indices
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, unit
+from brdf_suite.arrays import Bools, Floats, Indices, triple
 from brdf_suite.progress import Progress, report
 
 # What a stated number is trusted to, where nothing better is known: a careful hand with a ruler.

@@ -26,8 +26,8 @@ from brdf_suite.acquisition.geometry.sphere.edge import (
     find_edge,
     lit_share,
 )
-from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, Triple, azimuths_about, triple, unit
-from brdf_suite.arrays import Bools, Floats
+from brdf_suite.acquisition.geometry.sphere.placement import RigGeometry, azimuths_about, unit
+from brdf_suite.arrays import Bools, Floats, Triple, triple
 from brdf_suite.errors import AcquisitionError
 from brdf_suite.progress import Progress, report
 

@@ -23,14 +23,12 @@ import numpy.typing as npt
 
 from brdf_suite.acquisition.geometry.lens import lens_pixels, lens_rays
 from brdf_suite.acquisition.session.session import Lens, Session
-from brdf_suite.arrays import Bools, Floats
+from brdf_suite.arrays import Bools, Floats, Triple, triple
 from brdf_suite.errors import ValueRangeError
 
 _ROUNDS = 60
 _CLOSE = 1e-12
 _LEAST_COSINE = 0.02
-
-Triple = tuple[float, float, float]
 
 
 def unit(vectors: npt.ArrayLike) -> Floats:
@@ -200,12 +198,6 @@ class RigGeometry:
 
 def _tuples(value: Any) -> Any:
     return tuple(map(_tuples, value)) if isinstance(value, list) else value
-
-
-def triple(values: npt.ArrayLike) -> Triple:
-    """Return three numbers as a tuple of floats."""
-    x, y, z = np.asarray(values, float)
-    return float(x), float(y), float(z)
 
 
 def nominal_geometry(session: Session, shape: tuple[int, int], lens: Lens | None = None) -> RigGeometry:

@@ -1,14 +1,25 @@
-"""Camera rays through pixels, and the spacing of neighbouring ones on a surface."""
+"""The camera: its rays through pixels, and the spacing of neighbouring ones on a surface."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+import numpy.typing as npt
+
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Real, Vector
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.scene.scene import PinholeCamera
+
+
+@dataclass(frozen=True, eq=False)
+class PinholeCamera:
+    """A pinhole: its place (3,), right, up and backward axes as columns (3, 3), tangent of half the width."""
+
+    place: npt.NDArray[np.float64]
+    axes: npt.NDArray[np.float64]
+    half_width_tangent: float
 
 
 @dataclass(frozen=True, eq=False)
