@@ -139,11 +139,6 @@ class Filter:
     gloss: Range | None = None
     group: tuple[str, ...] = ()
 
-    @property
-    def is_empty(self) -> bool:
-        """Whether everything is shown."""
-        return self == Filter()
-
 
 def matching(columns: Columns, wanted: Filter, texts: Texts | None = None) -> Bools:
     """Return which entries (n,) a filter shows; ``texts`` of the same entries spare their folding."""

@@ -87,7 +87,7 @@ def pictures(path: Path, view: View, size: tuple[int, int]) -> tuple[list[list[F
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_shaped(view.surface, view.surface_look))
         scene.set_material(fit)
-        view = replace(view, camera=compose(view.camera, scene.bounds, fine))
+        view = replace(view, camera=compose(view.camera, scene.renderer.bounds, fine))
         seen = geometry_picture(scene.renderer, view, fine)
         for step in STEPS_DEG:
             lit = lamps(step)

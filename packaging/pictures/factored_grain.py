@@ -105,7 +105,7 @@ def grain() -> Bytes:
         scene.renderer.relief.set_tangent_map(turns)
         scene.renderer.relief.set_normal_map(slopes)
         scene.renderer.relief.set_mask(mask)
-        view = replace(view, camera=compose(view.camera, scene.bounds, SIZE))
+        view = replace(view, camera=compose(view.camera, scene.renderer.bounds, SIZE))
         shown = [
             replace(view, relief=relief),
             replace(view, relief=turned),
@@ -137,7 +137,7 @@ def ball() -> tuple[Bytes, list[float]]:
         apart = []
         for lens in (400.0, 50.0):
             seen = replace(view, camera=replace(view.camera, focal_length_mm=lens))
-            seen = replace(seen, camera=compose(seen.camera, scene.bounds, SIZE))
+            seen = replace(seen, camera=compose(seen.camera, scene.renderer.bounds, SIZE))
             each, one = (
                 scene.renderer.render_image(v, SIZE, display=LINEAR)[..., :3].astype(float)
                 for v in (seen, replace(seen, lamp_shading="ball"))

@@ -172,8 +172,8 @@ def sphere_error(fit, lit) -> float:
         picture = scene.renderer.linear_image(view, size, 1)[..., :3].astype(float)
         camera = scene.renderer.camera_matrices(view, size)
         centre, radius = (
-            np.array(scene.bounds.centre),
-            0.5 * np.ptp([scene.bounds.minimum, scene.bounds.maximum], axis=0).max(),
+            np.array(scene.renderer.bounds.centre),
+            0.5 * np.ptp([scene.renderer.bounds.minimum, scene.renderer.bounds.maximum], axis=0).max(),
         )
     at = (np.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     x, y = np.meshgrid(at * camera.half_tangents[0], -at * camera.half_tangents[1])

@@ -10,7 +10,7 @@ only, and a half-angle table is looked up without the detour of its ``eval``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
@@ -19,6 +19,7 @@ import numpy.typing as npt
 
 from brdf_suite.arrays import Floats, Singles
 from brdf_suite.fitting.lobes.weights import LobeWeights
+from brdf_suite.fitting.metrics import as_rgb_tuple
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.grid import LobeGrid
 from brdf_suite.reflectance.protocol import Reflectance
@@ -139,14 +140,14 @@ class FitLobe:
 
 def fit_lobes(weights: LobeWeights) -> tuple[FitLobe, ...]:
     """Return the lobes of a fit that have any weight, diffuse first, then by part and rising exponent."""
-    rows: list[FitLobe] = [FitLobe("diffuse", 0, None, _triple(weights.kd))]
+    rows: list[FitLobe] = [FitLobe("diffuse", 0, None, as_rgb_tuple(weights.kd))]
     order = np.argsort(weights.exponents, kind="stable").tolist()
     tables: tuple[tuple[FitPart, npt.NDArray[np.float64]], ...] = (
         ("directional", weights.kdd),
         ("gloss", weights.kg),
     )
     for part, table in tables:
-        rows += [FitLobe(part, i, float(weights.exponents[i]), _triple(table[i])) for i in order]
+        rows += [FitLobe(part, i, float(weights.exponents[i]), as_rgb_tuple(table[i])) for i in order]
     return tuple(row for row in rows if any(row.weight))
 
 
@@ -156,15 +157,12 @@ class FitOnGrid:
 
     weights: LobeWeights
     grid: LobeGrid
+    _powers: dict[float, Singles] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def _logarithm(self) -> npt.NDArray[np.float64]:
         cosine = self.grid.directions @ self.grid.mirror
         return np.asarray(np.log(np.clip(cosine, _LEAST, 1.0)))
-
-    @cached_property
-    def _powers(self) -> dict[float, Singles]:
-        return {}
 
     def _power(self, exponent: float) -> Singles:
         if exponent not in self._powers:
@@ -185,7 +183,3 @@ class FitOnGrid:
             single = weight.astype(np.float32)
             total += single if exponent is None else self._power(exponent)[..., None] * single
         return total
-
-
-def _triple(row: npt.NDArray[np.float64]) -> tuple[float, float, float]:
-    return float(row[0]), float(row[1]), float(row[2])

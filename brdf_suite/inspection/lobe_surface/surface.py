@@ -91,19 +91,6 @@ class RadiusScale:
         return float(self.full * 10.0 ** ((radius - 1.0) * self.decades))
 
 
-def nice_ceiling(value: float) -> float:
-    """Return the least of 1, 2, 5 times a power of ten that is not below ``value`` > 0.
-
-    >>> nice_ceiling(0.3)
-    0.5
-    """
-    power = 10.0 ** np.floor(np.log10(value))
-    for step in (1.0, 2.0, 5.0, 10.0):
-        if value <= step * power * (1.0 + 1e-9):
-            return float(step * power)
-    return float(10.0 * power)
-
-
 _ROUNDING = 6e-7
 
 
