@@ -128,7 +128,7 @@ def loaded_scene(
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
-    with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
+    with OffscreenScene() as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
         name = find_environment(view.environment)[0]
         light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
@@ -187,7 +187,7 @@ def render_to_file(
             stage(progress, 0.8, 1.0, "drawing"),
         )
         draw_ms = (perf_counter() - start) * 1e3
-        renderer = loaded.scene.renderer_name
+        renderer = str(loaded.scene.renderer.context.info["GL_RENDERER"])
     report(progress, 1.0, "written")
     return StillPicture(
         path=path,

@@ -156,15 +156,13 @@ def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:
 
 
 class OffscreenScene(SceneRenderer):
-    """A scene with a windowless context of its own and a framebuffer of one size; use it with ``with``."""
+    """A scene with a windowless context of its own; use it with ``with``."""
 
-    def __init__(self, size: Size) -> None:
+    def __init__(self) -> None:
         self._context = create_context()
         try:
             super().__init__(self._context)
             self.renderer.only_needed = True
-            self._size = size
-            self._framebuffer = self._context.simple_framebuffer(size)
         except BaseException:
             release_context(self._context)
             raise
@@ -176,18 +174,7 @@ class OffscreenScene(SceneRenderer):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.release()
-        self._framebuffer.release()
         release_context(self._context)
-
-    def draw_and_wait(self, view: View) -> None:
-        """Draw one frame and return when the GPU has finished it."""
-        self.draw(view, self._framebuffer, self._size)
-        self._context.finish()
-
-    @property
-    def renderer_name(self) -> str:
-        """The OpenGL renderer, as the driver names itself."""
-        return str(self._context.info["GL_RENDERER"])
 
 
 def gl_renderer_name() -> str:

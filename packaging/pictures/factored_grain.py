@@ -97,7 +97,7 @@ def grain() -> Bytes:
     dented = replace(turned, normal_map="/dents")
     two = TwoTone("/brass", "/mask", TILE_MM)
     view = dark("panel", Camera(10.0, 15.0), lamps())
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("panel"))
         scene.set_material(steel)
@@ -130,7 +130,7 @@ def ball() -> tuple[Bytes, list[float]]:
         for i in range(8)
     )
     view = dark("speed_form", Camera(35.0, 12.0), eight)
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("speed_form"))
         scene.set_material(fit_material(Material("blue", gloss())))

@@ -196,15 +196,13 @@ def _plots(made: Report) -> str:
         f"{''.join(map(_stroke, plot.strokes))}</svg>"
         for plot in plots_of(made, 200.0, 140.0)
     )
-    key = " &nbsp; ".join(f"{_key(curve.title)} {curve.title}" for curve in made.curves)
+    key = " &nbsp; ".join(
+        '<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">'
+        f"{_stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[curve.title]))}</svg> {curve.title}"
+        for curve in made.curves
+    )
     marks = " &nbsp; ● readings" + (" &nbsp; □ standard" if made.batch is not None else "")
     return f'<div class="plots">{plots}</div>\n<p class="soft">{key}{marks}</p>\n'
-
-
-def _key(title: str) -> str:
-    """A short stretch of a curve."""
-    line = _stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[title]))
-    return f'<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">{line}</svg>'
 
 
 def _stroke(stroke: Stroke) -> str:
