@@ -54,6 +54,12 @@ class Geometry:
         """Return the trade's short name, as in ``45as15``."""
         return f"{self.illumination_deg:g}as{self.aspecular_deg:g}"
 
+    @property
+    def label(self) -> str:
+        """The aspecular angle, with its light where that is not at 45°."""
+        text = f"{self.aspecular_deg:g}°"
+        return text if self.illumination_deg == 45.0 else f"{text}, light {self.illumination_deg:g}°"
+
 
 @dataclass(frozen=True)
 class GeometrySet:

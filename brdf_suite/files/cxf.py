@@ -216,7 +216,10 @@ class SampleReader:
         for value in values.children if values else []:
             if value.name not in _COLOURS + _SPECTRA:
                 continue
-            specification = self._specification_of(value)
+            identity = value.attributes.get("ColorSpecification", "")
+            if identity not in self._specifications:
+                raise self._fail(value, f"the ColorSpecification {identity[:80]!r} is not in the file")
+            specification = self._specifications[identity]
             if not specification.angles or any(kind in specification.kind for kind in _OTHER_KINDS):
                 continue
             angle = self._angle_of(value, specification)
@@ -249,12 +252,6 @@ class SampleReader:
 
     def _fail(self, element: Element, reason: str) -> FileError:
         return FileError(self._path, reason, f"line {element.line}")
-
-    def _specification_of(self, value: Element) -> Specification:
-        name = value.attributes.get("ColorSpecification", "")
-        if name not in self._specifications:
-            raise self._fail(value, f"the ColorSpecification {name[:80]!r} is not in the file")
-        return self._specifications[name]
 
     def _angle_of(self, value: Element, specification: Specification) -> BrdfAngle | None:
         angle = specification.angle_of(value.attributes.get("Name", "").strip())

@@ -99,7 +99,7 @@ class _Builder:
         self.parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
         self.parser.buffer_text = True
         self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
+        self.parser.EndElementHandler = lambda _name: self._open.pop()
         self.parser.CharacterDataHandler = self._text
         self.parser.StartDoctypeDeclHandler = self._refuse
         # Never called where no document type is declared; said all the same, in case a parser is built otherwise.
@@ -130,9 +130,6 @@ class _Builder:
         else:
             self.root = element
         self._open.append(element)
-
-    def _end(self, _name: str) -> None:
-        self._open.pop()
 
     def _text(self, text: str) -> None:
         if self._open:

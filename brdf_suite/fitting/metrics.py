@@ -82,7 +82,11 @@ def error_figures(
 
     Give directions that were not used in the fit.
     """
-    wanted, given = target.eval(wi, wo), fit.eval(wi, wo)
+    return value_errors(target.eval(wi, wo), fit.eval(wi, wo), wi, solid_angle)
+
+
+def value_errors(wanted: Floats, given: Floats, wi: Floats, solid_angle: Floats) -> ErrorFigures:
+    """Return :func:`error_figures` of values ``(k, 3)`` that are known already."""
     cosine = np.clip(np.asarray(wi)[..., 2], 0.0, None)[..., None]
     weight = np.broadcast_to(solid_angle[..., None], wanted.shape)
 

@@ -6,7 +6,7 @@ Not the edit path: the time limit is a patient one, and the errors are worked ou
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -74,14 +74,7 @@ class AnglePaintFit:
                 "base": self.fit.base_error.relative.tolist(),
                 "coat": self.fit.coat_error.relative.tolist(),
             },
-            "errors": [
-                {
-                    "illumination_deg": row.illumination_deg,
-                    "aspecular_deg": row.aspecular_deg,
-                    "delta_e_2000": row.delta_e_2000,
-                }
-                for row in self.errors
-            ],
+            "errors": [asdict(row) for row in self.errors],
             "delta_e_2000_worst": self.worst_delta_e,
             "notices": list(self.notices),
         }

@@ -15,7 +15,6 @@ import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
 from brdf_suite.appearance.difference.formulas import delta_e_2000
-from brdf_suite.arrays import Floats
 from brdf_suite.fitting.basis_search.database import (
     BETWEEN_DEG,
     COAT_FROM_DEG,
@@ -71,12 +70,7 @@ def _colour_error(reflectance: Reflectance, exponents: Exponents) -> float:
     weights = fit_undivided(reflectance, LobeBasis(exponents)).weights
     angles = np.array([angle for angle in BETWEEN_DEG if angle >= COAT_FROM_DEG])
     light, views = illumination(LIGHT_DEG), aspecular_view(LIGHT_DEG, angles)
-
-    def lab(values: Floats) -> Floats:
-        return working_to_lab(np.pi * values)
-
-    difference = delta_e_2000(
-        lab(np.asarray(reflectance.eval(light, views))), lab(weights.eval(light, views))
-    )
+    labs = (working_to_lab(np.pi * np.asarray(one.eval(light, views))) for one in (reflectance, weights))
+    difference = delta_e_2000(*labs)
     weight = np.where(np.isin(angles, MEASURED_DEG), MEASURED_UNIT, 1.0) ** -2.0
     return float(np.sqrt(difference**2 @ (weight / weight.sum())))

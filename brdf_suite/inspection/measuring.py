@@ -23,7 +23,7 @@ from brdf_suite.appearance.geometries import DEFAULT_SET, GEOMETRY_SETS, Geometr
 from brdf_suite.errors import SuiteError
 from brdf_suite.files.measured import read_measured, write_measured
 from brdf_suite.files.measured.format import ReadOptions
-from brdf_suite.fitting.metrics import ErrorFigures, error_figures
+from brdf_suite.fitting.metrics import ErrorFigures, value_errors
 from brdf_suite.geometry.directions import angle_between, mirror
 from brdf_suite.pipeline.fit_errors import ANGLE_SET, NEAR_MIRROR_DEG, hemisphere_pairs
 from brdf_suite.pipeline.material import file_kind, is_file, load_material
@@ -32,8 +32,6 @@ from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentRepor
 from brdf_suite.reflectance.instruments.under_light import metamerism, readings_under
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import has_spectra
-
-_USUAL_LIGHT_DEG = 45.0
 
 
 def measurement_json(item: Material, report: InstrumentReport, illuminant: str = "D65") -> dict[str, object]:
@@ -76,11 +74,8 @@ def measurement_json(item: Material, report: InstrumentReport, illuminant: str =
 
 def _plain(value: object) -> object:
     """A fact as JSON holds it; anything else than a number, a text or nothing by its words."""
-    if value is None or isinstance(value, (bool, int, str)):
-        return value
-    if isinstance(value, float):
-        return value if math.isfinite(value) else str(value)
-    return str(value)
+    known = value is None or isinstance(value, (bool, int, str))
+    return value if known or (isinstance(value, float) and math.isfinite(value)) else str(value)
 
 
 def _reading_json(reading: Reading) -> dict[str, object]:
@@ -127,7 +122,7 @@ class Comparison:
         """All geometries in words: ``darker at 110°; more flop``."""
         flops = self.first.flop, self.second.flop
         word = None if flops[0] is None or flops[1] is None else name_flop(flops[0].value, flops[1].value)
-        return sentence([_angle(reading) for reading in self.first.readings], self.words, word)
+        return sentence([reading.geometry.label for reading in self.first.readings], self.words, word)
 
     def to_json(self) -> dict[str, object]:
         """Return the comparison as plain values."""
@@ -167,12 +162,6 @@ class Comparison:
         return answer
 
 
-def _angle(reading: Reading) -> str:
-    light = reading.geometry.illumination_deg
-    text = f"{reading.geometry.aspecular_deg:g}°"
-    return text if light == _USUAL_LIGHT_DEG else f"{text}, light {light:g}°"
-
-
 def compare(
     first: Material,
     second: Material,
@@ -187,6 +176,7 @@ def compare(
         own = find_difference(tolerances.difference)
         differences[tolerances.difference] = tuple(own(one.lab, two.lab).tolist())
     wi, wo, weight = hemisphere_pairs()
+    wanted, given = (np.asarray(item.reflectance.eval(wi, wo)) for item in (first, second))
     near = angle_between(mirror(wi), wo) < math.radians(NEAR_MIRROR_DEG)
     angles = [geometry.aspecular_deg for geometry in geometry_set.geometries]
     lights = None
@@ -202,8 +192,8 @@ def compare(
         one,
         two,
         differences,
-        error_figures(first.reflectance, second.reflectance, wi, wo, weight),
-        error_figures(first.reflectance, second.reflectance, wi, wo, np.where(near, 0.0, weight)),
+        value_errors(wanted, given, wi, weight),
+        value_errors(wanted, given, wi, np.where(near, 0.0, weight)),
         None if tolerances is None else judge(angles, one.lab, two.lab, tolerances),
         lights,
     )

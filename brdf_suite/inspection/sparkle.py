@@ -14,13 +14,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import LUMINANCE
 from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS
-from brdf_suite.arrays import Floats
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import aspecular_view, illumination
@@ -58,19 +56,18 @@ def sparkle(weights: LobeWeights, flakes: Flakes | None) -> tuple[SparkleReading
     if flakes is None:
         return tuple(SparkleReadings(angle, 0.0, 0.0, False) for angle in ANGLES_DEG)
     # What visible flakes reflect of all light, by luminance, at each of the angles.
-    wi, wo = _directions()
+    wi, wo = illumination(_LIGHT_DEG), aspecular_view(_LIGHT_DEG, np.array(ANGLES_DEG))
     sums = lobe_sums(wi, wo, weights.exponents, weights.kd, weights.kdd, weights.kg)
     gamma = np.radians(ANGLES_DEG)
     base = sums.base - weights.kd
     single = visible_flake_lobe(flakes, gamma, base, weights.theta_fit_rad, weights.ior)
     whole = np.maximum(sums.brdf() @ LUMINANCE, 1e-12)
     shares = np.asarray(np.minimum(single @ LUMINANCE / whole, 1.0))
-    places = zip(ANGLES_DEG, shares.tolist(), strict=True)
-    found = [_spots(angle, share, weights.ior, flakes) for angle, share in places]
-    return tuple(
-        SparkleReadings(angle, one.per_mm2, one.mean_contrast, one.per_footprint > CROWDED)
-        for angle, one in zip(ANGLES_DEG, found, strict=True)
-    )
+    found = []
+    for angle, share in zip(ANGLES_DEG, shares.tolist(), strict=True):
+        one = _spots(angle, share, weights.ior, flakes)
+        found.append(SparkleReadings(angle, one.per_mm2, one.mean_contrast, one.per_footprint > CROWDED))
+    return tuple(found)
 
 
 def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:
@@ -87,8 +84,3 @@ def _spots(angle_deg: float, share: float, ior: float, flakes: Flakes) -> Spots:
         footprint=RESOLVED_MM,
         contrast=CONTRAST,
     )
-
-
-@cache
-def _directions() -> tuple[Floats, Floats]:
-    return illumination(_LIGHT_DEG), aspecular_view(_LIGHT_DEG, np.array(ANGLES_DEG))

@@ -41,8 +41,6 @@ def load_compared(
     if is_picture(name_or_path):
         report(progress, 0.0, "reading the picture")
         return read_compared_picture(name_or_path)
-    # Measured data are much to import, and few compare.
-
     return fit_material(load_material(name_or_path), progress=progress)
 
 

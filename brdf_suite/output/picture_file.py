@@ -26,10 +26,9 @@ from brdf_suite.realtime.pictures.renderer import Renderer
 Size = tuple[int, int]
 
 PICTURE_ENDINGS = (".png", ".exr")
-COLOUR_SPACES = ("srgb", "display-p3", "rec2020")
-"""Of a picture: the first two for PNG and EXR, the last, which is the working space, for EXR alone."""
+COLOUR_SPACES = {"srgb": "sRGB", "display-p3": "Display P3", "rec2020": "Rec. 2020"}
+"""Titles of those of a picture: the first two for PNG and EXR, the last, the working space, for EXR alone."""
 
-_TITLES = {"srgb": "sRGB", "display-p3": "Display P3", "rec2020": "Rec. 2020"}
 _BITS = {".png": (8, 16), ".exr": (32, 16)}
 _MOST_SAMPLES = 64
 
@@ -128,8 +127,19 @@ def write_picture(
     (rx, ry), (gx, gy), (bx, by) = space.primaries
     chromaticities = (rx, ry, gx, gy, bx, by, *space.white_xy)
     channels = 4 if settings.transparent else 3
-    converted = (_in_space(strip[..., :channels], space) for strip in drawn)
-    write_exr_strips(path, size, converted, chromaticities, _attributes(metadata), half=bits == 16)
+    matrix = None if space is WORKING_SPACE else space.from_working.T.astype(np.float32)
+    converted = (
+        strip[..., :channels]
+        if matrix is None
+        else np.concatenate([strip[..., :3] @ matrix, strip[..., 3:channels]], axis=2)
+        for strip in drawn
+    )
+    # Under the names that EXR readers know.
+    known = {"Software": "software", "Title": "paint", "Description": "comments"}
+    named = {
+        known.get(key, key[:1].lower() + key[1:].replace(" ", "")): text for key, text in metadata.items()
+    }
+    write_exr_strips(path, size, converted, chromaticities, named, half=bits == 16)
 
 
 def _report_strips(
@@ -141,21 +151,6 @@ def _report_strips(
         done += len(strip)
         report(progress, done / size[1], f"drawing, {done:,} of {size[1]:,} rows")
         yield strip
-
-
-def _in_space(strip: NDArray[Any], space: DisplaySpace) -> NDArray[Any]:
-    if space is WORKING_SPACE:
-        return strip
-    colours = strip[..., :3] @ space.from_working.T.astype(np.float32)
-    return np.concatenate([colours, strip[..., 3:]], axis=2)
-
-
-def _attributes(metadata: Mapping[str, str]) -> dict[str, str]:
-    """Return metadata under the names that EXR readers know."""
-    known = {"Software": "software", "Title": "paint", "Description": "comments"}
-    return {
-        known.get(name, name[:1].lower() + name[1:].replace(" ", "")): text for name, text in metadata.items()
-    }
 
 
 def picture_metadata(fit: LobeFit, view: View) -> dict[str, str]:
@@ -170,8 +165,3 @@ def picture_metadata(fit: LobeFit, view: View) -> dict[str, str]:
         ),
         "View": json.dumps(view_to_json(view), ensure_ascii=False, separators=(",", ":")),
     }
-
-
-def colour_space_title(key: str) -> str:
-    """Return what the user reads for one of :data:`COLOUR_SPACES`."""
-    return _TITLES[key]

@@ -17,7 +17,7 @@ from brdf_suite.lighting.filter.face_array import FaceArray
 from brdf_suite.lighting.filter.prefilter import LobeMaps
 from brdf_suite.output.picture_file import PictureSettings, check_target, picture_metadata, write_picture
 from brdf_suite.pipeline.exposure import metered
-from brdf_suite.pipeline.lobe_fit import LobeFit, fit_material
+from brdf_suite.pipeline.lobe_fit import fit_material
 from brdf_suite.pipeline.material import load_material, under_illuminant
 from brdf_suite.pipeline.picture import OffscreenScene
 from brdf_suite.pipeline.scene import PreparedEnvironment, find_environment, load_environment
@@ -110,7 +110,7 @@ class LoadedScene:
 
     def composed(self, view: View, size: Size) -> View:
         """Return the view with the whole object in the middle of the picture, unless its camera is placed."""
-        return replace(view, camera=compose(view.camera, self.scene.bounds, size))
+        return replace(view, camera=compose(view.camera, self.scene.renderer.bounds, size))
 
 
 @contextmanager
@@ -128,7 +128,7 @@ def loaded_scene(
     Errors as :func:`render_to_file`.
     """
     mesh = load_shaped(view.surface, view.surface_look)
-    with OffscreenScene((1, 1)) as scene:  # before the maps: without OpenGL they would be made for nothing
+    with OffscreenScene() as scene:  # before the maps: without OpenGL they would be made for nothing
         start = perf_counter()
         name = find_environment(view.environment)[0]
         light = stage(progress, 0.0, 0.6, f"preparing the light ({Path(name).stem})")
@@ -168,7 +168,6 @@ def render_to_file(
     Cancelled
         The progress callback asked for it.
     """
-
     settings = settings or PictureSettings()
     settings.of_file(path)
     check_target(path)
@@ -188,14 +187,8 @@ def render_to_file(
             stage(progress, 0.8, 1.0, "drawing"),
         )
         draw_ms = (perf_counter() - start) * 1e3
-        renderer = loaded.scene.renderer_name
+        renderer = str(loaded.scene.renderer.context.info["GL_RENDERER"])
     report(progress, 1.0, "written")
-    return _picture(path, size, fit, loaded, renderer, draw_ms)
-
-
-def _picture(
-    path: Path, size: Size, fit: LobeFit, loaded: LoadedScene, renderer: str, draw_ms: float
-) -> StillPicture:
     return StillPicture(
         path=path,
         width=size[0],

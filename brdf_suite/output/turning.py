@@ -6,7 +6,6 @@ import math
 from dataclasses import replace
 
 from brdf_suite.documents.view import View
-from brdf_suite.documents.view_settings import Lamp
 
 Point = tuple[float, float, float]
 
@@ -16,16 +15,22 @@ def turned(view: View, degrees: float, centre: Point = (0.0, 0.0, 0.0)) -> View:
 
     The object has no angle in a view: camera, light and lamps turn about it, the other way.
     """
-    azimuth = view.camera.azimuth_deg - degrees
+
+    def within_turn(angle: float) -> float:
+        return (angle - degrees + 180.0) % 360.0 - 180.0
+
     target = view.camera.target
-    camera = replace(
-        view.camera,
-        azimuth_deg=(azimuth + 180.0) % 360.0 - 180.0,
-        target=None if target is None else _about(target, -degrees, centre),
+    target = None if target is None else _about(target, -degrees, centre)
+    camera = replace(view.camera, azimuth_deg=within_turn(view.camera.azimuth_deg), target=target)
+    lamps = tuple(
+        replace(
+            lamp,
+            position=_about(lamp.position, -degrees, centre),
+            azimuth_deg=within_turn(lamp.azimuth_deg),
+        )
+        for lamp in view.lamps
     )
-    lamps = tuple(_turned_lamp(lamp, -degrees, centre) for lamp in view.lamps)
-    rotation = (view.rotation_deg - degrees + 180.0) % 360.0 - 180.0
-    return replace(view, camera=camera, rotation_deg=rotation, lamps=lamps)
+    return replace(view, camera=camera, rotation_deg=within_turn(view.rotation_deg), lamps=lamps)
 
 
 def _about(point: Point, degrees: float, centre: Point) -> Point:
@@ -33,8 +38,3 @@ def _about(point: Point, degrees: float, centre: Point) -> Point:
     x, z = point[0] - centre[0], point[2] - centre[2]
     cos, sin = math.cos(angle), math.sin(angle)
     return centre[0] + x * cos + z * sin, point[1], centre[2] + z * cos - x * sin
-
-
-def _turned_lamp(lamp: Lamp, degrees: float, centre: Point) -> Lamp:
-    azimuth = (lamp.azimuth_deg + degrees + 180.0) % 360.0 - 180.0
-    return replace(lamp, position=_about(lamp.position, degrees, centre), azimuth_deg=azimuth)

@@ -108,7 +108,7 @@ def write_turntable(
     fit = fit_material(under_illuminant(load_material(paint), view.light_colour))
     with loaded_scene(view, subrange(progress, 0.0, 0.2)) as loaded:
         loaded.scene.set_material(fit)
-        shown = framed_all_round(view, loaded.scene.bounds, size)
+        shown = framed_all_round(view, loaded.scene.renderer.bounds, size)
         shown = replace(metered(loaded.scene.renderer, shown, size), clipping_marks=False, gamut_marks=False)
         metadata = picture_metadata(fit, shown)
         drawing = subrange(progress, 0.2, 1.0)
@@ -130,7 +130,7 @@ def _frames(loaded: LoadedScene, view: View, turn: Turn, progress: Progress | No
     step = (-360.0 if turn.clockwise else 360.0) / turn.frames
     for number in range(turn.frames):
         report(progress, number / turn.frames, f"frame {number + 1} of {turn.frames}")
-        yield turned(view, number * step, loaded.scene.bounds.centre)
+        yield turned(view, number * step, loaded.scene.renderer.bounds.centre)
 
 
 def check_folder(path: Path) -> None:

@@ -27,7 +27,7 @@ _CODECS: dict[str, list[str]] = {
 # sRGB codes as they are, with the matrix of BT.709 and its primaries; the curve is said to be sRGB's.
 _COLOUR = [
     *("-vf", "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p"),
-    *(
+    *[
         "-colorspace",
         "bt709",
         "-color_primaries",
@@ -36,7 +36,7 @@ _COLOUR = [
         "iec61966-2-1",
         "-color_range",
         "tv",
-    ),
+    ],
 ]
 _INSTEAD = "a turntable as a folder of PNG pictures needs nothing more"
 
@@ -94,16 +94,25 @@ def writing_video(
             command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=messages
         ) as process:
             assert process.stdin is not None
+            pipe = process.stdin
+
+            def feed(frame: NDArray[Any]) -> None:
+                if frame.shape != (size[1], size[0], 3) or frame.dtype != np.uint8:
+                    wanted = f"({size[1]}, {size[0]}, 3) uint8"
+                    raise ValueError(f"a frame must be {wanted}, not {frame.shape} {frame.dtype}")
+                pipe.write(np.ascontiguousarray(frame).tobytes())
+                pipe.flush()
+
             try:
-                yield _feeder(process.stdin, size)
-                process.stdin.close()
+                yield feed
+                pipe.close()
                 failed = process.wait() != 0
             except BrokenPipeError:
                 failed = True
-                _drop(process.stdin)
+                _drop(pipe)
             except BaseException:
                 process.kill()
-                _drop(process.stdin)
+                _drop(pipe)
                 raise
         if failed:
             messages.seek(0)
@@ -117,15 +126,3 @@ def _drop(pipe: IO[bytes]) -> None:
     """Close a pipe that has no reader any more; flushing the rest of a frame would raise again."""
     with contextlib.suppress(BrokenPipeError):
         pipe.close()
-
-
-def _feeder(pipe: IO[bytes], size: Size) -> Callable[[NDArray[Any]], None]:
-    def feed(frame: NDArray[Any]) -> None:
-        if frame.shape != (size[1], size[0], 3) or frame.dtype != np.uint8:
-            raise ValueError(
-                f"a frame must be ({size[1]}, {size[0]}, 3) uint8, not {frame.shape} {frame.dtype}"
-            )
-        pipe.write(np.ascontiguousarray(frame).tobytes())
-        pipe.flush()
-
-    return feed

@@ -123,7 +123,8 @@ def _agreed(
     for turn in range(_MOST_FITS):
         report(progress, turn / _MOST_FITS, "looking for the nearest paint")
         if is_feasible(fit, tolerance):
-            return Feasible(paint, fit, _apart(paint, fit.paint))
+            labs = [np.array([item.lab for item in one.measurements]) for one in (paint, fit.paint)]
+            return Feasible(paint, fit, tuple(delta_e_2000(*labs).tolist()))
         given = np.array([row.lab for row in fit.readings])
         rows = judged(fit)
         given[rows] = [fit.readings[index].lab_fitted for index in rows]
@@ -301,8 +302,3 @@ def _fitted(paint: Paint, fitter: PaintFitter) -> LobeFit | None:
     except UnreachableError:
         lifted = nearest_reachable(paint)
         return None if lifted is None else fitter.fit(lifted)
-
-
-def _apart(asked: Paint, found: Paint) -> tuple[float, ...]:
-    labs = [np.array([item.lab for item in paint.measurements]) for paint in (asked, found)]
-    return tuple(float(value) for value in delta_e_2000(*labs))

@@ -138,8 +138,10 @@ def measured_start(
     measurements = tuple(_measurement(reading.geometry, reading.lab, notices) for reading in found.readings)
     report(progress, 0.3, "reading the gloss")
     estimate = estimated_gloss(item.reflectance)
+    # Without the ending of a file, short enough and in one line.
+    name = "".join(c if c.isprintable() else " " for c in Path(item.name).stem).strip()[:200]
     paint = Paint(
-        name=_name(item),
+        name=name or "Measured",
         measurements=measurements,
         gloss=USUAL_GLOSS,
         source=f"Read by the virtual spectrophotometer from {Path(item.origin or item.name).name}",
@@ -182,9 +184,10 @@ def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, lis
     reason = ""
     for gloss in (estimate.gloss, Gloss(at_20), *map(Gloss, nearest)):
         candidate = replace(paint, gloss=gloss)
-        refused = _refusal(candidate)
-        if refused is not None:
-            reason = reason or refused.rstrip(".")
+        try:
+            build_paint(candidate)
+        except UnreachableError as error:
+            reason = reason or str(error).rstrip(".")
             continue
         if gloss is estimate.gloss:
             return candidate, True, []
@@ -198,14 +201,6 @@ def _with_gloss(paint: Paint, estimate: GlossEstimate) -> tuple[Paint, bool, lis
         False,
         [f"The glossmeter reads {read}, and no clearcoat over these colours was found: {reason}."],
     )
-
-
-def _refusal(paint: Paint) -> str | None:
-    try:
-        build_paint(paint)
-    except UnreachableError as error:
-        return str(error)
-    return None
 
 
 def _measurement(geometry: Geometry, lab: Lab, notices: list[str]) -> Measurement:
@@ -281,9 +276,3 @@ def _unused(paint: Paint) -> list[Geometry]:
                 continue
             found.append(Geometry(light, angle))
     return found
-
-
-def _name(item: Material) -> str:
-    """The name without the ending of a file, short enough and in one line."""
-    plain = "".join(c if c.isprintable() else " " for c in Path(item.name).stem).strip()
-    return plain[:200] or "Measured"

@@ -11,15 +11,7 @@ import math
 from dataclasses import replace
 
 from brdf_suite.appearance.colour.flat_colours import within_paint
-from brdf_suite.documents.paint import (
-    PARAMETERS,
-    STEEPEST_PEEL_DEG,
-    Flakes,
-    Gloss,
-    Lab,
-    OrangePeel,
-    Paint,
-)
+from brdf_suite.documents.paint import PARAMETERS, STEEPEST_PEEL_DEG, Flakes, Gloss, OrangePeel, Paint
 from brdf_suite.errors import ValueRangeError
 from brdf_suite.paint_design.standard import Standard, paint_like, readings_like, standard_of
 
@@ -59,14 +51,15 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
         return replace(first if share == 0.0 else second, name=named)
     nearer = first if share < 0.5 else second
     order = {(m.illumination_deg, m.aspecular_deg): m for m in second.measurements}
-    measurements = tuple(
-        replace(m, lab=_between(m.lab, order[m.illumination_deg, m.aspecular_deg].lab, share))
-        for m in first.measurements
-    )
+    measurements = []
+    for m in first.measurements:
+        pairs = zip(m.lab, order[m.illumination_deg, m.aspecular_deg].lab, strict=True)
+        lab = within_paint([round(a + share * (b - a), _DECIMALS) + 0.0 for a, b in pairs])
+        measurements.append(replace(m, lab=lab))
     return replace(
         nearer,
         name=named,
-        measurements=measurements,
+        measurements=tuple(measurements),
         gloss=_gloss(first.gloss, second.gloss, share),
         flakes=_flakes(first.flakes, second.flakes, share),
         orange_peel=_peel(first.orange_peel, second.orange_peel, share),
@@ -78,12 +71,6 @@ def mixed(first: Paint, second: Paint, share: float, name: str = "") -> Paint:
 
 def _angles(paint: Paint) -> frozenset[tuple[float, float]]:
     return frozenset((m.illumination_deg, m.aspecular_deg) for m in paint.measurements)
-
-
-def _between(one: Lab, other: Lab, share: float) -> Lab:
-    return within_paint(
-        [round(a + share * (b - a), _DECIMALS) + 0.0 for a, b in zip(one, other, strict=True)]
-    )
 
 
 def _limited(name: str, one: float, other: float, share: float, *, by_ratio: bool = False) -> float:
@@ -105,10 +92,9 @@ def _gloss(one: Gloss, other: Gloss, share: float) -> Gloss:
 
 
 def _flakes(one: Flakes | None, other: Flakes | None, share: float) -> Flakes | None:
-    if one is None and other is None:
-        return None
     there = one or other
-    assert there is not None
+    if there is None:
+        return None
     # Of no flakes only the density says something: they fade in or out, of one kind.
     first = one or replace(there, density_per_mm2=_LEAST_DENSITY)
     second = other or replace(there, density_per_mm2=_LEAST_DENSITY)
@@ -128,10 +114,9 @@ def _flakes(one: Flakes | None, other: Flakes | None, share: float) -> Flakes | 
 
 
 def _peel(one: OrangePeel | None, other: OrangePeel | None, share: float) -> OrangePeel | None:
-    if one is None and other is None:
-        return None
     there = one or other
-    assert there is not None
+    if there is None:
+        return None
     first, second = one or replace(there, amplitude_um=0.0), other or replace(there, amplitude_um=0.0)
     wavelength = _limited("orange_peel.wavelength_mm", first.wavelength_mm, second.wavelength_mm, share)
     amplitude = _limited("orange_peel.amplitude_um", first.amplitude_um, second.amplitude_um, share)

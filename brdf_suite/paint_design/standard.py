@@ -124,10 +124,7 @@ class AngleRow:
     @property
     def angle(self) -> str:
         """What the angle is called: its aspecular angle, with its light where that is not at 45°."""
-        text = f"{self.aspecular_deg:g}°"
-        return (
-            text if self.illumination_deg == FLOP_LIGHT_DEG else f"{text}, light {self.illumination_deg:g}°"
-        )
+        return Geometry(self.illumination_deg, self.aspecular_deg).label
 
 
 @dataclass(frozen=True)
@@ -180,21 +177,20 @@ class BatchReport:
             "words": self.sentence(),
             "flop_index": None if self.flop is None else {"standard": self.flop[0], "batch": self.flop[1]},
             "gloss_difference": {f"gu_{angle}": value for angle, value in self.gloss.items()},
-            "angles": [_row_json(row) for row in self.rows],
+            "angles": [
+                {
+                    "illumination_deg": row.illumination_deg,
+                    "aspecular_deg": row.aspecular_deg,
+                    "lab": list(row.batch),
+                    "lab_standard": None if row.standard is None else list(row.standard),
+                    "standard_computed": row.computed,
+                    **{f"delta_e_{name}": value for name, value in row.differences.items()},
+                    "verdict": None if row.verdict is None else asdict(row.verdict),
+                    "words": [one.text() for one in row.words],
+                }
+                for row in self.rows
+            ],
         }
-
-
-def _row_json(row: AngleRow) -> dict[str, object]:
-    return {
-        "illumination_deg": row.illumination_deg,
-        "aspecular_deg": row.aspecular_deg,
-        "lab": list(row.batch),
-        "lab_standard": None if row.standard is None else list(row.standard),
-        "standard_computed": row.computed,
-        **{f"delta_e_{name}": value for name, value in row.differences.items()},
-        "verdict": None if row.verdict is None else asdict(row.verdict),
-        "words": [one.text() for one in row.words],
-    }
 
 
 def judge_batch(

@@ -44,18 +44,13 @@ def load_standards(
     elif handed := _of_handover(path):
         found = handed
     else:
-        found = (_of_material(name_or_path),)
+        document = load_document(name_or_path)
+        if document is None:
+            found = (_read_by_instrument(load_material(name_or_path), ""),)
+        else:
+            found = (_of_paint(document, path.name if path.suffix else ""),)
     report(progress, 1.0, "read")
     return found
-
-
-def _of_material(name_or_path: str | os.PathLike[str]) -> Standard:
-    document = load_document(name_or_path)
-    if document is not None:
-        path = Path(name_or_path)
-        return _of_paint(document, path.name if path.suffix else "")
-    material = load_material(name_or_path)
-    return _read_by_instrument(material, "")
 
 
 def _of_paint(paint: AnyPaint, origin: str) -> Standard:

@@ -171,14 +171,9 @@ class ColumnsWork:
         """Copy the rows of the same paints; return the places of the others."""
         # The older columns hold their paints, so their addresses are theirs alone.
         places = {id(entry.content): place for place, entry in enumerate(known.entries)}
-        rows, sources, fresh = [], [], []
-        for row, entry in enumerate(self._entries):
-            source = places.get(id(entry.content))
-            if source is None:
-                fresh.append(row)
-            else:
-                rows.append(row)
-                sources.append(source)
+        found = [places.get(id(entry.content)) for entry in self._entries]
+        rows = [row for row, source in enumerate(found) if source is not None]
+        sources = [source for source in found if source is not None]
         for own, older in (
             (self._lab, known.lab),
             (self._read, known.read),
@@ -186,7 +181,7 @@ class ColumnsWork:
             (self._waiting, known.waiting),
         ):
             own[rows] = older[sources]
-        return fresh
+        return [row for row, source in enumerate(found) if source is None]
 
     def _take_readings(self, rows: Sequence[int]) -> None:
         flat: list[int] = []

@@ -21,7 +21,6 @@ from brdf_suite.reflectance.protocol import Reflectance
 
 if TYPE_CHECKING:
     from brdf_suite.arrays import Singles
-    from brdf_suite.reflectance.factored.map import MapFactor
     from brdf_suite.reflectance.factored.model import Factored
 
 _OVER_LARGEST = 4.0
@@ -101,7 +100,11 @@ def _read(value: Factored) -> tuple[dict[str, FactorMap], tuple[FactorTerm, ...]
             key = (id(factor.values), factor.logarithmic, factor.values.ndim)
             if key not in names:
                 names[key] = f"map_{len(names)}"
-                maps[names[key]] = FactorMap(_held(factor), factor.logarithmic)
+                # What is darker than single precision resolves is black.
+                held = factor.values
+                if factor.logarithmic:
+                    held = np.clip(np.log(held), -LARGEST_LOG, LARGEST_LOG)
+                maps[names[key]] = FactorMap(held, factor.logarithmic)
             read.append((names[key], factor.projection))
         terms.append(FactorTerm(alpha, tuple(read)))
     return maps, tuple(terms)
@@ -110,10 +113,3 @@ def _read(value: Factored) -> tuple[dict[str, FactorMap], tuple[FactorTerm, ...]
 def _is_even(values: Singles) -> bool:
     flat = values.reshape(-1, 3)
     return bool((flat == flat[0]).all())
-
-
-def _held(factor: MapFactor) -> Singles:
-    """The values as they are interpolated; what is darker than single precision resolves is black."""
-    if not factor.logarithmic:
-        return factor.values
-    return np.clip(np.log(factor.values), -LARGEST_LOG, LARGEST_LOG)

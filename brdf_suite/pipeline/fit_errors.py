@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 from numpy.typing import NDArray
 
 from brdf_suite.appearance.colour.colorimetry import working_to_lab
@@ -27,7 +25,7 @@ from brdf_suite.fitting.lobes.measured_samples import (
     views_with_light_at_minus_x,
 )
 from brdf_suite.fitting.lobes.weights import LobeWeights, RaisedWeights
-from brdf_suite.fitting.metrics import AngleError, ErrorFigures, HeldOut, error_figures
+from brdf_suite.fitting.metrics import AngleError, HeldOut, value_errors
 from brdf_suite.geometry.directions import (
     angle_between,
     aspecular_angle,
@@ -143,15 +141,18 @@ def held_out_errors(
     wi, wo, weight = hemisphere_pairs()
     known = measured_pairs(reflectance, wi, wo)
     wi, wo, weight = wi[known], wo[known], weight[known]
-    away = angle_between(mirror(wi), wo) >= np.radians(NEAR_MIRROR_DEG)
     data, lobes = reflectance.eval(wi, wo), RaisedWeights(weights).eval(wi, wo)
-    return HeldOut(
-        ANGLE_SET,
-        len(wi),
-        _figures(data, lobes, wi, wo, weight),
-        _relative(data, lobes, wi, weight),
-        _figures(data, lobes, wi, wo, np.where(away, weight, 0.0)),
-    )
+    return _held_out(ANGLE_SET, data, lobes, wi, wo, weight)
+
+
+def _held_out(name: str, data: Floats, lobes: Floats, wi: Floats, wo: Floats, weight: Floats) -> HeldOut:
+    """The errors, all and away from the mirror direction; relative ones are over √(Σ w cos²θi f²), 0 for black data."""
+    scale = weight[:, None] * wi[:, 2:3] ** 2
+    whole = float((scale * data**2).sum())
+    relative = float(np.sqrt((scale * (data - lobes) ** 2).sum() / whole)) if whole > 0.0 else 0.0
+    away = angle_between(mirror(wi), wo) >= np.radians(NEAR_MIRROR_DEG)
+    elsewhere = value_errors(data, lobes, wi, np.where(away, weight, 0.0)) if away.any() else None
+    return HeldOut(name, len(wi), value_errors(data, lobes, wi, weight), relative, elsewhere)
 
 
 def _by_folds(
@@ -171,35 +172,7 @@ def _by_folds(
         fold_progress = subrange(progress, k / _FOLDS, (k + 1) / _FOLDS)
         weights = fit_rows(rows.subset(rest), values[rest], basis, progress=fold_progress).weights
         lobes[mine] = weights.eval(rows.wi[mine], rows.wo[mine])
-    away = angle_between(mirror(rows.wi), rows.wo) >= np.radians(NEAR_MIRROR_DEG)
-    return HeldOut(
-        _FOLDED,
-        len(values),
-        _figures(values, lobes, rows.wi, rows.wo, rows.weights),
-        _relative(values, lobes, rows.wi, rows.weights),
-        _figures(values, lobes, rows.wi, rows.wo, np.where(away, rows.weights, 0.0)) if away.any() else None,
-    )
-
-
-@dataclass(frozen=True, eq=False)
-class _Values:
-    """Values already in hand, as what :func:`error_figures` compares."""
-
-    values: Floats
-
-    def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:  # noqa: ARG002 - they are of these very directions
-        return self.values
-
-
-def _figures(data: Floats, lobes: Floats, wi: Floats, wo: Floats, weight: Floats) -> ErrorFigures:
-    return error_figures(_Values(data), _Values(lobes), wi, wo, weight)
-
-
-def _relative(data: Floats, lobes: Floats, wi: Floats, weight: Floats) -> float:
-    """√(Σ w cos²θi (f-f̂)²) over √(Σ w cos²θi f²); 0 where the data are black."""
-    scale = weight[:, None] * wi[:, 2:3] ** 2
-    whole = float((scale * data**2).sum())
-    return float(np.sqrt((scale * (data - lobes) ** 2).sum() / whole)) if whole > 0.0 else 0.0
+    return _held_out(_FOLDED, values, lobes, rows.wi, rows.wo, rows.weights)
 
 
 def hemisphere_pairs() -> tuple[Floats, Floats, Floats]:

@@ -237,7 +237,15 @@ class PaintFitter:
         """Return the lobe fit of a material, whose layers are given; the usual geometries are not evaluated."""
         fit = self.lobe_fitter.fit(layers)
         weights = fit.weights
-        notices = material.notices + _light_notice(material.reflectance, weights)
+        notices = material.notices
+        if isinstance(material.reflectance, PaintReflectance) and isinstance(
+            material.reflectance.base, SeveralLights
+        ):
+            # Lobes know the mirror angle only, not how far light and view are apart.
+            notices += (
+                f"The lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; the readings under "
+                "other lights enter the picture by weights fitted for every angle of the view.",
+            )
         if kind == "cook_torrance" and weights.ior == 1.0:
             notices += ("It has no sharp lobe that would be a coat: everything is fitted as base.",)
         return LobeFit(
@@ -342,16 +350,6 @@ def _undivided_fit(material: Material, fit: UndividedFit, angles: tuple[AngleErr
 
 def _l1_errors(fit: LayersFit) -> dict[str, tuple[float, float, float]]:
     return {"base": triple(fit.base_error.relative), "coat": triple(fit.coat_error.relative)}
-
-
-def _light_notice(reflectance: Reflectance, weights: LobeWeights) -> tuple[str, ...]:
-    if not (isinstance(reflectance, PaintReflectance) and isinstance(reflectance.base, SeveralLights)):
-        return ()
-    # Lobes know the mirror angle only, not how far light and view are apart.
-    return (
-        f"The lobes are fitted with the light at {np.degrees(weights.theta_fit_rad):.0f}°; the readings under other "
-        "lights enter the picture by weights fitted for every angle of the view.",
-    )
 
 
 @lru_cache(maxsize=16)

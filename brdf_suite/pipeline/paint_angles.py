@@ -18,6 +18,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.view import View
 from brdf_suite.fitting.lobes.basis import LobeBasis
 from brdf_suite.fitting.lobes.weights import LobeWeights
@@ -38,7 +39,7 @@ _Key = tuple[tuple[float, ...], bool]
 
 
 class PaintAngles:
-    """Keeps the fitters, one for each basis and kind of base.
+    """Keeps the fitters, one for each basis and kind of base; ``failed`` are those that could not be set up.
 
     Parameters
     ----------
@@ -56,7 +57,7 @@ class PaintAngles:
         self._changed = changed
         self._fitters: dict[_Key, AngleFitter] = {}
         self._begun: set[_Key] = set()
-        self._failed: set[_Key] = set()
+        self.failed: set[_Key] = set()
         self._lock = threading.Lock()
         self._over: WeakKeyDictionary[LobeFit, FitOverAngle] = WeakKeyDictionary()
         self._seen: WeakKeyDictionary[LobeFit, SeenWeights] = WeakKeyDictionary()
@@ -72,14 +73,10 @@ class PaintAngles:
         """Fit what the modes of ``view`` take of ``fit``, or have it fitted on threads; before a frame, not in it."""
         if view.fresnel == "off":
             return
-        found = None
         by_view = self.by_view(fit) if view.look_up == "shifted" else None
-        if by_view is not None:
-            found = by_view.weights()
-        if found is None and view.fresnel == "multi_angle":
-            over_angle = self.of(fit)
-            if over_angle is not None:
-                over_angle.weights()
+        found = None if by_view is None else by_view.weights()
+        if found is None and view.fresnel == "multi_angle" and (over_angle := self.of(fit)) is not None:
+            over_angle.weights()
 
     def is_pending(self, fit: LobeFit, view: View) -> bool:
         """Whether weights of ``fit`` that the modes of ``view`` take were asked for and are not found yet."""
@@ -155,10 +152,6 @@ class PaintAngles:
         self._set_up(key)
         return self._fitters[key]
 
-    def has_failed(self, exponents: tuple[float, ...], facets: bool) -> bool:
-        """Whether the fitter for a basis could not be set up on its thread."""
-        return (exponents, facets) in self._failed
-
     def notify(self) -> None:
         """Call ``changed``, where one was given."""
         with self._lock:
@@ -174,7 +167,7 @@ class PaintAngles:
         try:
             fitter = AngleFitter(LobeBasis(key[0]), facets=key[1], time_limit_s=limit)
         except BaseException:
-            self._failed.add(key)
+            self.failed.add(key)
             raise
         with self._lock:
             self._fitters[key] = fitter
@@ -182,31 +175,20 @@ class PaintAngles:
 
 
 class FitOverAngle:
-    """The weights of one paint over the incidence, fitted when first asked for."""
+    """The weights of one paint over the incidence, fitted when first asked for; ``found`` by now, or None."""
 
     def __init__(self, angles: PaintAngles, layers: Layered, exponents: tuple[float, ...]) -> None:
         self._angles = angles
         self._layers = layers
         self._key = (exponents, not layers.base_under_coat)
         self._asked = False
-        self._fit: AngleFit | None = None
-        self._weights: WeightsOverAngle | None = None
+        self.found: WeightsOverAngle | None = None
         self._late: AngleFit | None = None
-
-    @property
-    def fit(self) -> AngleFit | None:
-        """The fit that :meth:`weights` gave last."""
-        return self._fit
-
-    @property
-    def found(self) -> WeightsOverAngle | None:
-        """The weights that :meth:`weights` gave last; None before it gave some."""
-        return self._weights
 
     @property
     def is_pending(self) -> bool:
         """Whether the weights were asked for, and their fitter is still being set up."""
-        return self._asked and self._weights is None and not self._angles.has_failed(*self._key)
+        return self._asked and self.found is None and self._key not in self._angles.failed
 
     def weights(self) -> WeightsOverAngle | None:
         """Return the weights at the ramp's cosines, the same object until there are better ones; None: not yet."""
@@ -214,16 +196,15 @@ class FitOverAngle:
         if self._late is not None:
             self._take(self._late)
             self._late = None
-        if self._weights is None:
+        if self.found is None:
             fitter = self._angles.fitter(*self._key)
             if fitter is None:
                 return None
             self._take(fitter.fit(self._layers))
-        return self._weights
+        return self.found
 
     def _take(self, fit: AngleFit) -> None:
-        self._fit = fit
-        self._weights = at_ramp(fit.weights)
+        self.found = at_ramp(fit.weights)
         if fit.exact is not None:
             fit.exact.add_done_callback(self._arrived)
 
@@ -238,9 +219,7 @@ def at_ramp(weights: AngleWeights) -> WeightsOverAngle:
     """Return the table of weights at the cosines of the renderer's ramp, mixed as the table says."""
     lower, share = weights.grid.shares(RAMP_COSINES)
 
-    def mixed(
-        table: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
-    ) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    def mixed(table: Floats) -> Floats:
         part = share.reshape(share.shape + (1,) * (table.ndim - 1))
         return np.asarray((1.0 - part) * table[lower] + part * table[lower + 1])
 

@@ -17,10 +17,8 @@ from brdf_suite.pipeline.lobe_fit import PATIENT_TIME_LIMIT_S, LobeFit
 from brdf_suite.pipeline.paint_angles import PaintAngles
 from brdf_suite.pipeline.scene import PreparedEnvironment
 from brdf_suite.pipeline.surface_images import SurfaceImages, orange_peel_tile
-from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.factors.values import FactoredMaps
 from brdf_suite.realtime.gl.context import Context, create_context, release_context
-from brdf_suite.realtime.gl.objects import Counters
 from brdf_suite.realtime.lights.block import NO_LIGHTS, DistantLights
 from brdf_suite.realtime.pictures.captured import CapturedPaint
 from brdf_suite.realtime.pictures.light_pass import SECOND_PAINT
@@ -55,16 +53,6 @@ class SceneRenderer:
         self._weights: dict[str, MaterialWeights] = {}
         self._maps: tuple[object, FactoredMaps | None] | None = None
         self._angles = angles or PaintAngles(time_limit_s=PATIENT_TIME_LIMIT_S)
-
-    @property
-    def bounds(self) -> Bounds:
-        """The box around the surface, metres."""
-        return self.renderer.bounds
-
-    @property
-    def counters(self) -> Counters:
-        """OpenGL objects made and written since the start."""
-        return self.renderer.counters
 
     def set_material(self, fit: LobeFit, material: str = PAINT_MATERIAL, view: View | None = None) -> None:
         """Show this paint or measured reflectance from the next frame on; no allocation, no file, no texture.
@@ -168,15 +156,13 @@ def mesh_parts(mesh: Mesh, baked: BakedMesh | None = None) -> list[MeshPart]:
 
 
 class OffscreenScene(SceneRenderer):
-    """A scene with a windowless context of its own and a framebuffer of one size; use it with ``with``."""
+    """A scene with a windowless context of its own; use it with ``with``."""
 
-    def __init__(self, size: Size) -> None:
+    def __init__(self) -> None:
         self._context = create_context()
         try:
             super().__init__(self._context)
             self.renderer.only_needed = True
-            self._size = size
-            self._framebuffer = self._context.simple_framebuffer(size)
         except BaseException:
             release_context(self._context)
             raise
@@ -188,18 +174,7 @@ class OffscreenScene(SceneRenderer):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.release()
-        self._framebuffer.release()
         release_context(self._context)
-
-    def draw_and_wait(self, view: View) -> None:
-        """Draw one frame and return when the GPU has finished it."""
-        self.draw(view, self._framebuffer, self._size)
-        self._context.finish()
-
-    @property
-    def renderer_name(self) -> str:
-        """The OpenGL renderer, as the driver names itself."""
-        return str(self._context.info["GL_RENDERER"])
 
 
 def gl_renderer_name() -> str:

@@ -63,24 +63,27 @@ def default_view() -> View:
     return View()
 
 
-def check_environment(name_or_path: str | os.PathLike[str]) -> None:
-    """Raise :class:`SuiteError` about what the user typed where it names no environment."""
-    if packaged_name(os.fspath(name_or_path), environment_names()) is None:
-        check_exists(os.fspath(name_or_path), "environment", environment_names())
-
-
 def find_environment(name_or_path: str | os.PathLike[str]) -> tuple[str, Path]:
-    """Return an environment's name, as the user knows it, and its file; errors as :func:`check_environment`."""
-    check_environment(name_or_path)
-    shipped = packaged_name(os.fspath(name_or_path), environment_names())
-    name = shipped or os.fspath(name_or_path)
-    return name, resource("environments", shipped + ".exr") if shipped else Path(name)
+    """Return an environment's name, as the user knows it, and its file.
+
+    Raises :class:`SuiteError` about what the user typed where it names no environment.
+    """
+    name = os.fspath(name_or_path)
+    shipped = packaged_name(name, environment_names())
+    if shipped is None:
+        check_exists(name, "environment", environment_names())
+        return name, Path(name)
+    return shipped, resource("environments", shipped + ".exr")
 
 
-def check_surface(name_or_path: str | os.PathLike[str]) -> None:
-    """Raise :class:`SuiteError` about what the user typed where it names no surface."""
-    if packaged_name(os.fspath(name_or_path), surface_names()) is None:
-        check_exists(os.fspath(name_or_path), "surface", surface_names())
+def find_surface(name_or_path: str | os.PathLike[str]) -> Path:
+    """Return the file of a surface; raise :class:`SuiteError` about what the user typed where it names none."""
+    name = os.fspath(name_or_path)
+    shipped = packaged_name(name, surface_names())
+    if shipped is None:
+        check_exists(name, "surface", surface_names())
+        return Path(name)
+    return resource("meshes", shipped + ".glb")
 
 
 @dataclass(frozen=True, eq=False)
@@ -258,7 +261,4 @@ def load_surface(name_or_path: str | os.PathLike[str], unit: str = "file") -> Me
 
     Raises :class:`FileError`: there is no such surface, or its file cannot be read; the message says why.
     """
-    check_surface(name_or_path)
-    shipped = packaged_name(os.fspath(name_or_path), surface_names())
-    path = resource("meshes", shipped + ".glb") if shipped else Path(name_or_path)
-    return read_mesh(path, unit)
+    return read_mesh(find_surface(name_or_path), unit)

@@ -161,7 +161,7 @@ class SeenWeights:
     """The weights of one reflectance, found when first asked for.
 
     ``later``: where given, it is called with this object to have :meth:`find` called on a thread, and until that is
-    done there are no weights. Where they cannot be found, the log says why and there are none.
+    done ``found`` is None. Where they cannot be found, the log says why and there are none.
     """
 
     def __init__(
@@ -174,12 +174,7 @@ class SeenWeights:
         self.exponents = exponents
         self._later = later
         self._begun = self._ended = False
-        self._found: WeightsOverAngle | None = None
-
-    @property
-    def found(self) -> WeightsOverAngle | None:
-        """The weights where they are found by now."""
-        return self._found
+        self.found: WeightsOverAngle | None = None
 
     @property
     def is_pending(self) -> bool:
@@ -194,12 +189,12 @@ class SeenWeights:
                 self.find()
             else:
                 self._later(self)
-        return self._found
+        return self.found
 
     def find(self) -> None:
         """Find the weights, in about half a second."""
         try:
-            self._found = seen_weights(self.reflectance, self.exponents)
+            self.found = seen_weights(self.reflectance, self.exponents)
         except FittingError as error:
             _log.warning("The picture shows the fit of one incidence. %s", error)
         finally:

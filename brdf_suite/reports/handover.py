@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 
 from brdf_suite.appearance.geometries import GEOMETRY_SETS
-from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement, Paint
+from brdf_suite.documents.paint import Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import FileError, PathLike, SuiteError, UnreachableError, ValueRangeError
 from brdf_suite.files.exports import FORMATS
 from brdf_suite.files.exports import read_paints as read_known_paints
-from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra
+from brdf_suite.files.exports.format import ExportFormat, ExportItem, ImportedPaints, Spectra, paint_of_report
 from brdf_suite.pipeline.material import Material, load_document, load_material, material_of
 from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.instruments.aperture import POINT
@@ -84,20 +84,9 @@ def _read_by_instruments(material: Material, name: str, source: str) -> ExportIt
     """What the virtual instruments read, as a paint; its gloss held to what a paint's can be."""
     reflectance, document = material.reflectance, material.document
     found = measure(reflectance, READ_AT)
-    low, high = PARAMETERS["gloss.gu_20"].low, PARAMETERS["gloss.gu_20"].high
-    gloss = Gloss(*(min(high, max(low, found.gloss[angle])) for angle in (20, 60)))
+    flakes, notes = (None, "") if document is None else (document.flakes, document.notes)
     try:
-        paint = Paint(
-            name=name[:200].strip() or "measured",
-            measurements=tuple(
-                Measurement(r.geometry.illumination_deg, r.geometry.aspecular_deg, r.lab)
-                for r in found.readings
-            ),
-            gloss=gloss,
-            flakes=None if document is None else document.flakes,
-            notes="" if document is None else document.notes,
-            source=f"{source} Read by virtual instruments.".strip(),
-        )
+        paint = paint_of_report(found, name[:200].strip() or "measured", source, flakes, notes)
     except ValueRangeError as error:
         raise SuiteError(f"{name}: what is read of it makes no paint: {error}") from error
     spectra = None

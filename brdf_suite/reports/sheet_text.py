@@ -40,7 +40,8 @@ def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
             continue  # this system has not got it
         if not isinstance(font, ImageFont.FreeTypeFont):
             continue
-        found = _missing(font, letters)
+        box = bytes(font.getmask(_NO_LETTER))
+        found = "".join(letter for letter in letters if bytes(font.getmask(letter)) == box)
         if best is None or len(found) < len(missing):
             best, missing = font, found
         if not found:
@@ -48,11 +49,6 @@ def font_for(texts: Iterable[str], size: int) -> tuple[FreeTypeFont, str]:
     if best is None:
         raise RuntimeError("the picture library was built without fonts")
     return best, missing
-
-
-def _missing(font: FreeTypeFont, letters: list[str]) -> str:
-    box = bytes(font.getmask(_NO_LETTER))
-    return "".join(letter for letter in letters if bytes(font.getmask(letter)) == box)
 
 
 def shortened(text: str, font: FreeTypeFont, width: int) -> str:

@@ -72,7 +72,7 @@ def sparkle(folder: Path) -> None:
     """Figure 6, in real time: the flakes of a coarse silver in the sun."""
     size = (240, 170)
     fitter = PaintFitter(time_limit_s=1.0)
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_surface(load_surface("sphere"))
         scene.set_environment(load_environment("sunny"))
         scene.set_material(fitter.fit(load_shipped_paint("coarse_silver")))

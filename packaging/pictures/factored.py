@@ -83,11 +83,11 @@ def pictures(path: Path, view: View, size: tuple[int, int]) -> tuple[list[list[F
     fine = (size[0] * FINER, size[1] * FINER)
     rows: list[list[Floats]] = [[], []]
     away: list[NDArray[np.bool_]] = []
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_shaped(view.surface, view.surface_look))
         scene.set_material(fit)
-        view = replace(view, camera=compose(view.camera, scene.bounds, fine))
+        view = replace(view, camera=compose(view.camera, scene.renderer.bounds, fine))
         seen = geometry_picture(scene.renderer, view, fine)
         for step in STEPS_DEG:
             lit = lamps(step)

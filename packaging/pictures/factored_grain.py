@@ -97,7 +97,7 @@ def grain() -> Bytes:
     dented = replace(turned, normal_map="/dents")
     two = TwoTone("/brass", "/mask", TILE_MM)
     view = dark("panel", Camera(10.0, 15.0), lamps())
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("panel"))
         scene.set_material(steel)
@@ -105,7 +105,7 @@ def grain() -> Bytes:
         scene.renderer.relief.set_tangent_map(turns)
         scene.renderer.relief.set_normal_map(slopes)
         scene.renderer.relief.set_mask(mask)
-        view = replace(view, camera=compose(view.camera, scene.bounds, SIZE))
+        view = replace(view, camera=compose(view.camera, scene.renderer.bounds, SIZE))
         shown = [
             replace(view, relief=relief),
             replace(view, relief=turned),
@@ -130,14 +130,14 @@ def ball() -> tuple[Bytes, list[float]]:
         for i in range(8)
     )
     view = dark("speed_form", Camera(35.0, 12.0), eight)
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment("overcast"))
         scene.set_surface(load_surface("speed_form"))
         scene.set_material(fit_material(Material("blue", gloss())))
         apart = []
         for lens in (400.0, 50.0):
             seen = replace(view, camera=replace(view.camera, focal_length_mm=lens))
-            seen = replace(seen, camera=compose(seen.camera, scene.bounds, SIZE))
+            seen = replace(seen, camera=compose(seen.camera, scene.renderer.bounds, SIZE))
             each, one = (
                 scene.renderer.render_image(v, SIZE, display=LINEAR)[..., :3].astype(float)
                 for v in (seen, replace(seen, lamp_shading="ball"))

@@ -31,12 +31,19 @@ def run(progress=None):
     paint = default_paint()
     view = default_view()
     fitter = PaintFitter()
-    with OffscreenScene(SIZE) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(load_environment(view.environment, subrange(progress, 0.0, 0.5)))
         scene.set_surface(load_surface(view.surface))
         scene.set_material(fitter.fit(paint))
+        context = scene.renderer.context
+        target = context.simple_framebuffer(SIZE)
+
+        def draw_and_wait() -> None:
+            scene.draw(view, target, SIZE)
+            context.finish()
+
         for _ in range(5):
-            scene.draw_and_wait(view)
+            draw_and_wait()
         overheads, draws = [], []
         first = paint.measurements[0].lab
         for step in range(STEPS):
@@ -45,9 +52,9 @@ def run(progress=None):
             start = perf_counter()
             edited = paint.with_lab(paint.measurements[0].aspecular_deg, (lightness, *first[1:]))
             scene.set_material(fitter.fit(edited))
-            scene.draw_and_wait(view)
+            draw_and_wait()
             middle = perf_counter()
-            scene.draw_and_wait(view)
+            draw_and_wait()
             draw = perf_counter() - middle
             draws.append(draw)
             overheads.append(middle - start - draw)

@@ -37,8 +37,8 @@ from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reports import sheet_text
-from brdf_suite.reports.contact_sheet.document import SheetItem, caption, sheet_items, write_sheet
-from brdf_suite.reports.contact_sheet.pictures import item_pictures
+from brdf_suite.reports.contact_sheet.document import sheet_items, write_sheet
+from brdf_suite.reports.contact_sheet.pictures import SheetItem, caption, item_pictures
 
 VIEW = View(
     Camera(azimuth_deg=30.0, elevation_deg=15.0), surface="sphere", background="grey", sparkle=Sparkle("off")

@@ -24,7 +24,7 @@ SIZE = (240, 160)
 @pytest.fixture
 def scene(tmp_path: Path):
     """A sphere of blue paint, and a function that lights it evenly with a radiance."""
-    with OffscreenScene(SIZE) as scene:
+    with OffscreenScene() as scene:
 
         def light(radiance: float) -> None:
             path = tmp_path / f"{radiance}.exr"

@@ -89,7 +89,7 @@ def test_the_picture_is_as_bright_as_the_paint_and_the_modes_stay_apart(silver) 
     sheet = MeshPart("sheet", "paint", [[-1, -1, 0], [1, -1, 0], [0, 1, 0]], n, [[0, 1, 2]])
     exponents = (1.0, 8.0, 86.5, *(e for e in silver.weights.exponents if e > 100))
     seen = {}
-    with OffscreenScene((8, 8)) as scene:
+    with OffscreenScene() as scene:
         scene.renderer.set_environment(EnvironmentMaps(exponents, (WHITE,) * len(exponents), WHITE, WHITE))
         scene.renderer.set_mesh([sheet])
         scene.set_material(silver)
@@ -164,7 +164,7 @@ def lit():
 def sphere_error(fit, lit) -> float:
     """Mean ΔE00 between the picture of a small sphere and what its reflectance gathers there."""
     size = (24, 24)
-    with OffscreenScene((8, 8)) as scene:
+    with OffscreenScene() as scene:
         scene.set_environment(lit)
         scene.set_surface(load_surface("sphere"))
         scene.set_material(fit)
@@ -172,8 +172,8 @@ def sphere_error(fit, lit) -> float:
         picture = scene.renderer.linear_image(view, size, 1)[..., :3].astype(float)
         camera = scene.renderer.camera_matrices(view, size)
         centre, radius = (
-            np.array(scene.bounds.centre),
-            0.5 * np.ptp([scene.bounds.minimum, scene.bounds.maximum], axis=0).max(),
+            np.array(scene.renderer.bounds.centre),
+            0.5 * np.ptp([scene.renderer.bounds.minimum, scene.renderer.bounds.maximum], axis=0).max(),
         )
     at = (np.arange(size[0]) + 0.5) / size[0] * 2.0 - 1.0
     x, y = np.meshgrid(at * camera.half_tangents[0], -at * camera.half_tangents[1])

@@ -110,12 +110,12 @@ def test_a_still_picture_uploads_only_the_maps_that_it_shows_and_looks_the_same(
     fit = fit_material(load_material("blue"), errors=False)
     uploads, pictures = [], []
     for only in (True, False):
-        with OffscreenScene((1, 1)) as scene:
+        with OffscreenScene() as scene:
             scene.renderer.only_needed = only
             scene.set_environment(prepared)
             scene.set_surface(load_surface("sphere"))
             scene.set_material(fit)
             pictures.append(scene.image(View(surface="sphere"), (64, 36)))
-            uploads.append(scene.counters.texture_uploads)
+            uploads.append(scene.renderer.counters.texture_uploads)
     assert np.array_equal(*pictures)
     assert uploads[0] <= uploads[1] - 3 * 6

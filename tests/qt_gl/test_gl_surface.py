@@ -306,7 +306,7 @@ from PySide6.QtWidgets import QApplication
 from brdf_suite.pipeline.picture import OffscreenScene, gl_renderer_name
 
 gl_renderer_name()
-with OffscreenScene((8, 8)):
+with OffscreenScene():
     pass
 application = QApplication([])
 widget = QOpenGLWidget()

@@ -149,7 +149,7 @@ def test_the_same_lobes_give_the_real_time_picture(sphere, tmp_path) -> None:
     view = View(surface="sphere", rotation_deg=40.0, background="grey")
     made = build_reference(Material("lobes", weights), view, SIZE, prepared.environment, sphere)
     estimate = traced(made, 512)
-    with OffscreenScene((1, 1)) as real:
+    with OffscreenScene() as real:
         real.set_environment(prepared)
         real.set_surface(sphere)
         real.renderer.set_material("paint", material_weights(weights))

@@ -55,7 +55,7 @@ class PreviewDrawer:
     @property
     def bounds(self) -> Bounds | None:
         """The box around the form; ``None`` before the first frame."""
-        return None if self._renderer is None else self._renderer.bounds
+        return None if self._renderer is None else self._renderer.renderer.bounds
 
     @property
     def drawn(self) -> LobeFit | None:

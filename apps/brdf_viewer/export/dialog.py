@@ -11,7 +11,7 @@ from brdf_qt.program.translation import tr
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDialog, QLineEdit, QPushButton, QSpinBox, QVBoxLayout, QWidget
 
-from brdf_suite.output.picture_file import colour_space_title
+from brdf_suite.output.picture_file import COLOUR_SPACES
 from brdf_viewer.export.job import FORMATS, KIND_TITLES, ExportSettings, Format
 from brdf_viewer.fields.inspector import note, set_note
 
@@ -161,7 +161,7 @@ class ExportDialog(QDialog):
         form = self._form()
         self.colour_space.clear()
         for key in form.colour_spaces:
-            self.colour_space.addItem(colour_space_title(key), key)
+            self.colour_space.addItem(COLOUR_SPACES[key], key)
         self.colour_space.setEnabled(len(form.colour_spaces) > 1)
         self.transparent.setEnabled(form.transparent)
         if not form.transparent:

@@ -74,7 +74,7 @@ class SceneDrawer:
     @property
     def counters(self) -> Counters:
         """OpenGL objects made and written since the start."""
-        return self.scene_renderer.counters
+        return self.scene_renderer.renderer.counters
 
     @property
     def renderer(self) -> Renderer:

@@ -99,10 +99,10 @@ def parse_view(options: argparse.Namespace) -> View:
     """
     from brdf_suite.documents.store import load_view
     from brdf_suite.pipeline.scene import (
-        check_environment,
-        check_surface,
         default_view,
         environment_names,
+        find_environment,
+        find_surface,
         name_in_view,
         surface_names,
     )
@@ -132,17 +132,17 @@ def parse_view(options: argparse.Namespace) -> View:
     look = given(ground=options.ground, occlusion=options.occlusion)
     changed["surface_look"] = replace(view.surface_look, **look)
     if options.environment is not None:
-        check_environment(options.environment)
+        find_environment(options.environment)
         changed["environment"] = name_in_view(options.environment, environment_names())
         changed["environment_layout"] = options.layout
     elif options.layout != "auto":
         changed["environment_layout"] = options.layout
     if options.mesh is not None:
-        check_surface(options.mesh)
+        find_surface(options.mesh)
         changed["surface"] = name_in_view(options.mesh, surface_names())
     view = replace(view, **changed)
-    check_environment(view.environment)
-    check_surface(view.surface)
+    find_environment(view.environment)
+    find_surface(view.surface)
     return view
 
 

@@ -47,18 +47,21 @@ def losses(item: ExportItem) -> tuple[str, ...]:
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
     """Write a row per paint; raise :class:`FileError` where the disk refuses."""
-    rows = [format_row(item.paint) for item in items]
-    names = {name for row in rows for name in row}
+    write_atomically(path, table_text([format_row(item.paint) for item in items], _FIRST).encode("utf-8-sig"))
+    return ()
+
+
+def table_text(rows: Sequence[Mapping[str, str]], first: Sequence[str], more: Sequence[str] = ()) -> str:
+    """Return rows by their columns as CSV: ``first``, readings (``more`` among them), gloss, settings, texts."""
+    names = {*more, *(name for row in rows for name in row)}
     angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=parse_angles)
     colours = [axis + column[1:] for column in angles for axis in "Lab"]
-    settings = sorted(names - set(colours) - {*_FIRST, *_TEXTS, "G20", "G60"})
-    columns = [*_FIRST, *colours, "G20", "G60", *settings, "source", "notes"]
+    settings = sorted(names - {*colours, *first, *_TEXTS, "G20", "G60"})
     text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, columns, restval="")
+    writer = csv.DictWriter(text, [*first, *colours, "G20", "G60", *settings, "source", "notes"], restval="")
     writer.writeheader()
     writer.writerows(rows)
-    write_atomically(path, text.getvalue().encode("utf-8-sig"))
-    return ()
+    return text.getvalue()
 
 
 def format_row(paint: Paint) -> dict[str, str]:

@@ -43,22 +43,16 @@ def losses(item: ExportItem) -> tuple[str, ...]:
     if any(clean_text(text) != text for text in (item.name, item.paint.notes, item.paint.source)):
         found.append("Characters that XML does not know are written as �.")
     if item.spectra is not None:
-        found += _spectral_losses(item.spectra)
+        if not _is_even(item.spectra):
+            found.append(
+                "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
+            )
+        rows = item.spectra.values
+        if high := sum(not fits(row) for row in rows):
+            found.append(
+                f"{high} of {len(rows)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
+            )
     return tuple(found)
-
-
-def _spectral_losses(spectra: Spectra) -> list[str]:
-    losses: list[str] = []
-    if not _is_even(spectra):
-        losses.append(
-            "The spectra are read off at 400 to 700 nm, every 10 nm: CxF3 wants even steps from 360 to 400 nm."
-        )
-    high = sum(not fits(row) for row in spectra.values)
-    if high:
-        losses.append(
-            f"{high} of {len(spectra.values)} spectra are left out: a reflectance there is 3 or more, or -0.1 or less."
-        )
-    return losses
 
 
 def write(items: Sequence[ExportItem], path: PathLike, _progress: Progress | None = None) -> tuple[str, ...]:
@@ -102,6 +96,8 @@ def write_object(
 ) -> str:
     """Return the Object of a paint; what its values are measured by is added to ``specifications`` by its Id."""
     paint, values = item.paint, []
+    tags = {VERSION: str(VERSIONS["brdfpaint"]), **({SOURCE: paint.source} if paint.source else {})}
+    tags |= {SETTING + name: setting_text(value) for name, value in flatten_paint(paint).items()}
     spectra = None if item.spectra is None else _even(item.spectra)
     for index, reading in enumerate(paint.measurements):
         geometry = Geometry(reading.illumination_deg, reading.aspecular_deg)
@@ -127,7 +123,7 @@ def write_object(
         f"        <cc:CreationDate>{now}</cc:CreationDate>\n"
         + (f"        <cc:Comment>{text_content(paint.notes)}</cc:Comment>\n" if paint.notes else "")
         + f"        <cc:ColorValues>\n{''.join(values)}        </cc:ColorValues>\n"
-        + tag_collection({**_tags(item), **further_tags})
+        + tag_collection({**tags, **further_tags})
         + "        <cc:PhysicalAttributes>\n"
         + f'          <cc:Gloss Method="20° GU">{paint.gloss.gu_20!r}</cc:Gloss>\n'
         + (
@@ -137,14 +133,6 @@ def write_object(
         )
         + "        </cc:PhysicalAttributes>\n      </cc:Object>\n"
     )
-
-
-def _tags(item: ExportItem) -> dict[str, str]:
-    tags = {VERSION: str(VERSIONS["brdfpaint"])}
-    if item.paint.source:
-        tags[SOURCE] = item.paint.source
-    tags.update({SETTING + name: setting_text(value) for name, value in flatten_paint(item.paint).items()})
-    return tags
 
 
 def tag_collection(tags: Mapping[str, str]) -> str:

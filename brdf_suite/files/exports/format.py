@@ -7,11 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from brdf_suite.documents.paint import Gloss, Paint
+from brdf_suite.documents.paint import PARAMETERS, Flakes, Gloss, Measurement, Paint
 from brdf_suite.documents.store import AnyPaint
 from brdf_suite.errors import PathLike, UnreachableError, ValueRangeError
 from brdf_suite.progress import Progress
 from brdf_suite.reflectance.designed.build import build_paint
+from brdf_suite.reflectance.instruments.spectrophotometer import InstrumentReport
 from brdf_suite.reflectance.material import Material
 from brdf_suite.reflectance.protocol import Reflectance
 
@@ -130,6 +131,22 @@ class ExportFormat:
     read: Callable[[PathLike], ImportedPaints] | None = None
     sniff: Callable[[bytes], bool] | None = None
     many: bool = False
+
+
+def paint_of_report(
+    found: InstrumentReport, name: str, source: str, flakes: Flakes | None, notes: str
+) -> Paint:
+    """Return what virtual instruments read, as a paint; its gloss is held to what a paint's can be.
+
+    Raises :class:`ValueRangeError`: a colour is beyond a paint's range.
+    """
+    low, high = PARAMETERS["gloss.gu_20"].low, PARAMETERS["gloss.gu_20"].high
+    gloss = Gloss(*(min(high, max(low, found.gloss[angle])) for angle in (20, 60)))
+    places = ((r.geometry.illumination_deg, r.geometry.aspecular_deg, r.lab) for r in found.readings)
+    source = f"{source} Read by virtual instruments.".strip()
+    return Paint(
+        name, tuple(Measurement(*place) for place in places), gloss, flakes, notes=notes, source=source
+    )
 
 
 def flake_loss(item: ExportItem) -> tuple[str, ...]:

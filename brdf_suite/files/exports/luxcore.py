@@ -26,7 +26,7 @@ from importlib.metadata import version
 
 import numpy as np
 
-from brdf_suite.arrays import Floats, triple
+from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import write_atomically
 from brdf_suite.documents.paint import Paint
 from brdf_suite.errors import PathLike
@@ -93,12 +93,14 @@ def fit_carpaint(paint: Paint) -> CarPaint:
     samples = sample_paint(paint, layers)
     r3, m3 = normal_reflectance(layers.ior), min(layers.roughness, 1.0)
     left = np.maximum(samples.f - lobe(samples.wi, samples.wo, m3, r3)[:, None], 0.0)
-    widths = np.geomspace(_NARROWEST, _WIDEST, _GRID)
-    first, second, ratio = widths, widths, float(widths[1] / widths[0])
+    first = second = np.geomspace(_NARROWEST, _WIDEST, _GRID)
+    ratio = float(first[1] / first[0])
     best = (math.inf, CarPaint(_BLACK, (_BLACK,) * 3, (1.0, 1.0, r3), (1.0, 0.5, m3), (), False))
     for _ in range(_ROUNDS):
         for m1, m2 in ((m1, m2) for m1 in first for m2 in second if m2 < 0.999 * m1):
-            found = _paint(_weights(samples, left, m1, m2), (m1, m2, m3), r3)
+            kd, ks1, ks2 = ((float(r), float(g), float(b)) for r, g, b in _weights(samples, left, m1, m2))
+            widths = (float(m1), float(m2), float(m3))
+            found = CarPaint(kd, (ks1, ks2, (1.0, 1.0, 1.0)), (1.0, 1.0, r3), widths, (), False)
             best = min(
                 best, (samples.score(found.eval(samples.wi, samples.wo)), found), key=lambda pair: pair[0]
             )
@@ -124,12 +126,6 @@ def _weights(samples: ModelFitSamples, left: Floats, m1: float, m2: float) -> Fl
         scale = np.sqrt(samples.weight) / (target + _FLOOR * max(float(left.max()), 1e-6))
         found[:, channel] = nnls(columns * scale[:, None], target * scale)[0]
     return np.minimum(found, 1.0)
-
-
-def _paint(weights: Floats, m: tuple[float, float, float], r3: float) -> CarPaint:
-    kd, ks1, ks2 = (triple(row) for row in weights)
-    widths = triple(m)
-    return CarPaint(kd, (ks1, ks2, (1.0, 1.0, 1.0)), (1.0, 1.0, r3), widths, (), False)
 
 
 def losses(item: ExportItem) -> tuple[str, ...]:

@@ -125,13 +125,9 @@ class MetalRough:
         colour = np.asarray(self.colour)
         value = np.asarray(slope[:, None] * colour + offset[:, None])
         if self.compensated:
-            value = value + self._further(wi, wo)[:, None] * colour * (
-                colour + self._edge(wi, wo)[:, None] * (1.0 - colour)
-            )
+            edge = ((1.0 - half_vector(wi, wo)[1]) ** 5)[:, None]
+            value = value + self._further(wi, wo)[:, None] * colour * (colour + edge * (1.0 - colour))
         return value
-
-    def _edge(self, wi: Floats, wo: Floats) -> Floats:
-        return np.asarray((1.0 - half_vector(wi, wo)[1]) ** 5)
 
     def _further(self, wi: Floats, wo: Floats) -> Floats:
         """Return the multiple-scattering term (n,) for a metal whose colour is 1."""

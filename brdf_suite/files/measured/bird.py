@@ -60,10 +60,9 @@ def read_bird(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     data, metadata = document["data"], document["metadata"]
     values = _numbers(path, data["BRDF"]["values"], "BRDF", None)
     count = len(values)
-    angle = {name: _angle(path, data[name], name, count) for name in _GEOMETRY}
+    table = np.column_stack([_numbers(path, data[name]["values"], name, count) for name in _GEOMETRY])
+    table = np.where([data[name]["unit"] == "rad" for name in _GEOMETRY], table, np.radians(table))
     bands = _bands(path, data, count)
-
-    table = np.column_stack([angle[name] for name in _GEOMETRY])
     keys = np.round(table / _SAME_ANGLE)
     _, first, group = np.unique(keys, axis=0, return_index=True, return_inverse=True)
     # In the order of the file, not that of the numbers.
@@ -74,7 +73,9 @@ def read_bird(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     if polarization is not None:
         facts["polarization"] = "readings of several polarizations averaged"
 
-    rows = _rows(path, table[first])
+    rows = _Entries(path, len(_GEOMETRY))
+    for index, row in enumerate(table[first].tolist()):
+        rows.add(row, index)
     at = rows.table
     common: dict[str, Any] = {
         "rows": rows,
@@ -108,13 +109,6 @@ class _Entries(SampleRows):
 
     def place(self, row: int) -> str:
         return f"data, entry {self._lines[row]}"
-
-
-def _rows(path: PathLike, table: Floats) -> SampleRows:
-    rows = _Entries(path, table.shape[1])
-    for index, row in enumerate(table.tolist()):
-        rows.add(row, index)
-    return rows
 
 
 def _validated(path: PathLike) -> dict[str, Any]:
@@ -184,11 +178,6 @@ def _numbers(path: PathLike, values: list[Any], name: str, count: int | None) ->
             raise FileError(path, reason, f"data.{name}.values[{index}]")
         numbers[index] = number
     return numbers
-
-
-def _angle(path: PathLike, axis: dict[str, Any], name: str, count: int) -> Floats:
-    numbers = _numbers(path, axis["values"], name, count)
-    return numbers if axis["unit"] == "rad" else np.radians(numbers)
 
 
 def _bands(path: PathLike, data: dict[str, Any], count: int) -> npt.NDArray[np.float64] | None:

@@ -66,6 +66,8 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
     if rows is None:
         raise FileError(path, "the file ends before the first sample", f"line {number}")
     table = rows.table
+    # The title: the lines before the first blank comment or the counts.
+    title = [line for line in comments if line and not line.startswith(("num wls", "wls", "theta"))]
     return samples(
         rows,
         directions(rows, table[:, 0], table[:, 1]),
@@ -74,7 +76,7 @@ def read_cornell(path: PathLike, options: ReadOptions | None = None) -> Scattere
         wavelengths_nm=wavelengths,
         isotropic=not len(table) or one_azimuth(table[:, 1]),
         observer_deg=(options or ReadOptions()).observer_deg,
-        facts={"format": "Cornell text", "name": _name(comments)},
+        facts={"format": "Cornell text", "name": "; ".join(title)[:500]},
     )
 
 
@@ -85,12 +87,6 @@ def _count(path: PathLike, words: list[str], number: int) -> int:
     if not 1 <= count <= MOST_BANDS:
         raise FileError(path, f"{count} wavelengths; expected 1 to {MOST_BANDS}", f"line {number}")
     return count
-
-
-def _name(comments: list[str]) -> str:
-    """Return the title lines: those before the first blank comment or the counts."""
-    title = [line for line in comments if line and not line.startswith(("num wls", "wls", "theta"))]
-    return "; ".join(title)[:500]
 
 
 def write_cornell(value: Reflectance, path: PathLike) -> tuple[str, ...]:

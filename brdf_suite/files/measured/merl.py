@@ -22,7 +22,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.documents.atomic import replacing
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import open_plain
-from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions, tabulation_notes
+from brdf_suite.files.measured.format import MeasuredFormat, tabulation_notes
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.protocol import Reflectance
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid, fill_holes
@@ -229,8 +229,13 @@ def _sniff(head: bytes, size: int) -> bool:
     return usual or size - _HEADER.size in (whole, whole // 2)
 
 
-def _read(path: PathLike, options: ReadOptions) -> IsotropicTable:
-    return read_merl(path, scale_factors=options.scale_factors, average_reciprocal=options.average_reciprocal)
-
-
-FORMAT = MeasuredFormat("merl", "MERL isotropic table", (".binary",), _sniff, _read, write_merl)
+FORMAT = MeasuredFormat(
+    "merl",
+    "MERL isotropic table",
+    (".binary",),
+    _sniff,
+    lambda path, options: read_merl(
+        path, scale_factors=options.scale_factors, average_reciprocal=options.average_reciprocal
+    ),
+    write_merl,
+)

@@ -94,16 +94,13 @@ def read_pgii(path: PathLike, options: ReadOptions | None = None) -> ScatteredSa
     )
 
 
-def _looks(head: bytes, _size: int) -> bool:
-    return head.startswith(b"#") and any(
-        key in head for key in (b"#format: theta phi", b"#intheta", b"#incident_angle")
-    )
-
-
 FORMAT = MeasuredFormat(
     name="pgii",
     title="pgII gonioreflectometer text",
     endings=(".dat", ".txt"),
-    sniff=_looks,
+    sniff=lambda head, _size: (
+        head.startswith(b"#")
+        and any(key in head for key in (b"#format: theta phi", b"#intheta", b"#incident_angle"))
+    ),
     read=read_pgii,
 )

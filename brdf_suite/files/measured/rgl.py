@@ -231,7 +231,12 @@ def write_rgl(value: Reflectance, path: PathLike) -> tuple[str, ...]:
 
     Raises :class:`FileError`: the reflectance is not isotropic or not finite, or the file cannot be written.
     """
-    tensor = value if isinstance(value, TensorReflectance) else _tabulated(value, path)
+    from brdf_suite.reflectance.tensor.tabulate import tabulate  # only writers need it
+
+    try:
+        tensor = value if isinstance(value, TensorReflectance) else tabulate(value)
+    except ValueRangeError as error:
+        raise FileError(path, f"cannot be written: the {error.place} {error.reason}") from error
     text = tensor.description.encode("utf-8") or b" "
     arrays: Arrays = {
         "version": np.array([1, 0], np.uint32),
@@ -268,15 +273,6 @@ def _leaves_rec_709(tensor: TensorReflectance) -> bool:
     wi, wo = spherical([[[0.2]], [[0.8]]], 0.0), spherical(theta, phi)
     channels = tensor.eval_channels(wi, wo)
     return bool((channels < -1e-3 * np.abs(channels).max(axis=-1, keepdims=True)).any())
-
-
-def _tabulated(value: Reflectance, path: PathLike) -> TensorReflectance:
-    from brdf_suite.reflectance.tensor.tabulate import tabulate  # only writers need it
-
-    try:
-        return tabulate(value)
-    except ValueRangeError as error:
-        raise FileError(path, f"cannot be written: the {error.place} {error.reason}") from error
 
 
 FORMAT = MeasuredFormat(

@@ -127,9 +127,12 @@ def samples(
         spectra = np.maximum(spectra, 0.0)
         known["colour"] = f"{len(wavelengths_nm)} bands, {wavelengths_nm[0]:g} to {wavelengths_nm[-1]:g} nm"
         known["observer_deg"] = observer_deg
-        notes = _coverage(wavelengths_nm)
-        if notes:
-            known["notes"] = notes
+        first, last = float(wavelengths_nm[0]), float(wavelengths_nm[-1])
+        if first > _VISIBLE_NM[0] or last < _VISIBLE_NM[1]:
+            known["notes"] = (
+                f"The spectra reach from {first:g} to {last:g} nm only; beyond, their last value is held, and"
+                " colours are as good as that guess.",
+            )
         # Between far bands the interpolation may dip below 0; a reflectance does not.
         values = np.maximum(spectrum_to_working(spectra, wavelengths_nm, observer_deg), 0.0)
     try:
@@ -138,16 +141,6 @@ def samples(
         )
     except ValueRangeError as error:
         raise FileError(rows.path, error.reason, error.place) from error
-
-
-def _coverage(bands: Floats) -> tuple[str, ...]:
-    """Return notices where the spectra do not cover the visible range."""
-    if bands[0] <= _VISIBLE_NM[0] and bands[-1] >= _VISIBLE_NM[1]:
-        return ()
-    return (
-        f"The spectra reach from {bands[0]:g} to {bands[-1]:g} nm only; beyond, their last value is held, and"
-        " colours are as good as that guess.",
-    )
 
 
 def sampling_notes(value: object, scattered: ScatteredSamples) -> tuple[str, ...]:

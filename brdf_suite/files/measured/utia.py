@@ -17,7 +17,7 @@ import numpy as np
 from brdf_suite.appearance.colour.colorimetry import REC709_TO_WORKING, srgb_decode
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import read_bytes
-from brdf_suite.files.measured.format import MeasuredFormat, ReadOptions
+from brdf_suite.files.measured.format import MeasuredFormat
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.reflectance.tabulated.anisotropic import AnisotropicTable
 
@@ -69,7 +69,10 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
         "colour": "RGB, Rec. 709" + (", sRGB-encoded" if srgb_encoded else ", taken as linear"),
     }
     table = AnisotropicTable(values.astype(np.float32), theta, theta, os.fspath(path))
-    albedo = _albedo(table)
+    # The largest channel's reflectance at 45° incidence, by cosine-weighted views on a 64 × 64 grid.
+    u = (np.arange(64) + 0.5) / 64
+    views = spherical(np.arcsin(np.sqrt(u))[:, None], 2.0 * np.pi * u[None, :])
+    albedo = float(np.pi * table.eval(spherical(np.pi / 4.0, 0.0), views).mean(axis=(0, 1)).max())
     facts["albedo_45"] = albedo
     if albedo > 1.0:
         notes.append(
@@ -79,15 +82,10 @@ def read_utia(path: PathLike, *, srgb_encoded: bool = False) -> AnisotropicTable
     return AnisotropicTable(table.values, theta, theta, table.source, facts)
 
 
-def _albedo(table: AnisotropicTable) -> float:
-    """Return the largest channel's reflectance at 45° incidence, by cosine-weighted views on a 64 × 64 grid."""
-    u = (np.arange(64) + 0.5) / 64
-    views = spherical(np.arcsin(np.sqrt(u))[:, None], 2.0 * np.pi * u[None, :])
-    return float(np.pi * table.eval(spherical(np.pi / 4.0, 0.0), views).mean(axis=(0, 1)).max())
-
-
-def _read(path: PathLike, options: ReadOptions) -> AnisotropicTable:
-    return read_utia(path, srgb_encoded=options.srgb_encoded)
-
-
-FORMAT = MeasuredFormat("utia", "UTIA anisotropic table", (".bin",), lambda _, size: size == _SIZE, _read)
+FORMAT = MeasuredFormat(
+    "utia",
+    "UTIA anisotropic table",
+    (".bin",),
+    lambda _, size: size == _SIZE,
+    lambda path, options: read_utia(path, srgb_encoded=options.srgb_encoded),
+)

@@ -31,16 +31,19 @@ _CODES = {kind: code for code, kind in _NUMPY.items()}
 _LARGEST_UINT16_INDEX = 65534  # 65535 restarts a primitive
 
 # Base colour (linear), metallic, roughness: how other viewers show the material words.
-_LOOKS: dict[str, tuple[tuple[float, float, float, float], float, float]] = {
-    "paint": ((0.20, 0.03, 0.03, 1.0), 0.0, 0.15),
-    "glass": ((0.02, 0.025, 0.03, 1.0), 0.0, 0.02),
-    "rubber": ((0.02, 0.02, 0.02, 1.0), 0.0, 0.75),
-    "chrome": ((0.75, 0.75, 0.76, 1.0), 1.0, 0.08),
-    "lamp": ((0.85, 0.85, 0.85, 1.0), 0.0, 0.05),
-    "tail_lamp": ((0.45, 0.02, 0.015, 1.0), 0.0, 0.05),
-    "trim": ((0.03, 0.03, 0.03, 1.0), 0.0, 0.55),
-    "cavity": ((0.004, 0.004, 0.004, 1.0), 0.0, 1.0),
-    "neutral": ((0.35, 0.35, 0.35, 1.0), 0.0, 0.6),
+_LOOKS = {
+    word: {"baseColorFactor": list(colour), "metallicFactor": metallic, "roughnessFactor": roughness}
+    for word, colour, metallic, roughness in (
+        ("paint", (0.20, 0.03, 0.03, 1.0), 0.0, 0.15),
+        ("glass", (0.02, 0.025, 0.03, 1.0), 0.0, 0.02),
+        ("rubber", (0.02, 0.02, 0.02, 1.0), 0.0, 0.75),
+        ("chrome", (0.75, 0.75, 0.76, 1.0), 1.0, 0.08),
+        ("lamp", (0.85, 0.85, 0.85, 1.0), 0.0, 0.05),
+        ("tail_lamp", (0.45, 0.02, 0.015, 1.0), 0.0, 0.05),
+        ("trim", (0.03, 0.03, 0.03, 1.0), 0.0, 0.55),
+        ("cavity", (0.004, 0.004, 0.004, 1.0), 0.0, 1.0),
+        ("neutral", (0.35, 0.35, 0.35, 1.0), 0.0, 0.6),
+    )
 }
 
 
@@ -99,18 +102,12 @@ def _document(mesh: Mesh) -> tuple[dict[str, Any], bytes]:
         "scenes": [{"name": mesh.name, "nodes": list(range(len(meshes)))}],
         "nodes": [{"name": part.name, "mesh": index} for index, part in enumerate(mesh.parts)],
         "meshes": meshes,
-        "materials": [_material(word) for word in materials],
+        "materials": [{"name": word, "pbrMetallicRoughness": _LOOKS[word]} for word in materials],
         "accessors": accessors,
         "bufferViews": views,
         "buffers": [{"byteLength": len(binary)}],
     }
     return document, bytes(binary)
-
-
-def _material(word: str) -> dict[str, Any]:
-    colour, metallic, roughness = _LOOKS[word]
-    look = {"baseColorFactor": list(colour), "metallicFactor": metallic, "roughnessFactor": roughness}
-    return {"name": word, "pbrMetallicRoughness": look}
 
 
 def split_glb(path: PathLike, data: bytes) -> tuple[dict[str, Any], memoryview]:
@@ -134,13 +131,19 @@ def split_glb(path: PathLike, data: bytes) -> tuple[dict[str, Any], memoryview]:
             raise FileError(path, "a chunk reaches past the end of the file", f"byte {offset}")
         chunks.setdefault(kind, memoryview(data)[start : start + length])
         offset = start + length
-    try:
-        document = json.loads(bytes(chunks.get(_JSON, b"")))
-    except (ValueError, RecursionError) as error:
-        raise FileError(path, f"its JSON is damaged ({error})", f"byte {_HEADER.size}") from error
-    if not isinstance(document, dict):
-        raise FileError(path, "its JSON is not an object", f"byte {_HEADER.size}")
+    document = parse_json(path, bytes(chunks.get(_JSON, b"")), "", f"byte {_HEADER.size}")
     return document, chunks.get(_BIN, memoryview(b""))
+
+
+def parse_json(path: PathLike, data: bytes, before: str, place: str | None = None) -> dict[str, Any]:
+    """Return the JSON object of a glTF file; :class:`FileError`, ``before`` its reason, where it is none."""
+    try:
+        document = json.loads(data)
+    except (ValueError, RecursionError) as error:
+        raise FileError(path, f"{before}its JSON is damaged ({error})", place) from error
+    if not isinstance(document, dict):
+        raise FileError(path, f"{before}its JSON is not an object", place)
+    return document
 
 
 def is_own(document: dict[str, Any]) -> bool:

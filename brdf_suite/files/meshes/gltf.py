@@ -47,15 +47,13 @@ def material_word(material: str, part: str) -> str:
     for name in (material, part):
         words = [word.lower() for word in _WORD.findall(name)]
         for result, starts in _ROWS:
-            if any(_fits(word, start) for word in words for start in starts):
+            if any(
+                word in (start, start + "s") if start in _WHOLE_WORDS else word.startswith(start)
+                for word in words
+                for start in starts
+            ):
                 return result
     return "paint"
-
-
-def _fits(word: str, start: str) -> bool:
-    if start in _WHOLE_WORDS:
-        return word in (start, start + "s")
-    return word.startswith(start)
 
 
 _COMPRESSED = {

@@ -8,7 +8,6 @@ stand in world axes, and :mod:`brdf_suite.surface.repair` makes them drawable. W
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import struct
@@ -21,7 +20,7 @@ from numpy.typing import NDArray
 
 from brdf_suite.errors import FileError, PathLike
 from brdf_suite.files.bounded_reading import within_memory
-from brdf_suite.files.meshes.glb import is_own, read_own_glb, split_glb, write_mesh_glb
+from brdf_suite.files.meshes.glb import is_own, parse_json, read_own_glb, split_glb, write_mesh_glb
 from brdf_suite.files.meshes.gltf import material_word, read_gltf
 from brdf_suite.surface.mesh import Mesh, PartGeometry
 from brdf_suite.surface.repair import RawPart, repair
@@ -172,7 +171,7 @@ def read_mesh(path: PathLike, unit: str = "file") -> Mesh:
             return _in_unit(read_own_glb(path, document, binary, file.stem), unit)
         return _repaired(path, gltf_parts(path, document, binary), unit)
     if ending == ".gltf":
-        return _repaired(path, gltf_parts(path, _gltf_json(path, data), None), unit)
+        return _repaired(path, gltf_parts(path, parse_json(path, data, "not glTF: "), None), unit)
     if ending == ".stl":
         check_stl(path, data)
     return _repaired(path, read_parts(path), unit)
@@ -190,16 +189,6 @@ def _content(file: Path) -> bytes:
         return file.read_bytes()
     except OSError as error:
         raise FileError(file, f"cannot be read ({error.strerror or error})") from error
-
-
-def _gltf_json(path: PathLike, data: bytes) -> dict[str, Any]:
-    try:
-        document = json.loads(data)
-    except (ValueError, RecursionError) as error:
-        raise FileError(path, f"not glTF: its JSON is damaged ({error})") from error
-    if not isinstance(document, dict):
-        raise FileError(path, "not glTF: its JSON is not an object")
-    return document
 
 
 def _repaired(path: PathLike, raw: list[RawPart], unit: str) -> Mesh:

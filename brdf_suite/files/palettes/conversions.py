@@ -56,18 +56,12 @@ def as_readings(paint: Paint | CookTorrancePaint | FactoredPaint) -> Paint:
 @lru_cache(maxsize=4096)
 def _measured(paint: CookTorrancePaint | FactoredPaint) -> Paint:
     # The instruments load the whole of reflectance, which palettes of flat colours never need.
-    from brdf_suite.documents.paint import PARAMETERS, Gloss, Measurement
+    from brdf_suite.files.exports.format import paint_of_report
     from brdf_suite.reflectance.designed.build import build_reflectance
     from brdf_suite.reflectance.instruments.spectrophotometer import measure
 
     found = measure(build_reflectance(paint))
-    gloss = PARAMETERS["gloss.gu_20"]
-    gu_20, gu_60 = (min(gloss.high, max(gloss.low, found.gloss[angle])) for angle in (20, 60))
-    readings = tuple(
-        Measurement(r.geometry.illumination_deg, r.geometry.aspecular_deg, r.lab) for r in found.readings
-    )
-    source = f"{paint.source} Read by virtual instruments.".strip()
-    return Paint(paint.name, readings, Gloss(gu_20, gu_60), paint.flakes, notes=paint.notes, source=source)
+    return paint_of_report(found, paint.name, paint.source, paint.flakes, paint.notes)
 
 
 def convert_to_flat(entry: Entry, models: Collection[str]) -> FlatColour:

@@ -56,11 +56,6 @@ class Errors:
     share: float
 
 
-def fit_errors(target: Reflectance, fit: Reflectance) -> Errors:
-    """Return the errors of a fit; its target comes first."""
-    return errors_between(target, fit)
-
-
 def errors_between(reference: Reflectance, other: Reflectance) -> Errors:
     """Return how far ``other`` is from ``reference``; all 0, of no share, where no pair has numbers in both."""
     wi, wo, weight, near = _pairs()
@@ -146,11 +141,7 @@ class AlbedoCurve:
     def largest(self) -> tuple[float, float, str]:
         """Return the largest share of any channel, the incidence where it is, and the channel's name."""
         row, channel = np.unravel_index(int(np.argmax(self.albedo)), self.albedo.shape)
-        return (
-            float(self.albedo[row, channel]),
-            float(self.incidence_deg[row]),
-            CHANNELS[channel],
-        )
+        return float(self.albedo[row, channel]), float(self.incidence_deg[row]), CHANNELS[channel]
 
 
 @dataclass(frozen=True)
@@ -222,8 +213,8 @@ def reflectance_figures(request: FiguresRequest, progress: Progress | None = Non
         readings,
         request.geometry_set,
         request.azimuth_deg,
-        missing_share(whole),
-        None if fit is None else fit_errors(whole, fit),
+        float(np.mean(~np.isfinite(whole.eval(*even_pairs())).all(axis=-1))),
+        None if fit is None else errors_between(whole, fit),
         None if reference is None else errors_between(reference, whole),
     )
 
@@ -231,12 +222,6 @@ def reflectance_figures(request: FiguresRequest, progress: Progress | None = Non
 def turned(reflectance: Reflectance, azimuth_deg: float) -> Reflectance:
     """Return the reflectance as it is where the plane of incidence has that azimuth, degrees."""
     return reflectance if azimuth_deg == 0.0 else Turned(reflectance, math.radians(azimuth_deg))
-
-
-def missing_share(reflectance: Reflectance) -> float:
-    """Return the share, 0 to 1, of even pairs of directions at which there is no number."""
-    wi, wo = even_pairs()
-    return float(np.mean(~np.isfinite(reflectance.eval(wi, wo)).all(axis=-1)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -260,8 +245,6 @@ class _InBothOrders:
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, always finite."""
         value = np.asarray(self.inner.eval(wi, wo))
-        if np.isfinite(value).all() and np.isfinite(other := np.asarray(self.inner.eval(wo, wi))).all():
-            return value
         other = np.asarray(self.inner.eval(wo, wi))
         return np.where(np.isfinite(value) & np.isfinite(other), value, 0.0)
 
@@ -279,15 +262,8 @@ def angle_readings(
     )
     found = []
     for place, geometry in enumerate(angles.geometries):
-        lab = _lab(own, place)
-        found.append(
-            AngleReading(
-                geometry,
-                lab,
-                _delta_e(_lab(of_fit, place), lab),
-                _delta_e(_lab(of_reference, place), lab),
-            )
-        )
+        lab, *others = (_lab(values, place) for values in (own, of_fit, of_reference))
+        found.append(AngleReading(geometry, lab, *(_delta_e(other, lab) for other in others)))
     return tuple(found)
 
 

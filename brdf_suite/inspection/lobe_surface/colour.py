@@ -21,19 +21,12 @@ from brdf_suite.appearance.colour.colorimetry import (
     WORKING_TO_XYZ,
     srgb_encode,
 )
+from brdf_suite.appearance.colour.spaces import oklab_to_srgb
 from brdf_suite.appearance.difference.cam02ucs import xyz_to_cam02ucs
 from brdf_suite.arrays import Bytes, Floats, Singles
 from brdf_suite.inspection.slices.values import Channel
 
 ENTRIES = 256
-_TO_LMS = np.array(
-    [
-        [4.0767416621, -3.3077115913, 0.2309699292],
-        [-1.2684380046, 2.6097574011, -0.3413193965],
-        [-0.0041960863, -0.7034186147, 1.7076147010],
-    ]
-)
-"""Linear sRGB of the cubes of OKLab's responses."""
 _FINE = 1025
 
 
@@ -56,41 +49,24 @@ def difference_map() -> Bytes:
 
 def _in_gamut(lightness: Floats, chroma: Floats, hue: Floats) -> Floats:
     """Linear sRGB (n, 3) of OKLab's lightness, chroma and hue; the chroma is lowered to what sRGB holds."""
-    low, high = np.zeros_like(chroma), chroma.copy()
+    low, high, cos, sin = np.zeros_like(chroma), chroma.copy(), np.cos(hue), np.sin(hue)
     for _ in range(24):
         middle = 0.5 * (low + high)
-        rgb = _linear(lightness, middle, hue)
+        rgb = oklab_to_srgb(lightness, middle * cos, middle * sin)
         inside = ((rgb >= 0.0) & (rgb <= 1.0)).all(axis=-1)
         low, high = np.where(inside, middle, low), np.where(inside, high, middle)
-    return np.clip(_linear(lightness, low, hue), 0.0, 1.0)
-
-
-def _linear(lightness: Floats, chroma: Floats, hue: Floats) -> Floats:
-    a, b = chroma * np.cos(hue), chroma * np.sin(hue)
-    responses = np.stack(
-        (
-            lightness + 0.3963377774 * a + 0.2158037573 * b,
-            lightness - 0.1055613458 * a - 0.0638541728 * b,
-            lightness - 0.0894841775 * a - 1.2914855480 * b,
-        ),
-        axis=-1,
-    )
-    return np.asarray(responses**3 @ _TO_LMS.T)
+    return np.clip(oklab_to_srgb(lightness, low * cos, low * sin), 0.0, 1.0)
 
 
 def _even(linear: Floats, entries: int = ENTRIES) -> Bytes:
     """Codes (entries, 3) along a curve of linear sRGB, at equal distances of CAM02-UCS."""
-    uniform = _uniform(linear)
+    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
+    working = linear @ np.linalg.inv(WORKING_TO_SRGB).T
+    uniform = xyz_to_cam02ucs(100.0 * working @ WORKING_TO_XYZ.T, white)
     travelled = np.concatenate(([0.0], np.cumsum(np.linalg.norm(np.diff(uniform, axis=0), axis=-1))))
     places = np.linspace(0.0, travelled[-1], entries)
     even = np.stack([np.interp(places, travelled, linear[:, i]) for i in range(3)], axis=-1)
     return np.asarray(np.round(255.0 * srgb_encode(even)), np.uint8)
-
-
-def _uniform(linear: Floats) -> Floats:
-    white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-    working = linear @ np.linalg.inv(WORKING_TO_SRGB).T
-    return xyz_to_cam02ucs(100.0 * working @ WORKING_TO_XYZ.T, white)
 
 
 CHANNELS: tuple[Channel, ...] = ("colour", "r", "g", "b", "luminance")

@@ -19,7 +19,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -36,7 +35,7 @@ HORIZON_Z = 1e-4
 
 WARP = 3.0
 """Rows lie at this power of even shares of the way to the horizon."""
-_FINE = 2049
+_HALF_TURN = np.linspace(0.0, math.pi, 2049)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,7 +93,7 @@ def lobe_grid(wi: npt.ArrayLike, rows: int = ROWS, columns: int = COLUMNS) -> Lo
     psi = _columns(cos_t, columns)
     cos_p, sin_p = np.cos(psi), np.sin(psi)
     reach = np.arctan2(cos_t, cos_p * sin_t)
-    gamma = _rows(rows)[:, None] * reach
+    gamma = ((np.arange(rows) / (rows - 1.0)) ** WARP)[:, None] * reach
     # With M's azimuth at 0: M, away from the normal, and sideways; these few are turned, not all directions.
     turn = np.array([[cos_a, sin_a, 0.0], [-sin_a, cos_a, 0.0], [0.0, 0.0, 1.0]])
     centre = np.array([sin_t, 0.0, cos_t]) @ turn
@@ -113,15 +112,10 @@ def lobe_grid(wi: npt.ArrayLike, rows: int = ROWS, columns: int = COLUMNS) -> Lo
     return LobeGrid(light, top, directions, gamma, psi, leave, across)
 
 
-@lru_cache(maxsize=4)
-def _rows(rows: int) -> Floats:
-    return (np.arange(rows) / (rows - 1.0)) ** WARP
-
-
 def _columns(cos_t: float, columns: int) -> Floats:
     """ψ (columns + 1,) for which ψ + φ(ψ) is even over a turn."""
     # Finely even between the two: tan p lies between tan ψ and tan φ = cosθ tan ψ.
-    p = _half_turn()
+    p = _HALF_TURN
     root = math.sqrt(cos_t)
     cos_p, sin_p = np.cos(p), np.sin(p)
     psi = np.arctan2(sin_p, root * cos_p)
@@ -130,8 +124,3 @@ def _columns(cos_t: float, columns: int) -> Floats:
     side = np.interp(np.arange(half + 1) * (math.pi / half), 0.5 * (psi + phi), psi)
     side[0], side[-1] = 0.0, math.pi
     return np.concatenate((side, 2.0 * math.pi - side[-2::-1]))
-
-
-@lru_cache(maxsize=1)
-def _half_turn() -> Floats:
-    return np.linspace(0.0, math.pi, _FINE)

@@ -10,7 +10,7 @@ only, and a half-angle table is looked up without the detour of its ``eval``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
@@ -156,15 +156,12 @@ class FitOnGrid:
 
     weights: LobeWeights
     grid: LobeGrid
+    _powers: dict[float, Singles] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def _logarithm(self) -> npt.NDArray[np.float64]:
         cosine = self.grid.directions @ self.grid.mirror
         return np.asarray(np.log(np.clip(cosine, _LEAST, 1.0)))
-
-    @cached_property
-    def _powers(self) -> dict[float, Singles]:
-        return {}
 
     def _power(self, exponent: float) -> Singles:
         if exponent not in self._powers:

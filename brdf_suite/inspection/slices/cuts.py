@@ -16,7 +16,6 @@ Angles are even where a look at the whole needs them, and close about the mirror
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass
 from typing import Literal
 
@@ -37,6 +36,14 @@ NEAR_STEPS = 30
 EVEN_STEP_DEG = 1.5
 HORIZON_DEG = 89.9
 """Views end here: at 90° every reflectance is 0 by definition, and a line would fall that is not there."""
+
+_EVEN = np.linspace(-HORIZON_DEG, HORIZON_DEG, round(2.0 * HORIZON_DEG / EVEN_STEP_DEG) + 1)
+_SIDE = np.geomspace(FINEST_DEG, NEAR_DEG, NEAR_STEPS)
+_NEAR = np.concatenate((-_SIDE[::-1], [0.0], _SIDE))
+_HALF_ANGLES = np.unique(
+    np.concatenate(([0.0], np.geomspace(FINEST_DEG, 90.0, 72), np.linspace(1.5, 90.0, 60)))
+)
+_DIFFERENCE_ANGLES = np.linspace(0.0, HORIZON_DEG, 91)
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,8 +83,7 @@ def view_at(theta_o_deg: npt.ArrayLike, phi_deg: float) -> Floats:
 
 def plane_slice(theta_deg: float, phi_deg: float) -> Slice:
     """Return the plane of incidence of a light at ``theta_deg``, 0…90, over θo in degrees."""
-    even, near = _even(), _near()
-    angles = np.concatenate((even, theta_deg + near))
+    angles = np.concatenate((_EVEN, theta_deg + _NEAR))
     angles = np.unique(angles[np.abs(angles) <= HORIZON_DEG])
     wi = np.broadcast_to(light_at(theta_deg, phi_deg), (len(angles), 3))
     return Slice("theta_o", angles, wi, view_at(angles, phi_deg), np.ones(len(angles), np.bool_))
@@ -85,7 +91,7 @@ def plane_slice(theta_deg: float, phi_deg: float) -> Slice:
 
 def half_slice(theta_d_deg: float, phi_d_deg: float, phi_deg: float) -> Slice:
     """Return the cut over θh, 0…90°, at θd and φd in degrees; the half vector tips towards the mirror's side."""
-    angles = _half_angles()
+    angles = _HALF_ANGLES
     wi, wo = from_half_angle_coordinates(
         np.radians(angles), np.radians(phi_deg), np.radians(theta_d_deg), np.radians(phi_d_deg)
     )
@@ -94,7 +100,7 @@ def half_slice(theta_d_deg: float, phi_d_deg: float, phi_deg: float) -> Slice:
 
 def difference_slice(theta_h_deg: float, phi_d_deg: float, phi_deg: float) -> Slice:
     """Return the cut over θd, 0…90°, at θh and φd in degrees."""
-    angles = _difference_angles()
+    angles = _DIFFERENCE_ANGLES
     wi, wo = from_half_angle_coordinates(
         np.radians(theta_h_deg), np.radians(phi_deg), np.radians(angles), np.radians(phi_d_deg)
     )
@@ -105,25 +111,3 @@ def _above(wi: Floats, wo: Floats) -> Bools:
     # The last hundredth of a degree is left out: there the light's cosine is rounding.
     least = np.cos(np.radians(HORIZON_DEG))
     return np.asarray((wi[:, 2] > least) & (wo[:, 2] > least))
-
-
-@functools.cache
-def _even() -> Floats:
-    count = round(2.0 * HORIZON_DEG / EVEN_STEP_DEG) + 1
-    return np.linspace(-HORIZON_DEG, HORIZON_DEG, count)
-
-
-@functools.cache
-def _near() -> Floats:
-    side = np.geomspace(FINEST_DEG, NEAR_DEG, NEAR_STEPS)
-    return np.concatenate((-side[::-1], [0.0], side))
-
-
-@functools.cache
-def _half_angles() -> Floats:
-    return np.unique(np.concatenate(([0.0], np.geomspace(FINEST_DEG, 90.0, 72), np.linspace(1.5, 90.0, 60))))
-
-
-@functools.cache
-def _difference_angles() -> Floats:
-    return np.linspace(0.0, HORIZON_DEG, 91)

@@ -151,7 +151,6 @@ def share_of(value: npt.ArrayLike, tone: Tone, white: float) -> Floats:
 
 def value_at(place: npt.ArrayLike, tone: Tone, white: float) -> Floats:
     """Return values (...) at places of the scale, 0…1; the inverse of :func:`share_of`."""
-
     place = np.asarray(place, float)
     if tone == "gamma":
         return np.asarray(white * srgb_decode(place))
@@ -166,9 +165,10 @@ def colour_codes(value: Floats, tone: Tone, white: float) -> Bytes:
         # The channels keep their ratios; lightness is the place on the logarithmic scale.
         scale = np.zeros_like(bright)
         np.divide(srgb_decode(share_of(bright, "log", white)), bright, out=scale, where=bright > 0.0)
-        rgb = np.clip((known * scale[..., None]) @ WORKING_TO_SRGB.T, 0.0, 1.0)
-        return np.asarray(np.rint(255.0 * srgb_encode(rgb)), np.uint8)
-    rgb = np.clip(known @ WORKING_TO_SRGB.T / white, 0.0, 1.0)
+        rgb = (known * scale[..., None]) @ WORKING_TO_SRGB.T
+    else:
+        rgb = known @ WORKING_TO_SRGB.T / white
+    rgb = np.clip(rgb, 0.0, 1.0)
     return np.asarray(np.rint(255.0 * srgb_encode(rgb)), np.uint8)
 
 

@@ -218,8 +218,7 @@ def _planes(samples: Samples) -> tuple[Floats, Floats, Floats]:
 @lru_cache(maxsize=8)
 def _half_angles(samples: Samples) -> tuple[Floats, Floats, Floats, Floats]:
     wi, wo, _ = _both_ways(samples)
-    theta_h, phi_h, theta_d, phi_d = half_angle_coordinates(wi, wo)
-    return theta_h, phi_h, theta_d, phi_d
+    return half_angle_coordinates(wi, wo)
 
 
 def _seen_from(wi: Floats, wo: Floats, turn: Floats) -> tuple[Floats, Floats, Floats]:

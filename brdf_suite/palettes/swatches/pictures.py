@@ -87,9 +87,9 @@ class SwatchPainter:
         paints = [to_paint(content) for content in contents]
         draw = self._rendered if look.is_rendered else self._flat
         return [
-            SwatchPicture(key, found, "")
+            SwatchPicture(key, found)
             if isinstance(found, np.ndarray)
-            else SwatchPicture(key, None, str(found) if isinstance(found, SuiteError) else "")
+            else SwatchPicture(key, None, str(found))
             for key, found in zip(keys, draw(paints, look), strict=True)
         ]
 

@@ -42,9 +42,6 @@ class _Refusal:
     words: str
     fault: str = ""
 
-    def answer(self) -> Answer:
-        return {"refused": self.words, "fault": self.fault} if self.fault else {"refused": self.words}
-
 
 _Found = bytes | _Refusal
 
@@ -77,7 +74,8 @@ class SwatchServer:
         for start in range(0, len(items), BATCH):
             for key, found in self._batch(items[start : start + BATCH], look):
                 if isinstance(found, _Refusal):
-                    yield {"id": name, "key": key, **found.answer()}
+                    fault = {"fault": found.fault} if found.fault else {}
+                    yield {"id": name, "key": key, "refused": found.words, **fault}
                 else:
                     yield {"id": name, "key": key, "picture": base64.b64encode(found).decode("ascii")}
         yield {"id": name, "done": True}
@@ -147,19 +145,21 @@ def _fault(error: Exception) -> _Refusal:
 
 def serve(lines: TextIO, out: TextIO, store: SwatchStore | None = None) -> None:
     """Answer requests until there are no more."""
+
+    def say(answer: Answer) -> None:
+        out.write(json.dumps(answer) + "\n")
+        out.flush()
+
     with SwatchServer(store) as server:
         for line in lines:
             try:
                 for answer in server.answers(json.loads(line)):
-                    out.write(json.dumps(answer) + "\n")
-                    out.flush()
+                    say(answer)
             except GraphicsError as error:
-                out.write(json.dumps({"id": json.loads(line).get("id"), "unavailable": str(error)}) + "\n")
-                out.flush()
+                say({"id": json.loads(line).get("id"), "unavailable": str(error)})
                 return
             except SuiteError as error:  # the light's file: reported for the whole request
-                out.write(json.dumps({"id": json.loads(line).get("id"), "failed": str(error)}) + "\n")
-                out.flush()
+                say({"id": json.loads(line).get("id"), "failed": str(error)})
 
 
 def main() -> None:

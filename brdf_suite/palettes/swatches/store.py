@@ -141,7 +141,9 @@ class SwatchStore:
                 if attempt or not spoilt:
                     return self._give_up(str(error), nothing)
                 self._notice(f"The kept pictures {self.path} are damaged ({error}); they are made anew.")
-                self._remove()
+                for ending in ("", "-wal", "-shm"):
+                    with contextlib.suppress(OSError):
+                        self.path.with_name(self.path.name + ending).unlink(missing_ok=True)
             except OSError as error:
                 self._shut()
                 return self._give_up(error.strerror or str(error), nothing)
@@ -173,11 +175,6 @@ class SwatchStore:
                 raise _OtherTableError("it holds another table")
             connection.execute(_INDEX)
         return self._connection
-
-    def _remove(self) -> None:
-        for ending in ("", "-wal", "-shm"):
-            with contextlib.suppress(OSError):
-                self.path.with_name(self.path.name + ending).unlink(missing_ok=True)
 
     def _read(self, connection: sqlite3.Connection, keys: list[str]) -> dict[str, Bytes]:
         found: dict[str, Bytes] = {}

@@ -25,7 +25,7 @@ from brdf_suite.pipeline.material import file_kind, is_file, load_palette_file
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.display import Display
 from brdf_suite.reports.contact_sheet.painter import SheetLayout, SheetPainter, Size
-from brdf_suite.reports.contact_sheet.pictures import SheetItem, caption, item_pictures
+from brdf_suite.reports.contact_sheet.pictures import SheetItem, item_pictures
 
 MOST_PAINTS = 5000
 
@@ -204,15 +204,3 @@ def _subtitle(view: View, form: Form | None) -> str:
         f"{Path(view.surface).stem} in {Path(view.environment).stem}, {view.exposure_ev:+g} EV{measured}, "
         f"tone curve {view.tone_curve}; L*a*b* D65, 10°, light at 45°"
     )
-
-
-__all__ = [
-    "MOST_COLUMNS",
-    "Sheet",
-    "SheetItem",
-    "caption",
-    "palette_items",
-    "sheet_items",
-    "write_sheet",
-    "write_sheet_of",
-]

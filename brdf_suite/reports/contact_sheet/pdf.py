@@ -66,7 +66,8 @@ def pdf_sheet(
                     pages.put(column, item.name, None, [f"could not be drawn: {error}"])
                 else:
                     pages.put(column, item.name, pixels, lines)
-            pages.end_row()
+            pages.y += pages.row
+            pages.fresh = False
     pages.end_page()
     canvas.save()
     return packed.getvalue(), pages.number, pages.pen.missing
@@ -116,11 +117,6 @@ class _Pages:
         for line in lines[:_CAPTION_LINES]:
             y += _LINE * _TEXT
             self.pen.text(x, y, self.pen.shortened(line, _TEXT, self.width), _TEXT, colour=_SOFT)
-
-    def end_row(self) -> None:
-        """Go below the row."""
-        self.y += self.row
-        self.fresh = False
 
     def end_page(self) -> None:
         """Write the page's number and hand it over."""

@@ -43,14 +43,22 @@ class SheetItem:
 
 
 class ItemPictures:
-    """Draws the items; see :func:`item_pictures`. ``notices`` concern the light and the surface."""
+    """Draws the items; see :func:`item_pictures`. ``notices`` concern the light and the surface.
+
+    Without a loaded scene it draws the bands of colours of ``form``.
+    """
 
     def __init__(
-        self, view: View, cell: Size, settings: PictureSettings, display: Display, loaded: LoadedScene | None
+        self,
+        view: View,
+        cell: Size,
+        settings: PictureSettings,
+        display: Display,
+        loaded: LoadedScene | None,
+        form: Form = "chips",
     ) -> None:
         self._view, self._cell, self._settings, self._display = view, cell, settings, display
-        self._loaded = loaded
-        self._form: Form | None = None
+        self._loaded, self._form = loaded, form
         self._captured: CapturedForm | None = None
         self._tried = False
         self.notices: tuple[str, ...] = ()
@@ -58,19 +66,11 @@ class ItemPictures:
             self.notices = (*loaded.prepared.environment.notes, *loaded.mesh.notes)
             self._view = replace(loaded.composed(view, cell), clipping_marks=False, gamut_marks=False)
 
-    @classmethod
-    def flat(cls, form: Form, view: View, cell: Size, display: Display) -> ItemPictures:
-        """Return what draws bands of colours instead of a surface."""
-        made = cls(view, cell, PictureSettings(), display, None)
-        made._form = form
-        return made
-
     def draw(self, item: SheetItem) -> tuple[NDArray[np.uint8], list[str]]:
         """Return the picture (h, w, 3) of an item and the lines below its name.
 
         Raises :class:`SuiteError`: there is no such picture; the message names the paint.
         """
-
         if item.paint is None:
             raise SuiteError(f"{item.name}: {item.problem}")
         fit = fit_material(material_of(item.paint, item.paint.name))
@@ -108,7 +108,7 @@ class ItemPictures:
     def _bands(self, paint: AnyPaint) -> NDArray[np.uint8]:
         width, height = self._cell
         size = min(LARGEST, max(SMALLEST, width))
-        look = SwatchLook(self._form or "chips", size=size, light_colour=self._view.light_colour)
+        look = SwatchLook(self._form, size=size, light_colour=self._view.light_colour)
         row = flat_picture(paint, look)[0][np.arange(width) * size // width]
         return np.ascontiguousarray(np.broadcast_to(row, (height, width, 3)))
 
@@ -124,7 +124,7 @@ def item_pictures(
 ) -> Iterator[ItemPictures]:
     """Load what a sheet's pictures need, while the block runs; ``form``: bands of colours instead of the surface."""
     if form in ("chips", "flop_strip"):
-        yield ItemPictures.flat(form, view, cell, display)
+        yield ItemPictures(view, cell, settings, display, None, form)
         return
     with loaded_scene(view, progress) as loaded:
         pictures = ItemPictures(view, cell, settings, display, loaded)

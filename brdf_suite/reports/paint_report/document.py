@@ -115,13 +115,6 @@ class ReportRow:
     fit_delta_e: float | None
     standard: AngleRow | None
 
-    @property
-    def label(self) -> str:
-        """The aspecular angle, with its light where that is not at 45°."""
-        text = f"{self.geometry.aspecular_deg:g}°"
-        light = self.geometry.illumination_deg
-        return text if light == 45.0 else f"{text}, light {light:g}°"
-
 
 @dataclass(frozen=True, eq=False)
 class AngleCurve:
@@ -189,7 +182,7 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
     model = _lab_over(fit.reflectance, light, angles)
     curves = [
         AngleCurve("paint", angles, lab_to_lch(model)),
-        AngleCurve("fitted lobes", angles, lab_to_lch(_lobes_over(fit, light, angles))),
+        AngleCurve("fitted lobes", angles, lab_to_lch(_lab_over(fit.weights, light, angles))),
     ]
     if options.standard is not None and options.standard.seen is not None:
         curves.append(
@@ -213,14 +206,8 @@ def build_report(item: ExportItem, options: ReportOptions, progress: Progress | 
 
 def _lab_over(reflectance: Reflectance, light: float, angles: Floats) -> Floats:
     wi, wo = illumination(light), aspecular_view(light, angles)
-    lab = working_to_lab(math.pi * reflectance.eval(wi, wo))
+    lab = working_to_lab(math.pi * reflectance.eval(np.broadcast_to(wi, wo.shape), wo))
     # Within the coat's own lobe no instrument of these angles looks, and its peak would hide the flop.
-    return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
-
-
-def _lobes_over(fit: LobeFit, light: float, angles: Floats) -> Floats:
-    wi, wo = illumination(light), aspecular_view(light, angles)
-    lab = working_to_lab(math.pi * fit.weights.eval(np.broadcast_to(wi, wo.shape), wo))
     return np.where((np.abs(angles) < 8.0)[:, None], np.nan, lab)
 
 

@@ -22,7 +22,7 @@ from brdf_suite.reports.paint_report.document import (
     report_losses,
     write_report,
 )
-from brdf_suite.reports.paint_report.plots import STYLES, Mark, Plot, PlotLine, Stroke, plots_of
+from brdf_suite.reports.paint_report.plots import STYLES, Mark, PlotLine, Stroke, plots_of
 
 _OPEN = f'<script type="application/json" id="{json_document.NAME}">'
 _CLOSE = "</script>"
@@ -128,7 +128,7 @@ def _patches(made: Report) -> str:
         for angle, code in made.strip[:: max(1, len(angles) // 48)]
     )
     patches = "".join(
-        f'<div class="patch"><div style="background:{row.code}"></div><b>{row.label}</b>'
+        f'<div class="patch"><div style="background:{row.code}"></div><b>{row.geometry.label}</b>'
         f"{row.lab[0]:.1f} · {row.lab[1]:.1f} · {row.lab[2]:.1f}"
         + ("" if row.in_gamut else '<br><span class="out">outside sRGB</span>')
         + "</div>"
@@ -152,7 +152,7 @@ def standard_headings(made: Report) -> tuple[str, ...]:
 
 def cells(row: ReportRow) -> list[tuple[str, bool]]:
     """Return the numbers of a row of the table, and whether each is computed."""
-    numbers: list[tuple[str, bool]] = [(row.label, False)]
+    numbers: list[tuple[str, bool]] = [(row.geometry.label, False)]
     numbers += [(f"{value:.2f}", False) for value in (*row.lab, row.lch[1])]
     numbers.append((f"{row.lch[2]:.1f}°" if row.lch[1] >= 0.05 else "–", False))
     numbers.append(("–" if row.fit_delta_e is None else f"{row.fit_delta_e:.2f}", True))
@@ -191,22 +191,18 @@ def _table(made: Report) -> str:
 
 
 def _plots(made: Report) -> str:
-    plots = "".join(_svg(plot) for plot in plots_of(made, 200.0, 140.0))
-    key = " &nbsp; ".join(f"{_key(curve.title)} {curve.title}" for curve in made.curves)
+    plots = "".join(
+        f'<svg viewBox="0 0 {plot.width:g} {plot.height:g}" role="img" aria-label="{escape(plot.title)}">'
+        f"{''.join(map(_stroke, plot.strokes))}</svg>"
+        for plot in plots_of(made, 200.0, 140.0)
+    )
+    key = " &nbsp; ".join(
+        '<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">'
+        f"{_stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[curve.title]))}</svg> {curve.title}"
+        for curve in made.curves
+    )
     marks = " &nbsp; ● readings" + (" &nbsp; □ standard" if made.batch is not None else "")
     return f'<div class="plots">{plots}</div>\n<p class="soft">{key}{marks}</p>\n'
-
-
-def _key(title: str) -> str:
-    """A short stretch of a curve."""
-    line = _stroke(PlotLine(((0.0, 3.0), (26.0, 3.0)), *STYLES[title]))
-    return f'<svg viewBox="0 0 26 6" style="width:26px;display:inline" aria-hidden="true">{line}</svg>'
-
-
-def _svg(plot: Plot) -> str:
-    strokes = "".join(map(_stroke, plot.strokes))
-    box = f'viewBox="0 0 {plot.width:g} {plot.height:g}"'
-    return f'<svg {box} role="img" aria-label="{escape(plot.title)}">{strokes}</svg>'
 
 
 def _stroke(stroke: Stroke) -> str:

@@ -86,7 +86,10 @@ def plots_of(report: Report, width: float, height: float) -> tuple[Plot, ...]:
 
 
 def _plot(report: Report, component: int, title: str, width: float, height: float) -> Plot:
-    around = _middle_hue(report) if component == 2 else None
+    around = None
+    if component == 2:  # the direction in which the colours lie on the whole
+        _, a, b = np.array([row.lab for row in report.rows]).sum(axis=0)
+        around = float(np.degrees(np.arctan2(b, a))) % 360.0
     curves = [
         (curve.title, curve.angles_deg, _component(curve.lch, component, around)) for curve in report.curves
     ]
@@ -173,12 +176,6 @@ def _component(lch: Floats, component: int, around: float | None) -> Floats:
         return values
     turned = (values - around + 180.0) % 360.0 - 180.0 + around
     return np.where(lch[:, 1] < _GREY_CHROMA, np.nan, turned)
-
-
-def _middle_hue(report: Report) -> float:
-    """The direction in which the colours lie on the whole, degrees."""
-    lab = np.array([row.lab for row in report.rows])
-    return float(np.degrees(np.arctan2(lab[:, 2].sum(), lab[:, 1].sum()))) % 360.0
 
 
 def _range(values: list[float], component: int) -> tuple[float, float]:

@@ -185,7 +185,7 @@ def compare(order: Order, progress: Progress | None = None) -> Iterator[Case]:
         for form in dict.fromkeys((DEFAULT_FORM, *order.forms))
     }
     count = max(1, len(order.environments))
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         baked = None
         if order.surface != "sphere":
             mesh, baked = bake_or_explain(mesh, view.surface_look)

@@ -155,7 +155,7 @@ def compare(environments, names=None, count=300):
             paints[name] = (fit.reflectance, fit.weights, several.fit(fit.reflectance).weights)
     gamma = np.linspace(0, np.pi, BINS)
     errors = {}
-    with OffscreenScene((1, 1)) as scene:
+    with OffscreenScene() as scene:
         scene.renderer.set_mesh([sphere()])
         first = True
         for environment in environments:

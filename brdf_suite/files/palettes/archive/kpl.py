@@ -8,6 +8,7 @@ colour profiles: D50, 2°. The profiles of a file are kept as they are and go ba
 from __future__ import annotations
 
 import base64
+import contextlib
 import re
 
 from brdf_suite.documents.flat_colour import FlatColour
@@ -150,16 +151,13 @@ class _Reader:
         space = collector.name(given.get("space", ""), 200)
         if space == _SPACES.get(element.name):
             space = ""  # what its numbers are where nothing is said
-        if element.name == "Lab":
-            if self._scaled:
-                values = [100.0 * values[0], *(255.0 * value - 128.0 for value in values[1:])]
-            return collector.colour(place, name, "Lab", values, illuminant="D50", observer_deg=2, space=space)
-        if element.name == "XYZ":
-            return collector.colour(
-                place, name, "XYZ", [100.0 * v for v in values], illuminant="D50", observer_deg=2, space=space
-            )
         model = "RGB" if element.name == "sRGB" else element.name
-        return collector.colour(place, name, model, values, space=space)  # type: ignore[arg-type]  # one of the models
+        if model == "Lab" and self._scaled:
+            values = [100.0 * values[0], *(255.0 * value - 128.0 for value in values[1:])]
+        elif model == "XYZ":
+            values = [100.0 * value for value in values]
+        white = {"illuminant": "D50", "observer_deg": 2} if model in ("Lab", "XYZ") else {}
+        return collector.colour(place, name, model, values, space=space, **white)  # type: ignore[arg-type]  # a model
 
 
 def write(palette: Palette) -> bytes:
@@ -191,18 +189,9 @@ def write(palette: Palette) -> bytes:
     for key, value in palette.foreign:
         name = key.removeprefix(_KEPT)
         if key.startswith(_KEPT) and _FILE.fullmatch(name):
-            profile = _profile(value)
-            if profile is not None:
-                parts[name] = profile
+            with contextlib.suppress(ValueError):  # where a palette says something else there, it is left out
+                parts[name] = base64.b64decode(value, validate=True)
     return pack_zip(parts, stored="mimetype")
-
-
-def _profile(text: str) -> bytes | None:
-    """The bytes of a kept profile; None where a palette says something else there, and so it is left out."""
-    try:
-        return base64.b64decode(text, validate=True)
-    except ValueError:
-        return None
 
 
 def _rows(foreign: dict[str, str]) -> int:

@@ -71,17 +71,16 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
                 f"{count:,} colours of version {version} cannot lie in the {cursor.left:,} bytes that follow",
                 start + 2,
             )
-        sections[version] = [_record(cursor, named=version == 2) for _ in range(count)]
+        sections[version] = [
+            (cursor.at, cursor.words(5, "a colour"), cursor.counted_utf16("a name") if version == 2 else "")
+            for _ in range(count)
+        ]
     if len({tuple(words for _, words, _ in records) for records in sections.values()}) > 1:
         collector.note("The colours of version 1 and 2 in the file differ; those of version 2 count.")
     for at, words, name in sections[max(sections)]:
         _add(collector, at, words, name)
     versions = " ".join(str(version) for version in sections)
     return collector.finish(foreign=() if versions == "1 2" else ((_VERSIONS, versions),))
-
-
-def _record(cursor: ByteCursor, *, named: bool) -> tuple[int, _Words, str]:
-    return cursor.at, cursor.words(5, "a colour"), cursor.counted_utf16("a name") if named else ""
 
 
 def _add(collector: Collector, at: int, words: _Words, name: str) -> None:

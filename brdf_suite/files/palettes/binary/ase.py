@@ -86,12 +86,11 @@ def _read_colour(block: ByteCursor, collector: Collector, group: tuple[str, ...]
             "{n} colour[|s] of a kind that is not known [counts as a process colour|count as process colours]."
         )
         kind = 2
+    white = {"illuminant": "D50", "observer_deg": 2} if model == "Lab" else {}
     if model == "Lab":
         # 32 bits of L*/100: the nearest number of so many bits times 100 is what went in.
         values = (values[0] * 100.0, *values[1:])
-        colour = collector.colour(place, name, model, values, illuminant="D50", observer_deg=2)
-    else:
-        colour = collector.colour(place, name, model, values)
+    colour = collector.colour(place, name, model, values, **white)
     collector.add(place, colour, group=group, usage=_USAGES[kind])
 
 

@@ -16,6 +16,7 @@ from functools import cache
 import numpy as np
 
 from brdf_suite.appearance.colour.colorimetry import REC709_PRIMARIES, primaries_to_xyz, srgb_encode
+from brdf_suite.appearance.colour.spaces import oklab_to_srgb
 from brdf_suite.documents.flat_colour import FlatColour
 from brdf_suite.documents.palette import Entry, GroupPath, Palette
 from brdf_suite.errors import PathLike, ValueRangeError
@@ -35,18 +36,6 @@ SPACES = {
     "rec2020": "Rec. 2020",
 }
 """RGB spaces of CSS and what palettes call them; sRGB is what RGB is anyway."""
-
-_OKLAB_TO_LMS = (
-    (1.0, 0.3963377774, 0.2158037573),
-    (1.0, -0.1055613458, -0.0638541728),
-    (1.0, -0.0894841775, -1.2914855480),
-)
-_LMS_TO_RGB = (
-    (4.0767416621, -3.3077115913, 0.2309699292),
-    (-1.2684380046, 2.6097574011, -0.3413193965),
-    (-0.0041960863, -0.7034186147, 1.7076147010),
-)
-"""Ottosson, A perceptual color space for image processing (2020)."""
 
 
 def parse_colour(text: str) -> tuple[FlatColour, float] | None:
@@ -165,8 +154,7 @@ def _built(kind: str, space: str, v: list[_Number]) -> FlatColour | None:
 
 def _oklab(lightness: float, a: float, b: float) -> FlatColour:
     """Convert Oklab to XYZ of D65, which includes colours beyond sRGB."""
-    cubed = (np.array(_OKLAB_TO_LMS) @ (lightness, a, b)) ** 3
-    xyz = 100.0 * primaries_to_xyz(REC709_PRIMARIES) @ (np.array(_LMS_TO_RGB) @ cubed)
+    xyz = 100.0 * primaries_to_xyz(REC709_PRIMARIES) @ oklab_to_srgb(lightness, a, b)
     return FlatColour("", "XYZ", tuple(xyz.tolist()), "", "D65", 2)
 
 
@@ -309,12 +297,6 @@ def _property(entry: Entry, taken: set[str]) -> str:
     return word
 
 
-def _sniff(head: bytes, _size: int) -> bool:
-    return (
-        b"\0" not in head and not head.lstrip().startswith((b"<", b"{", b"[")) and bool(_SNIFF.search(head))
-    )
-
-
 FORMAT = PaletteFormat(
     name="css",
     title="CSS custom properties",
@@ -323,7 +305,9 @@ FORMAT = PaletteFormat(
     groups="nested",
     holds="Names in any script, groups within groups, RGB of several spaces, HSL, CMYK, Lab, LCh and XYZ with every "
     "digit, notes of the palette.",
-    sniff=_sniff,
+    sniff=lambda head, _size: (
+        b"\0" not in head and not head.lstrip().startswith((b"<", b"{", b"[")) and bool(_SNIFF.search(head))
+    ),
     read=read,
     write=write,
     order="by groups",

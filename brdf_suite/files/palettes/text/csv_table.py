@@ -26,7 +26,7 @@ from brdf_suite.files.exports.csv_table import (
     guard_formula,
     is_table,
     known_settings,
-    parse_angles,
+    table_text,
     unguard_formula,
 )
 from brdf_suite.files.palettes.collecting import Collector, decode_text
@@ -164,17 +164,9 @@ def write(palette: Palette) -> bytes:
     flat = [entry.content for entry in palette if isinstance(entry.content, FlatColour)]
     labs = dict(zip(map(id, flat), flat_labs(flat), strict=True))
     rows = [_row(entry, labs) for entry in palette]
-    names = dict.fromkeys(name for row in rows for name in row) | dict.fromkeys(_FACE)
-    angles = sorted((column for column in names if COLUMN.fullmatch(column)), key=parse_angles)
-    colours = [axis + column[1:] for column in angles for axis in "Lab"]
+    names = {name for row in rows for name in row}
     used = [name for name in (*_FIRST, *_FLAT) if name in names or name == "name"]
-    settings = sorted(names.keys() - set(colours) - {*_FIRST, *_FLAT, *_LAST, "G20", "G60"})
-    columns = [*used, *colours, "G20", "G60", *settings, *_LAST]
-    text = io.StringIO(newline="")
-    writer = csv.DictWriter(text, columns, restval="")
-    writer.writeheader()
-    writer.writerows(rows)
-    return text.getvalue().encode("utf-8-sig", "replace")
+    return table_text(rows, used, _FACE).encode("utf-8-sig", "replace")
 
 
 def _row(entry: Entry, labs: dict[int, object]) -> dict[str, str]:

@@ -39,20 +39,17 @@ def read(content: bytes, path: PathLike) -> tuple[Palette, tuple[str, ...]]:
         elif not collector.entries and line.startswith("Name:"):
             name = line[5:].strip()
         elif not collector.entries and line.startswith("Columns:"):
-            columns = _columns(line[8:].strip(), collector)
+            text = line[8:].strip()
+            if text.isascii() and text.isdigit() and len(text) < 5:
+                columns = int(text)
+            else:
+                collector.note("The count of columns is none and was skipped.")
         elif not collector.entries and line.startswith("Channels:"):
             opacity = line[9:].strip().upper() == "RGBA"
         else:
             _read_colour(line, place, collector, opacity=opacity)
     notes = collector.lines("\n".join(comments).strip("\n"))
     return collector.finish(name, notes=notes, columns=columns)
-
-
-def _columns(text: str, collector: Collector) -> int:
-    if text.isascii() and text.isdigit() and len(text) < 5:
-        return int(text)
-    collector.note("The count of columns is none and was skipped.")
-    return 0
 
 
 def _read_colour(line: str, place: str, collector: Collector, *, opacity: bool) -> None:

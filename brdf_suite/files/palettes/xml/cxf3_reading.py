@@ -94,7 +94,7 @@ class _Reader:
         entries = self._collector.entries
         worked_out = labs_d50(flat_labs([own for _, own, _ in self._kept])).tolist()
         for (index, own, lab_read), lab in zip(self._kept, worked_out, strict=True):
-            shown = _direct_lab(own) or lab
+            shown = next((c.values for c in (own, *own.others) if c.model == "Lab" and is_icc(c)), lab)
             if all(abs(a - b) < _UNCHANGED for a, b in zip(shown, lab_read, strict=True)):
                 entries[index] = replace(entries[index], content=own)
 
@@ -247,12 +247,6 @@ def _own_flat(text: str, name: str, path: PathLike) -> FlatColour | None:
     except (ValueError, RecursionError, FileError):
         return None
     return own if own.name == name else None
-
-
-def _direct_lab(colour: FlatColour) -> tuple[float, ...] | None:
-    """The numbers of a colour in Lab of D50, where it has any."""
-    own = (c for c in (colour, *colour.others) if c.model == "Lab" and is_icc(c))
-    return next((c.values for c in own), None)
 
 
 def _kept_spectra(sample: CxfSample) -> tuple[tuple[str, str], ...]:
