@@ -82,6 +82,29 @@ def adapt_xyz(
     return np.asarray(np.asarray(xyz, float) @ adaptation(white_from, white_to, transform).T)
 
 
+_OKLAB_TO_LMS = np.array(
+    (
+        (1.0, 0.3963377774, 0.2158037573),
+        (1.0, -0.1055613458, -0.0638541728),
+        (1.0, -0.0894841775, -1.2914855480),
+    )
+)
+_LMS_TO_SRGB = np.array(
+    (
+        (4.0767416621, -3.3077115913, 0.2309699292),
+        (-1.2684380046, 2.6097574011, -0.3413193965),
+        (-0.0041960863, -0.7034186147, 1.7076147010),
+    )
+)
+"""Ottosson, A perceptual color space for image processing (2020)."""
+
+
+def oklab_to_srgb(lightness: npt.ArrayLike, a: npt.ArrayLike, b: npt.ArrayLike) -> Floats:
+    """Return linear sRGB (..., 3), not clipped, of OKLab's lightness (0 to 1), a and b (...)."""
+    responses = np.stack((lightness, a, b), axis=-1) @ _OKLAB_TO_LMS.T
+    return np.asarray(responses**3 @ _LMS_TO_SRGB.T)
+
+
 def in_display_gamut(
     lab: npt.ArrayLike, display: str = "sRGB", tolerance: float = 1e-6
 ) -> npt.NDArray[np.bool_]:

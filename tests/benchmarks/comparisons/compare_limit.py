@@ -15,7 +15,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.cli.tools.bench import load_module
 from brdf_suite.errors import SuiteError, UnreachableError
 from brdf_suite.fitting import LobeFitter
-from brdf_suite.fitting.lobes import solver as solver_module
+from brdf_suite.fitting.lobes import highs_model as solver_module
 from brdf_suite.fitting.lobes.exact_vertex import refine_vertex
 from brdf_suite.fitting.lobes.fallback import FallbackSolver
 from brdf_suite.fitting.lobes.highs_model import BlockSolver, SolverOutcome

@@ -8,8 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from brdf_suite.appearance.colour.colorimetry import WORKING_TO_SRGB, WORKING_TO_XYZ, srgb_decode
-from brdf_suite.appearance.
-difference.cam02ucs import xyz_to_cam02ucs
+from brdf_suite.appearance.difference.cam02ucs import xyz_to_cam02ucs
 from brdf_suite.fitting.lobes.weights import LobeWeights
 from brdf_suite.geometry.directions import spherical
 from brdf_suite.inspection.lobe_surface.colour import (
@@ -238,12 +237,9 @@ def test_maps_are_even_and_the_middle_of_differences_is_grey() -> None:
     for codes in (value_map(), difference_map()):
         # Over eight entries the rounding to whole codes is small.
         working = srgb_decode(codes[::8] / 255.0) @ np.linalg.inv(WORKING_TO_SRGB).T
-        
-white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
-
+        white = 100.0 * WORKING_TO_XYZ.sum(axis=1)
         uniform = xyz_to_cam02ucs(100.0 * working @ WORKING_TO_XYZ.T, white)
-        steps = np.linalg.norm(np.diff(
-uniform, axis=0), axis=-1)
+        steps = np.linalg.norm(np.diff(uniform, axis=0), axis=-1)
         assert steps[1:-1].max() < 1.5 * steps[1:-1].min()
     middle = difference_map()[127:129].astype(int)
     assert np.ptp(middle, axis=1).max() <= 2
