@@ -19,7 +19,7 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.relief.textures import mask_coordinates
 from brdf_suite.realtime.relief.values import MaskImage, SlopeMap
 from brdf_suite.realtime.values import MaterialWeights
-from brdf_suite.reference.bsdfs import lobe_weights
+from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, Mask, TwoToneBsdf
 from brdf_suite.reference.bsdfs.translate import divide, translate
 from brdf_suite.reference.flakes.countable import FlakeLayer
@@ -77,16 +77,11 @@ def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Opti
     return Optics(plain.term, plain.notices)
 
 
-def lobe_term(weights: MaterialWeights, view: View) -> Any:
+def lobe_term(weights: MaterialWeights, view: View) -> LobeWeightsTerm:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    return lobe_weights.LobeWeightsTerm(**_lobes(weights, view))
-
-
-def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
-    """Return what both forms of lobe weights are made of."""
     names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior")
-    arrays = {name: getattr(weights, name) for name in names}
-    return arrays | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
+    same = {name: getattr(weights, name) for name in names}
+    return LobeWeightsTerm(np.asarray(weights.exponents, float), **same, raised=view.fresnel != "off")
 
 
 def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Optics:
@@ -112,9 +107,8 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Op
 
 def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as one of Mitsuba's own plug-ins, with the gains that the view asks for."""
-    seen = LobesSeen(**_lobes(weights, view))
     # Coarser than a paint's: within a per cent, in a tenth of the time.
-    return table_bsdf(seen, incidences=32, resolution=64)
+    return table_bsdf(LobesSeen(lobe_term(weights, view)), incidences=32, resolution=64)
 
 
 def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:

@@ -44,7 +44,7 @@ def equivalent_exponent(slope: float) -> float:
 def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
     """Return the view mirrored at half vectors of a cosine lobe about the normal; some lie below the horizon."""
     # cos θ = r^(1/(n+1)), so tan² θ = exp(-2 ln r / (n+1)) - 1: no difference of numbers near 1.
-    tan2 = exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
+    tan2 = d.exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
     cosine = dr.rsqrt(1.0 + tan2)
     sine = dr.sqrt(tan2) * cosine
     y, x = dr.sincos(2.0 * math.pi * u.y)
@@ -54,21 +54,8 @@ def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
 
 def cosine_lobe_pdf(half: Half, exponent: Real) -> Real:
     """Return the density of :func:`cosine_lobe_mirrored` per solid angle."""
-    power = dr.exp(-0.5 * exponent * log_one_plus(half.tan2_h))
+    power = dr.exp(-0.5 * exponent * d.log_one_plus(half.tan2_h))
     return (exponent + 1.0) * (0.5 / math.pi) * power / (4.0 * half.cos_d)
-
-
-def exp_minus_one(x: Real) -> Real:
-    """Return exp(x) - 1 for x ≥ 0, exact to single precision also for small x; never infinite."""
-    x = dr.minimum(x, 60.0)
-    series = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0))))
-    return dr.select(x < 0.02, series, dr.exp(x) - 1.0)
-
-
-def log_one_plus(x: Real) -> Real:
-    """Return ln(1 + x) for x ≥ 0, exact to single precision also for small x."""
-    series = x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - x * (0.25 - x * 0.2))))
-    return dr.select(x < 0.02, series, dr.log(1.0 + x))
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,10 +79,6 @@ class FacetGlint:
         """Return the share of a mixture, to a common factor."""
         share = d.number(self.share)
         return share if self.ior is None else share * d.fresnel(view.z, self.ior)
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return self.term.eval(light, view)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -122,10 +105,6 @@ class MirrorLobe:
     def weight(self, _view: Vector) -> Real:
         """Return the share of a mixture, to a common factor."""
         return d.number(self.share)
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return self.term.eval(light, view)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""

@@ -26,10 +26,11 @@ import numpy as np
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import scramble
+from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.flakes.texture import FlakesSeen, flakes_seen
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.raytraced.camera import Pinhole
-from brdf_suite.reference.raytraced.flakes import SparkleField, sparkling
+from brdf_suite.reference.raytraced.flakes import sparkling
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
 from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel
 from brdf_suite.reference.raytraced.quality import Quality
@@ -106,7 +107,7 @@ class TracerScene:
     sky: TracedSky
     lights: LightArrays
     height: Real | None
-    sparkle: SparkleField | None
+    sparkle: FlakeLayer | None
     paint: int
     depth: int = DEFAULT_DEPTH
 

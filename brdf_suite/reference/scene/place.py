@@ -40,7 +40,7 @@ class Viewpoint:
         size: tuple[int, int],
     ) -> Viewpoint:
         """Return that of an eye (3,), right, up and backward as columns (3, 3), and a picture's width and height."""
-        eye, right, up, back = (_point(column) for column in (place, *axes.T))
+        eye, right, up, back = (mi.Vector3f(*map(number, column)) for column in (place, *axes.T))
         return cls(eye, right, up, back, number(2.0 * half_width_tangent / size[0]))
 
 
@@ -123,10 +123,6 @@ def _unit(v: Vector) -> Vector:
     return across * dr.rsqrt(dr.maximum(dr.squared_norm(across), TINY))
 
 
-def _point(values: npt.NDArray[np.float64]) -> Any:
-    return mi.Vector3f(*(number(float(v)) for v in values))
-
-
 def footprint_of_sample(pixel: float) -> float:
     """Return the reach of one sample, in pixels, so that samples even over a pixel make up a reach of ``pixel``.
 
@@ -205,35 +201,19 @@ def look_up(image: Any, at: Any) -> Any:
     return mi.Vector2f(found[0], found[1]) if len(found) > 1 else found[0]
 
 
-@dataclass(frozen=True, eq=False)
-class TiltedFrame:
-    """A shading frame about a normal tilted from z, in the coordinates of the surface."""
+Frame = Any
+"""mi.Frame3f; its world is the surface."""
 
-    frame: Any
 
-    @classmethod
-    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> TiltedFrame:
-        """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
-        m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
-        cosine = dr.dot(m, view)
-        bent = dr.normalize(m + (_LOWEST - cosine) * view)
-        n = dr.select(cosine >= _LOWEST, m, bent)
-        # The axes stay those of the surface, but for the lean: flakes keep their tilts.
-        s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
-        return cls(mi.Frame3f(s, dr.cross(n, s), n))
-
-    @property
-    def normal(self) -> Vector:
-        """The tilted normal."""
-        return self.frame.n
-
-    def to_local(self, direction: Vector) -> Vector:
-        """Return a direction of the surface in this frame."""
-        return self.frame.to_local(direction)
-
-    def to_surface(self, direction: Vector) -> Vector:
-        """Return a direction of this frame as the surface has it."""
-        return self.frame.to_world(direction)
+def tilted_frame(normal: Vector, slopes: Any, place: Place, view: Vector) -> Frame:
+    """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
+    m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
+    cosine = dr.dot(m, view)
+    bent = dr.normalize(m + (_LOWEST - cosine) * view)
+    n = dr.select(cosine >= _LOWEST, m, bent)
+    # The axes stay those of the surface, but for the lean: flakes keep their tilts.
+    s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
+    return mi.Frame3f(s, dr.cross(n, s), n)
 
 
 @dataclass(frozen=True, eq=False)
@@ -245,7 +225,7 @@ class TiltedSampler:
     """
 
     sampler: Sampler
-    frame: TiltedFrame
+    frame: Frame
 
     def share(self, view: Vector) -> Real:
         """Return the share of a mixture."""
@@ -254,7 +234,7 @@ class TiltedSampler:
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light; those below the tilted horizon are lost."""
         light = self.sampler.sample(self.frame.to_local(view), u)
-        found = self.frame.to_surface(light)
+        found = self.frame.to_world(light)
         folded = mi.Vector3f(found.x, found.y, abs(found.z))
         return dr.select(light.z > 0.0, folded, mi.Vector3f(0.0))
 
