@@ -20,7 +20,7 @@ from typing import Any
 
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
-from brdf_suite.reference.bsdfs.terms import FacetLobe
+from brdf_suite.reference.bsdfs.terms import AboutMirror, FacetLobe, Facets
 from brdf_suite.reference.mitsuba_modules import dr, mi
 
 _EVEN = 1e4
@@ -59,26 +59,18 @@ def cosine_lobe_pdf(half: Half, exponent: Real) -> Real:
 
 
 @dataclass(frozen=True, eq=False)
-class FacetGlint:
-    """A narrow microfacet lobe: a ``term`` with its value, the sampling ``slope``, and its ``share``.
+class FacetGlint(Facets):
+    """A narrow microfacet lobe: a ``term`` with its value, sampled as a cosine lobe.
 
-    ``share`` is how much the lobe sends of what all narrow ones do, as a luminance; with ``ior`` it follows Fresnel.
+    ``weight`` is how much the lobe sends of what all narrow ones do, as a luminance.
     """
 
-    term: Any
-    slope: float
-    share: float
-    ior: float | None = None
+    term: Any = None
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out."""
         return self.slope >= LEAST_SUNLIT_SLOPE
-
-    def weight(self, view: Vector) -> Real:
-        """Return the share of a mixture, to a common factor."""
-        share = d.number(self.share)
-        return share if self.ior is None else share * d.fresnel(view.z, self.ior)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -90,30 +82,15 @@ class FacetGlint:
 
 
 @dataclass(frozen=True, eq=False)
-class MirrorLobe:
-    """A narrow cosine lobe of fitted weights about the mirror direction, sampled by itself."""
+class MirrorLobe(AboutMirror):
+    """A narrow cosine lobe of fitted weights about the mirror direction, sampled by itself; ``term`` has its value."""
 
-    term: Any
-    exponent: float
-    share: float
+    term: Any = None
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out."""
         return self.exponent <= 0.5 / LEAST_SUNLIT_SLOPE**2
-
-    def weight(self, _view: Vector) -> Real:
-        """Return the share of a mixture, to a common factor."""
-        return d.number(self.share)
-
-    def sample(self, view: Vector, u: Square) -> Vector:
-        """Return directions to the light."""
-        return d.lobe_about_mirror(view, u, self.exponent)
-
-    def pdf(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`sample` per solid angle."""
-        away = d.one_minus_mirror_cosine(light, view)
-        return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
 
 
 @dataclass(frozen=True, eq=False)

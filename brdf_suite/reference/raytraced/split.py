@@ -56,7 +56,7 @@ class Split:
         """
         if not self.narrow:
             return mi.Vector3f(0.0, 0.0, 1.0), mi.Color3f(0.0), mi.Float(1.0)
-        shares = [lobe.weight(view) for lobe in self.narrow]
+        shares = [lobe.share(view) for lobe in self.narrow]
         total = shares[0]
         for share in shares[1:]:
             total = total + share
@@ -183,12 +183,12 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
     if isinstance(term, CoatLobeTerm):
         if term.roughness > largest:
             return [term], []
-        return [], [FacetGlint(term, term.roughness, 1.0, term.ior)]
+        return [], [FacetGlint(1.0, term.roughness, term.ior, term)]
     if isinstance(term, FacetLobe):
         if term.slope > largest:
             return [WideFacets(term)], []
         share = 4.0 * term.scale * luminance(term.ks)
-        return [], [FacetGlint(term, term.slope, share, term.ior)]
+        return [], [FacetGlint(share, term.slope, term.ior, term)]
     if isinstance(term, UnderCoat):
         broad, narrow = _parts(term.base, largest, tables, mirror)
         seen = [ThroughCoat(term, part) for part in broad]
@@ -216,5 +216,5 @@ def _of_lobe_weights(term: LobeWeightsTerm, largest: float) -> tuple[list[Any], 
         only = (np.arange(len(term.exponents)) == k)[:, None]
         lobe = PartOfWeights.of(term, 0.0 * term.kd, only)
         share = luminance((term.kdd + term.kg)[k]) * 2.0 * math.pi / (float(term.exponents[k]) + 1.0)
-        lobes.append(MirrorLobe(lobe, float(term.exponents[k]), share))
+        lobes.append(MirrorLobe(share, float(term.exponents[k]), lobe))
     return [broad], lobes

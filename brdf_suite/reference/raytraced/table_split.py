@@ -107,16 +107,16 @@ class FacetMixture:
 
     term: Any
     lobes: tuple[tuple[float, float], ...]
-    share: float = 1.0
+    weight: float = 1.0
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out: where none of its lobes is narrower than that."""
         return min(slope for _, slope in self.lobes) >= LEAST_SUNLIT_SLOPE
 
-    def weight(self, _view: Vector) -> Real:
+    def share(self, _view: Vector) -> Real:
         """Return the share of a mixture with other narrow lobes."""
-        return d.number(self.share)
+        return d.number(self.weight)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""

@@ -54,13 +54,6 @@ def beckmann_slopes(slope2: npt.ArrayLike, roughness: npt.ArrayLike) -> Floats:
     return np.asarray(np.exp(-np.asarray(slope2, float) / m2) / (math.pi * m2))
 
 
-def ggx_density(slope2: npt.ArrayLike, roughness: float) -> Floats:
-    """Return GGX per solid angle, (1 + s²)² / (π m² (1 + s²/m²)²), for s² (...)."""
-    slope2 = np.asarray(slope2, float)
-    m2 = roughness * roughness
-    return np.asarray(((1.0 + slope2) / (1.0 + slope2 / m2)) ** 2 / (math.pi * m2))
-
-
 def beckmann_tilt(r1: npt.ArrayLike, r2: npt.ArrayLike, roughness: float) -> Floats:
     """Return slopes (..., 2) drawn by even numbers (...): tan θ = m √(-ln(1 - r1)), φ = 2π r2.
 

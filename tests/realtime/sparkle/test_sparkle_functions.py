@@ -63,7 +63,9 @@ def test_distributions(evaluate, roughness):
         f"vec4(beckmann_slopes(x.z, {r}), ggx_density(x.z, {r}), tilt_bell(x.z, {r}), 1.0)",
         x,
     )
-    want = [f(slope**2, roughness) for f in (tilt.beckmann_slopes, tilt.ggx_density, tilt.tilt_bell)]
+    square, m2 = slope**2, roughness**2
+    ggx = ((1.0 + square) / (1.0 + square / m2)) ** 2 / (np.pi * m2)  # per solid angle
+    want = [tilt.beckmann_slopes(square, roughness), ggx, tilt.tilt_bell(square, roughness)]
     np.testing.assert_allclose(got[:, :3], np.stack(want, -1), rtol=1e-4, atol=1e-6)
     got = evaluate("flake_tilt.glsl", f"vec4(tilt_place(x.xy, {r}), 1.0)", x)
     place, stretch = tilt.tilt_place(np.stack([slope, 0.3 * slope], -1), roughness)
