@@ -75,10 +75,14 @@ class Half:
 
 def beckmann_mirrored(view: Vector, u: Square, slope: float) -> Vector:
     """Return the view mirrored at facets whose normals are spread as a Beckmann surface of ``slope``."""
-    tan2 = number(-slope * slope) * dr.log(dr.maximum(1.0 - u.x, 1e-30))
+    return mirrored_at(view, number(-slope * slope) * dr.log(dr.maximum(1.0 - u.x, 1e-30)), u.y)
+
+
+def mirrored_at(view: Vector, tan2: Real, turn: Real) -> Vector:
+    """Return the view mirrored at half vectors of ``tan2`` θh, at a ``turn`` 0…1 about the normal."""
     cos_h = dr.rsqrt(1.0 + tan2)
     sin_h = dr.sqrt(tan2) * cos_h
-    sine, cosine = dr.sincos(2.0 * math.pi * u.y)
+    sine, cosine = dr.sincos(2.0 * math.pi * turn)
     half = mi.Vector3f(sin_h * cosine, sin_h * sine, cos_h)
     return dr.fma(2.0 * dr.dot(view, half), half, -view)
 

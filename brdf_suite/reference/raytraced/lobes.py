@@ -21,7 +21,7 @@ from typing import Any
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
 from brdf_suite.reference.bsdfs.terms import AboutMirror, FacetLobe, Facets
-from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.mitsuba_modules import dr
 
 _EVEN = 1e4
 LARGEST_SLOPE = 0.12
@@ -45,11 +45,7 @@ def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
     """Return the view mirrored at half vectors of a cosine lobe about the normal; some lie below the horizon."""
     # cos θ = r^(1/(n+1)), so tan² θ = exp(-2 ln r / (n+1)) - 1: no difference of numbers near 1.
     tan2 = d.exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
-    cosine = dr.rsqrt(1.0 + tan2)
-    sine = dr.sqrt(tan2) * cosine
-    y, x = dr.sincos(2.0 * math.pi * u.y)
-    half = mi.Vector3f(sine * x, sine * y, cosine)
-    return dr.fma(2.0 * dr.dot(view, half), half, -view)
+    return d.mirrored_at(view, tan2, u.y)
 
 
 def cosine_lobe_pdf(half: Half, exponent: Real) -> Real:

@@ -72,7 +72,7 @@ class LightArrays:
         )
         kinds, table = mi.UInt32(dealt.kinds), mi.UInt32(entries.ravel())
         dr.eval(places, strengths, spreads, drawn, kinds, table)
-        ground = d.colour(np.maximum(dealt.ground_irradiance(), 1e-12).tolist())
+        ground = d.colour(np.maximum(dealt.ground_cosines() @ dealt.strengths, 1e-12).tolist())
         bits = dr.opaque(mi.UInt32, int(entries.shape[1]).bit_length() - 1)
         lamps, suns = bool((dealt.kinds > SUN).any()), bool((dealt.kinds == SUN).any())
         return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps, suns)

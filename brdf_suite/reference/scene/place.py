@@ -143,16 +143,11 @@ _BESIDE = (0.37, 0.61)
 
 @dataclass(frozen=True, eq=False)
 class Slopes:
-    """A tiled relief: slopes ``image`` (h, w, 2) dh/du and dh/dv, its first row at v = 0; ``tiles`` per millimetre."""
+    """A tiled relief: a :func:`texture` of slopes dh/du and dh/dv; ``tiles`` per millimetre; a factor on the slopes."""
 
     texture: Any
     tiles: tuple[float, float]
     strength: float
-
-    @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: tuple[float, float], strength: float) -> Slopes:
-        """Return the relief; ``strength`` is a factor on the slopes."""
-        return cls(texture(image), tiles, strength)
 
     def at(self, uv: Any) -> Any:
         """Return the slopes at a place, millimetres."""
@@ -162,16 +157,14 @@ class Slopes:
 
 @dataclass(frozen=True, eq=False)
 class OrangePeelSlopes:
-    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition."""
+    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition.
+
+    It is a :func:`texture`, ``tiles`` per millimetre, made a root mean square ``slope``.
+    """
 
     texture: Any
     tiles: float
     slope: float
-
-    @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeelSlopes:
-        """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
-        return cls(texture(image), tiles, slope)
 
     def at(self, uv: Any) -> Any:
         """Return the slopes at a place, millimetres."""

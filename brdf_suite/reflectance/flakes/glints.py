@@ -31,7 +31,6 @@ def scramble(x: npt.ArrayLike) -> Words:
     A bijection of two rounds of multiplication and shift, with constants of Chris Wellons's search ("Hash function
     prospector"); each bit in changes each bit out with a chance near one half.
 
-
     >>> hex(int(scramble(np.uint32(1))))
     '0x6d3fa73'
     """
