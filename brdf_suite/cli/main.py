@@ -20,75 +20,54 @@ from brdf_suite.processes import MODULE_OPTION, is_own_module, run_module
 DONE, FAILED, USAGE, CANCELLED = 0, 1, 2, 130
 
 COMMANDS = {
-    "render": ("brdf_suite.cli.picture.render", "render a paint or a measured file to a PNG or EXR"),
-    "turntable": (
-        "brdf_suite.cli.picture.turntable",
-        "render one turn of the object to a video or a folder of PNG",
-    ),
+    "render": ("picture.render", "render a paint or a measured file to a PNG or EXR"),
+    "turntable": ("picture.turntable", "render one turn of the object to a video or a folder of PNG"),
     "sheet": (
-        "brdf_suite.cli.picture.sheet",
+        "picture.sheet",
         "render the paints of a palette or a folder to one PNG or PDF, with their figures",
     ),
     "measure": (
-        "brdf_suite.cli.measured.measure",
+        "measured.measure",
         "measure paints and measured files: colour per angle, gloss, haze, flop, travel",
     ),
     "compare": (
-        "brdf_suite.cli.measured.compare",
+        "measured.compare",
         "compare two paints or measured files: colour differences per angle, RMS and log error",
     ),
     "judge": (
-        "brdf_suite.cli.paint.judge",
+        "paint.judge",
         "judge batches against a standard: differences per angle, pass or fail, in words",
     ),
-    "design": (
-        "brdf_suite.cli.paint.design",
-        "make a paint: from a measurement, a step away, or between two",
-    ),
+    "design": ("paint.design", "make a paint: from a measurement, a step away, or between two"),
     "convert": (
-        "brdf_suite.cli.measured.convert",
+        "measured.convert",
         "convert a measured file, or a paint, to a format of measured reflectance",
     ),
-    "export": (
-        "brdf_suite.cli.paint.export",
-        "hand paints over to other programs, or make a one-page report",
-    ),
-    "palette": ("brdf_suite.cli.palette.palette", "convert a palette, describe one, or find paints in it"),
-    "check": (
-        "brdf_suite.cli.measured.check",
-        "check a paint, a measured file or a model: reciprocity, sign, energy",
-    ),
-    "acquire": (
-        "brdf_suite.cli.measured.acquire",
-        "make a reflectance table from photographs of a painted sphere",
-    ),
-    "fit": ("brdf_suite.cli.measured.fit", "fit the cosine lobes to a paint or a measured file"),
+    "export": ("paint.export", "hand paints over to other programs, or make a one-page report"),
+    "palette": ("palette.palette", "convert a palette, describe one, or find paints in it"),
+    "check": ("measured.check", "check a paint, a measured file or a model: reciprocity, sign, energy"),
+    "acquire": ("measured.acquire", "make a reflectance table from photographs of a painted sphere"),
+    "fit": ("measured.fit", "fit the cosine lobes to a paint or a measured file"),
     "fit-cook-torrance": (
-        "brdf_suite.cli.measured.fit_cook_torrance",
+        "measured.fit_cook_torrance",
         "fit Cook-Torrance lobes to a measured file and write them as a paint",
     ),
-    "factorize": (
-        "brdf_suite.cli.measured.factorize",
-        "write anything that reflects as a product of textures",
-    ),
-    "basis": ("brdf_suite.cli.tools.basis", "search the lobe exponents that fit a database of paints best"),
-    "prefilter": ("brdf_suite.cli.light.prefilter", "prefilter an environment, its maps kept in the cache"),
+    "factorize": ("measured.factorize", "write anything that reflects as a product of textures"),
+    "basis": ("tools.basis", "search the lobe exponents that fit a database of paints best"),
+    "prefilter": ("light.prefilter", "prefilter an environment, its maps kept in the cache"),
     "environment": (
-        "brdf_suite.cli.light.environment",
+        "light.environment",
         "what an environment map holds; studios and skies from a description",
     ),
     "cache": (
-        "brdf_suite.cli.tools.cache",
+        "tools.cache",
         "show, check or empty the cache of prefiltered maps, baked occlusion and pictures of paints",
     ),
-    "shading-table": (
-        "brdf_suite.cli.tools.shading_table",
-        "make the table by which the shading looks lobes up",
-    ),
-    "agreement": ("brdf_suite.cli.tools.agreement", "compare the real-time picture with the path-traced one"),
-    "bench": ("brdf_suite.cli.tools.bench", "measure the suite's figures (in a source checkout)"),
+    "shading-table": ("tools.shading_table", "make the table by which the shading looks lobes up"),
+    "agreement": ("tools.agreement", "compare the real-time picture with the path-traced one"),
+    "bench": ("tools.bench", "measure the suite's figures (in a source checkout)"),
 }
-"""The commands but those that open a program: the module of each, and what it does."""
+"""The commands but those that open a program: the module of each in this package, and what it does."""
 
 _EPILOG = """\
 units:
@@ -133,7 +112,7 @@ def parser(wanted: Container[str] = ()) -> argparse.ArgumentParser:
     for name, (module, summary) in COMMANDS.items():
         command = commands.add_parser(name, help=summary)
         if name in wanted:
-            import_module(module).add(command)
+            import_module(f"brdf_suite.cli.{module}").add(command)
     return top
 
 

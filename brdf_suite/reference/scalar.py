@@ -21,6 +21,7 @@ from brdf_suite.arrays import Floats
 from brdf_suite.errors import ReferenceUnavailableError, ValueRangeError
 from brdf_suite.files.measured.rgl import write_rgl
 from brdf_suite.geometry.fresnel import fresnel_dielectric
+from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.mitsuba_modules import mi
 from brdf_suite.reflectance.models.cosine_lobes import lobe_sums
 from brdf_suite.reflectance.protocol import Reflectance
@@ -80,37 +81,31 @@ class _Coloured:
 
 @dataclass(frozen=True, eq=False)
 class LobesSeen:
-    """Lobe weights with the gains of the view's angle, in numpy:
-    :class:`brdf_suite.reference.bsdfs.lobe_weights.LobeWeightsTerm`."""
+    """Lobe weights with the gains of the view's angle, in numpy."""
 
-    exponents: Floats
-    kd: Floats
-    kdd: Floats
-    kg: Floats
-    coat: str
-    theta_fit_rad: float
-    ior: float
-    raised: bool = True
+    term: LobeWeightsTerm
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr; 0 below the horizon."""
-        matt, sharp = (weights.any(axis=1) for weights in (self.kdd, self.kg))
-        kdd, kg = self.kdd[matt], self.kg[sharp]
-        base = lobe_sums(wi, wo, self.exponents[matt], self.kd, kdd, 0.0 * kdd).brdf()
-        gloss = lobe_sums(wi, wo, self.exponents[sharp], np.zeros(3), 0.0 * kg, kg).brdf()
+        term = self.term
+        matt, sharp = (weights.any(axis=1) for weights in (term.kdd, term.kg))
+        kdd, kg = term.kdd[matt], term.kg[sharp]
+        base = lobe_sums(wi, wo, term.exponents[matt], term.kd, kdd, 0.0 * kdd).brdf()
+        gloss = lobe_sums(wi, wo, term.exponents[sharp], np.zeros(3), 0.0 * kg, kg).brdf()
         base_gain, gloss_gain = self._gains(np.asarray(wo, float)[..., 2:])
         return np.asarray(base * base_gain + gloss * gloss_gain)
 
     def _gains(self, cosine: Floats) -> tuple[Floats | float, Floats | float]:
-        if not self.raised or self.coat == "none":
+        term = self.term
+        if not term.raised or term.coat == "none":
             return 1.0, 1.0
-        albedo = self.kg.T @ (2.0 * math.pi / (self.exponents + 1.0))
-        if self.coat == "metal":
+        albedo = term.kg.T @ (2.0 * math.pi / (term.exponents + 1.0))
+        if term.coat == "metal":
             rise = np.clip(1.0 - cosine, 0.0, 1.0) ** 5
             g = np.maximum(albedo, 1e-4)
             return 1.0, (g + np.maximum(1.0 - g, 0.0) * rise) / g
-        f = fresnel_dielectric(np.clip(cosine, 0.0, 1.0), self.ior)
-        at_fit = float(fresnel_dielectric(math.cos(self.theta_fit_rad), self.ior))
+        f = fresnel_dielectric(np.clip(cosine, 0.0, 1.0), term.ior)
+        at_fit = float(fresnel_dielectric(math.cos(term.theta_fit_rad), term.ior))
         limit = max(1.0 / float(albedo.max()), 1.0) if albedo.max() > 0.0 else 1.0
         gloss: Floats | float = np.minimum(f / at_fit, limit) if at_fit > 0.0 else 1.0
-        return ((1.0 - f) / (1.0 - at_fit)) ** 2 if self.coat == "dielectric" else 1.0, gloss
+        return ((1.0 - f) / (1.0 - at_fit)) ** 2 if term.coat == "dielectric" else 1.0, gloss

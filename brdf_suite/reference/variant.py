@@ -37,6 +37,7 @@ _PLACES = (
     "opt/homebrew/opt/llvm*/lib/libLLVM*.dylib",
     "usr/local/opt/llvm*/lib/libLLVM*.dylib",
 )
+_CUDA_DRIVERS = ("/proc/driver/nvidia/version", "C:/Windows/System32/nvcuda.dll")
 _VERSION = re.compile(r"(?:llvm-|libLLVM[-.]|so\.)(\d+)")
 
 
@@ -88,7 +89,8 @@ def choose_variant() -> Variant:
         install.
     """
     check_extra("mitsuba", purpose="path tracing")
-    return choose(_has_cuda(), _libraries(), probe)
+    # Without NVIDIA's driver the variant is not worth the seconds of a trial.
+    return choose(any(Path(place).exists() for place in _CUDA_DRIVERS), _libraries(), probe)
 
 
 def choose(cuda: bool, libraries: Sequence[str], try_out: Probe) -> Variant:
@@ -157,13 +159,6 @@ def _libraries() -> list[str]:
         return [named]
     found = {str(path.resolve()) for place in _PLACES for path in Path("/").glob(place)}
     return sorted(found, key=lambda path: (-parse_version(path), path))
-
-
-def _has_cuda() -> bool:
-    """Whether NVIDIA's driver is there; only then is the variant worth the seconds of a trial."""
-    return any(
-        Path(place).exists() for place in ("/proc/driver/nvidia/version", "C:/Windows/System32/nvcuda.dll")
-    )
 
 
 def prepare_library() -> None:

@@ -19,12 +19,12 @@ from brdf_suite.realtime.camera import Bounds
 from brdf_suite.realtime.relief.textures import mask_coordinates
 from brdf_suite.realtime.relief.values import MaskImage, SlopeMap
 from brdf_suite.realtime.values import MaterialWeights
-from brdf_suite.reference.bsdfs import lobe_weights
+from brdf_suite.reference.bsdfs.lobe_weights import LobeWeightsTerm
 from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf, Mask, TwoToneBsdf
-from brdf_suite.reference.bsdfs.translate import divide, translate
+from brdf_suite.reference.bsdfs.translate import TranslatedTerm, divide, translate
 from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.scalar import AS_A_TABLE, LobesSeen, table_bsdf
-from brdf_suite.reference.scene.place import OrangePeelSlopes, Slopes
+from brdf_suite.reference.scene.place import OrangePeelSlopes, Slopes, texture
 from brdf_suite.reflectance.protocol import Reflectance
 
 
@@ -53,43 +53,31 @@ def load_dress(view: View) -> Dress:
     )
 
 
-@dataclass(frozen=True, eq=False)
-class Optics:
-    """A term, and sentences about it for the user."""
-
-    term: Any
-    notices: tuple[str, ...] = ()
-
-
-def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> Optics:
+def optics_of(paint: Material, dress: Dress, view: View, bounds: Bounds) -> TranslatedTerm:
     """Return what ``paint`` reflects by in ``view``: the plain twin where nothing differs from place to place."""
     first, notices = _placed(paint, dress, view)
     if dress.mask is not None and dress.second is not None:
         second, more = _placed(dress.second, dress, view)
         where: dict[str, Any] = mask_coordinates(view, bounds, dress.mask.aspect)
         mask = Mask.of(dress.mask.share, where["mask_tiles"], where["mask_u"], where["mask_v"])
-        return Optics(TwoToneBsdf(first, second, mask), (*notices, *(more if more != notices else ())))
+        return TranslatedTerm(
+            TwoToneBsdf(first, second, mask), (*notices, *(more if more != notices else ()))
+        )
     if not first.is_plain:
-        return Optics(first, notices)
+        return TranslatedTerm(first, notices)
     if isinstance(paint.reflectance, LobeWeights):
-        return Optics(lobe_term(material_weights(paint.reflectance), view))
-    plain = translate(paint.reflectance)
-    return Optics(plain.term, plain.notices)
+        return TranslatedTerm(lobe_term(material_weights(paint.reflectance), view))
+    return translate(paint.reflectance)
 
 
-def lobe_term(weights: MaterialWeights, view: View) -> Any:
+def lobe_term(weights: MaterialWeights, view: View) -> LobeWeightsTerm:
     """Return lobe weights as something that reflects, with the gains that the view asks for."""
-    return lobe_weights.LobeWeightsTerm(**_lobes(weights, view))
-
-
-def _lobes(weights: MaterialWeights, view: View) -> dict[str, Any]:
-    """Return what both forms of lobe weights are made of."""
     names = ("kd", "kdd", "kg", "coat", "theta_fit_rad", "ior")
-    arrays = {name: getattr(weights, name) for name in names}
-    return arrays | {"exponents": np.asarray(weights.exponents, float), "raised": view.fresnel != "off"}
+    same = {name: getattr(weights, name) for name in names}
+    return LobeWeightsTerm(np.asarray(weights.exponents, float), **same, raised=view.fresnel != "off")
 
 
-def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Optics:
+def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> TranslatedTerm:
     """Return the paint as one of Mitsuba's own plug-ins, where nothing else runs; ``instead`` says what is missing.
 
     Raises
@@ -106,15 +94,14 @@ def scalar_optics(paint: Material, dress: Dress, view: View, instead: str) -> Op
     if view.surface_look.ground:
         notices.append("Without LLVM there is no ground and no shadow on it.")
     if isinstance(paint.reflectance, LobeWeights):
-        return Optics(scalar_lobes(material_weights(paint.reflectance), view), tuple(notices))
-    return Optics(table_bsdf(paint.reflectance), tuple(notices))
+        return TranslatedTerm(scalar_lobes(material_weights(paint.reflectance), view), tuple(notices))
+    return TranslatedTerm(table_bsdf(paint.reflectance), tuple(notices))
 
 
 def scalar_lobes(weights: MaterialWeights, view: View) -> Any:
     """Return lobe weights as one of Mitsuba's own plug-ins, with the gains that the view asks for."""
-    seen = LobesSeen(**_lobes(weights, view))
     # Coarser than a paint's: within a per cent, in a tenth of the time.
-    return table_bsdf(seen, incidences=32, resolution=64)
+    return table_bsdf(LobesSeen(lobe_term(weights, view)), incidences=32, resolution=64)
 
 
 def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf, tuple[str, ...]]:
@@ -128,12 +115,12 @@ def _placed(paint: Material, dress: Dress, view: View) -> tuple[LayeredPaintBsdf
     if dress.normal_map is not None:
         width = view.relief.normal_width_mm
         tiles = (1.0 / width, 1.0 / (width * dress.normal_map.aspect))
-        shape = Slopes.of(dress.normal_map.slopes, tiles, view.relief.normal_strength)
+        shape = Slopes(texture(dress.normal_map.slopes), tiles, view.relief.normal_strength)
     peel = None
     slope_deg, length_mm = _peel_of(paint, view)
     if slope_deg > 0.0:
         tile, slope = orange_peel_tile(), math.tan(math.radians(slope_deg))
-        peel = OrangePeelSlopes.of(tile.slopes, 1.0 / (tile.waves * length_mm), slope)
+        peel = OrangePeelSlopes(texture(tile.slopes), 1.0 / (tile.waves * length_mm), slope)
     return LayeredPaintBsdf(base, coat, shape, peel, layer), notices
 
 

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 TracedBy = Literal["reference", "raytraced"]
 Draw = Callable[[View], tuple[Bytes, View]]
 """From a view to its picture as a screen shows it, and the view with its exposure measured."""
+Started = tuple[Draw, str, tuple[str, ...]]
+"""What draws a paint, its name, and sentences about it."""
 
 REFERENCE_SAMPLES = 64
 _STATE = "turntable.json"
@@ -91,7 +93,8 @@ def write_traced_turntable(
     shown = framed_all_round(view, bounds, size)
     shown = replace(shown, clipping_marks=False, gamut_marks=False)
     report(progress, 0.0, "starting the renderer")
-    draw, name, notices = _STARTING[renderer](paint, shown, size, budget)
+    begin = _reference if renderer == "reference" else _raytraced
+    draw, name, notices = begin(paint, shown, size, budget)
     request = {
         "renderer": renderer,
         "paint": os.fspath(paint),
@@ -136,9 +139,7 @@ def write_traced_turntable(
     return TurntableFiles(path, turn.frames, *size, name, notices)
 
 
-def _reference(
-    paint: str | os.PathLike[str], view: View, size: Size, budget: Budget
-) -> tuple[Draw, str, tuple[str, ...]]:
+def _reference(paint: str | os.PathLike[str], view: View, size: Size, budget: Budget) -> Started:
     from brdf_suite.tracing.reference.live import LiveReference
 
     live = LiveReference()
@@ -155,9 +156,7 @@ def _reference(
     return draw, live.scene.name, live.scene.notices
 
 
-def _raytraced(
-    paint: str | os.PathLike[str], view: View, size: Size, budget: Budget
-) -> tuple[Draw, str, tuple[str, ...]]:
+def _raytraced(paint: str | os.PathLike[str], view: View, size: Size, budget: Budget) -> Started:
     from brdf_suite.tracing.raytraced.picture import RaytracedSession
 
     session = RaytracedSession()
@@ -169,11 +168,6 @@ def _raytraced(
         return image.codes(), image.exposed_view
 
     return draw, scene.name, scene.notices
-
-
-_STARTING: dict[
-    TracedBy, Callable[[str | os.PathLike[str], View, Size, Budget], tuple[Draw, str, tuple[str, ...]]]
-] = {"reference": _reference, "raytraced": _raytraced}
 
 
 def _begun(folder: Path, key: str, fresh: bool) -> tuple[int, float]:

@@ -1,6 +1,6 @@
 """Readings of a simulated sphere against the paint that was put on it."""
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
@@ -256,4 +256,4 @@ def test_a_geometry_of_a_session_stands_as_it_says() -> None:
     np.testing.assert_allclose(
         in_rig(geometry, np.zeros(3)), (0.0, 0.25, session.camera.distance_m), atol=1e-9
     )
-    assert RigGeometry.from_json(geometry.to_json()) == geometry
+    assert RigGeometry.from_json(asdict(geometry)) == geometry

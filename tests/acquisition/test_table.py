@@ -21,7 +21,7 @@ from brdf_suite.acquisition.table.table_from_sums import (
     tabulate_means,
 )
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.geometry.directions import spherical
+from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.models.cook_torrance import CookTorrance
 from brdf_suite.reflectance.models.table_1 import TABLE_1
 
@@ -56,11 +56,23 @@ def sums_of(
     return sums, np.array(total)
 
 
+def centres(bins: Parameterization, first: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return ``wi`` and ``wo`` (b, c, 3) at the centres of the bins with index ``first`` along the first axis."""
+    a, b, c = bins.shape
+    second, third = (np.arange(b) + 0.5) / b * 0.5 * np.pi, (np.arange(c) + 0.5) / c * np.pi
+    share = (first + 0.5) / a
+    if bins.layout == "traditional":
+        wi = spherical(0.5 * np.pi * share, np.zeros((b, c)))
+        return wi, spherical(second[:, None], third[None, :])
+    theta_h = 0.5 * np.pi * (share if bins.layout == "linear" else share * share)
+    return from_half_angle_coordinates(theta_h, 0.0, second[:, None], third[None, :])
+
+
 @pytest.mark.parametrize("layout", LAYOUTS)
 def test_a_place_lies_in_the_bin_whose_centre_is_half_a_bin_away(layout: Layout) -> None:
     bins = Parameterization(layout, (12, 10, 16))
     for first in (0, 5, 11):
-        wi, wo = bins.centres(first)
+        wi, wo = centres(bins, first)
         above = (wi[..., 2] > 0.01) & (wo[..., 2] > 0.01)
         places = bins.index_of(wi[above], wo[above])
         second, third = np.nonzero(above)
@@ -121,7 +133,7 @@ def dense() -> TableSums:
 def errors_at_centres(values: np.ndarray, measured: np.ndarray, bins: Parameterization) -> np.ndarray:
     found = []
     for first in range(bins.shape[0]):
-        wi, wo = bins.centres(first)
+        wi, wo = centres(bins, first)
         here = (np.minimum(wi[..., 2], wo[..., 2]) > np.cos(np.radians(70.0))) & measured[first]
         truth = PAINT.eval(wi[here], wo[here])
         found.append(np.abs(values[first][here] / truth - 1.0).ravel())

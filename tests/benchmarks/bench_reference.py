@@ -18,7 +18,8 @@ from brdf_suite.files.cache.disk_cache import default_root
 from brdf_suite.pipeline.scene import environment_names
 from brdf_suite.progress import Progress, subrange
 from brdf_suite.reflectance.models.table_1 import TABLE_1
-from brdf_suite.tracing.agreement.comparison import DEFAULT_FORM, Case, Order, compare, summary
+from brdf_suite.tracing.agreement.comparison import Case, Order, compare, summary
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM
 from brdf_suite.tracing.reference.scene import prepare_reference
 from tools.evaluation.reference_flakes import sparkle_energy_ratio
 

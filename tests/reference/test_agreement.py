@@ -15,15 +15,8 @@ from brdf_suite.errors import FileError, MissingExtraError
 from brdf_suite.files.images.environments import write_exr
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.tracing.agreement import comparison as agreement
-from brdf_suite.tracing.agreement.comparison import (
-    DEFAULT_FORM,
-    LOBES,
-    Order,
-    compare,
-    errors_of,
-    flip_of,
-    summary,
-)
+from brdf_suite.tracing.agreement.comparison import LOBES, Order, compare, errors_of, flip_of, summary
+from brdf_suite.tracing.agreement.forms import DEFAULT_FORM
 from brdf_suite.tracing.agreement.page import check_page, groups, write_page
 
 SIZE = (32, 28)

@@ -179,11 +179,11 @@ def leaning_paint(variant):
 
     from brdf_suite.reference.bsdfs.placed import LayeredPaintBsdf
     from brdf_suite.reference.bsdfs.translate import divide
-    from brdf_suite.reference.scene.place import Slopes
+    from brdf_suite.reference.scene.place import Slopes, texture
 
     parts = divide(build_paint(load_shipped_paint("copper")))
     slopes = np.full((4, 4, 2), (0.3, -0.2), np.float32)
-    paint = LayeredPaintBsdf(parts.base, parts.coat, shape=Slopes.of(slopes, (1.0, 1.0), 1.0))
+    paint = LayeredPaintBsdf(parts.base, parts.coat, shape=Slopes(texture(slopes), (1.0, 1.0), 1.0))
     place = SimpleNamespace(
         uv=mi.Point2f(0.1, 0.2), along_u=mi.Vector3f(1.0, 0.0, 0.0), along_v=mi.Vector3f(0.0, 1.0, 0.0)
     )

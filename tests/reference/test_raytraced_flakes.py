@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from brdf_suite.appearance.visible_flakes import FLAKE_WAVINESS, LARGEST_SHARE
 from brdf_suite.documents.paint import Flakes
 from brdf_suite.documents.view import Camera, View
 from brdf_suite.documents.view_settings import Lamp, Sparkle
@@ -25,8 +26,9 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     """Ratio by ratio: the same places, footprints, slopes and spreads in numpy."""
     import mitsuba as mi
 
+    from brdf_suite.reference.flakes.countable import FlakeLayer
     from brdf_suite.reference.flakes.texture import flakes_seen
-    from brdf_suite.reference.raytraced import flakes as fl
+    from brdf_suite.reference.raytraced.flakes import sparkling
     from brdf_suite.reflectance.flakes.tilt import flake_slope
     from tools.evaluation.flake_model import flake_texture_ratio
 
@@ -37,18 +39,18 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     wi, wo = rng.normal(size=(2, n, 3)) * [0.3, 0.3, 0.1] + [0.0, 0.0, 1.0]
     wi, wo = (w / np.linalg.norm(w, axis=1)[:, None] for w in (wi, wo))
     spread = rng.uniform(0.0, 0.2, n)
-    sparkle = fl.SparkleField(FLAKES, 1.5)
+    layer = FlakeLayer(FLAKES, 1.5)
     two = [mi.Point2f(np.ascontiguousarray(x.T, np.float32)) for x in (at, across, down)]
     seen = flakes_seen(FLAKES, two[0], mi.Vector2f(two[1]), mi.Vector2f(two[2]))
     light, view = (mi.Vector3f(np.ascontiguousarray(w.T, np.float32)) for w in (wi, wo))
     base = mi.Color3f(1e6)  # so bright that flakes have a small share of it, and the sum gives the ratio
-    value = np.array(fl.sparkling(sparkle, seen, light, view, mi.Float(spread.astype(np.float32)), base)).T
+    value = np.array(sparkling(layer, seen, light, view, mi.Float(spread.astype(np.float32)), base)).T
     mean = np.array(
-        fl.sparkling(sparkle, replace(seen, contrast=mi.Float(0.0)), light, view, mi.Float(0.0), base)
+        sparkling(layer, replace(seen, contrast=mi.Float(0.0)), light, view, mi.Float(0.0), base)
     ).T
     np.testing.assert_allclose(mean, 1e6, rtol=1e-6)
     slope = flake_slope(wi, wo, 1.5)
-    own = np.sqrt((spread / 3.0) ** 2 + fl.FLAKE_WAVINESS**2)
+    own = np.sqrt((spread / 3.0) ** 2 + FLAKE_WAVINESS**2)
     wanted = flake_texture_ratio(
         at,
         across,
@@ -63,10 +65,9 @@ def test_flakes_are_those_of_the_core(variant: Variant) -> None:
     # Where base is this bright, what flakes add is wanted share times (ratio - 1): the share is read off a dim base.
     dim = mi.Color3f(1e-9)
     ratio = (
-        np.array(fl.sparkling(sparkle, seen, light, view, mi.Float(spread.astype(np.float32)), dim)).T / 1e-9
-        - 1.0
+        np.array(sparkling(layer, seen, light, view, mi.Float(spread.astype(np.float32)), dim)).T / 1e-9 - 1.0
     )
-    ratio = 1.0 + ratio / fl.LARGEST_SHARE
+    ratio = 1.0 + ratio / LARGEST_SHARE
     close = np.abs(ratio - wanted) <= 0.02 * wanted + 0.02
     assert close.mean() > 0.995  # single precision puts a few places in another cell
     assert (np.abs(wanted - 1.0) > 0.2).mean() > 0.1
@@ -88,7 +89,7 @@ def test_flakes_keep_the_mean_light_and_stay_where_they_are(variant: Variant, sp
             replace(base, flakes=flakes), view, size, Quality(16, 1, 4), environment=light, mesh=sphere
         )
         image = session.frame()
-        return np.where((image.coverage == 1.0)[..., None], image.sums.radiance, np.nan)[..., 1]
+        return np.where((image.sums.coverage == 1.0)[..., None], image.sums.radiance, np.nan)[..., 1]
 
     fine = Flakes(density_per_mm2=1.0, size_um=500.0, roughness=0.2)
     smooth, sparkling = shown(view, None), shown(view, fine)

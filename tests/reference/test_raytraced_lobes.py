@@ -133,9 +133,9 @@ def narrow_lobe(which: str) -> Any:
     from brdf_suite.reference.raytraced.table_split import FacetMixture
 
     lobes = {
-        "facets": lambda: FacetGlint(None, 0.12, 1.0),
-        "narrow facets": lambda: FacetGlint(None, 0.02, 1.0),
-        "about the mirror": lambda: MirrorLobe(None, 60.0, 1.0),
+        "facets": lambda: FacetGlint(1.0, 0.12),
+        "narrow facets": lambda: FacetGlint(1.0, 0.02),
+        "about the mirror": lambda: MirrorLobe(1.0, 60.0),
         "mixture": lambda: FacetMixture(None, ((0.5, 0.03), (0.3, 0.1), (0.2, 0.2))),
     }
     return lobes[which]()

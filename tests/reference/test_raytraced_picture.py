@@ -165,13 +165,13 @@ def test_sharing_lights_out_among_samples_changes_nothing(session, sphere) -> No
     for samples in (1, 8, 32):
         session.show(MATT, PLAIN, (160, 128), Quality(32, 1, samples), environment=sky(), mesh=sphere)
         pictures.append(session.frame())
-    inside = np.min([p.coverage for p in pictures], axis=0) == 1.0
+    inside = np.min([p.sums.coverage for p in pictures], axis=0) == 1.0
     one, eight, all_apart = (p.sums.radiance[inside] for p in pictures)
     assert inside.sum() > 4000
     np.testing.assert_allclose(eight.mean(0), one.mean(0), rtol=4e-3)
     np.testing.assert_allclose(all_apart.mean(0), one.mean(0), rtol=4e-3)
     assert np.abs(eight / one - 1.0).max() < 0.1
-    assert pictures[1].samples == 8
+    assert pictures[1].sums.samples == 8
 
 
 def blocks(picture: np.ndarray, inside: np.ndarray) -> np.ndarray:
@@ -205,12 +205,12 @@ def test_the_mean_of_many_rounds_is_the_path_traced_picture(session, sphere, kin
     session.show(paint, PLAIN, SIZE, quality, environment=environment, mesh=sphere)
     sums, rounds = [np.zeros((SIZE[1], SIZE[0], 7))], []
     for image in session.passes(rounds=24):
-        if image.samples % 4 == 0:
+        if image.sums.samples % 4 == 0:
             rounds.append((image.sums.values - sums[-1])[..., :3] / 4)
             sums.append(image.sums.values)
     made = build_reference(Material("x", paint.reflectance), PLAIN, SIZE, environment, sphere)
     passes = [trace_pass(made.traced, 32, seed) for seed in range(12)]
-    inside = (np.array(image.coverage) == 1.0) & (np.min([c for _, c in passes], axis=0) == 1.0)
+    inside = (np.array(image.sums.coverage) == 1.0) & (np.min([c for _, c in passes], axis=0) == 1.0)
     ours = np.array([blocks(r, inside) for r in rounds[1:]])  # the first has its lights in the middle
     theirs = np.array([blocks(r, inside) for r, _ in passes])
     assert ours.shape[1] >= 10
@@ -237,7 +237,7 @@ def test_a_chrome_floor_shows_the_wall_as_the_path_tracer_does(session) -> None:
     found = session.frame()
     made = build_reference(Material("x", MATT.reflectance), view, SIZE, black(), mesh)
     estimate = trace(made.traced, samples=512, samples_per_pass=128)
-    inside = (found.coverage == 1.0) & (estimate.coverage == 1.0)
+    inside = (found.sums.coverage == 1.0) & (estimate.coverage == 1.0)
     ours, theirs = blocks(found.sums.radiance, inside), blocks(estimate.radiance, inside)
     assert len(ours) >= 6
     on_floor = theirs[:, 2] < 0.9 * theirs[:, 2].max()
@@ -256,7 +256,7 @@ def test_the_ground_is_dark_under_the_object_and_open_away_from_it(session, sphe
     session.show(MATT, view, SIZE, Quality(128, 1, 16), environment=sky(16, 0.2), mesh=sphere)
     image = session.frame()
     darkness = image.sums.darkness.mean(axis=-1)
-    free = image.coverage == 0.0
+    free = image.sums.coverage == 0.0
     assert darkness[free].max() > 0.4
     assert abs(np.median(darkness[0])) < 0.03
     assert darkness[-3:][free[-3:]].min() > -1e-4
@@ -300,7 +300,7 @@ def test_a_part_may_be_of_another_material_and_a_mesh_without_paint(session, sph
     chrome = Mesh("ball", (replace(sphere.parts[0], material="chrome"),))
     session.show("copper", PLAIN, SIZE, "fast", environment=sky(), mesh=chrome)
     image = session.frame()
-    assert image.sums.radiance[image.coverage == 1.0].mean() > 0.3
+    assert image.sums.radiance[image.sums.coverage == 1.0].mean() > 0.3
 
 
 class TooBright:
@@ -324,7 +324,7 @@ def test_exposure_backdrop_and_words(session, sphere) -> None:
     # A light that goes with the cosine keeps its mean, and E + 1 of E + 2 of its contrast.
     np.testing.assert_allclose(soft - 1.0, (clear - 1.0) * 61.0 / 62.0, atol=0.01)
     assert np.abs(soft - clear).max() > 0.005
-    inside = image.coverage == 1.0
+    inside = image.sums.coverage == 1.0
     y = image.sums.radiance[inside] @ [0.2627, 0.678, 0.0593]
     assert 2.0**image.exposed_view.exposure_ev * np.median(y) == pytest.approx(0.18, rel=0.01)
     grey = session.show(

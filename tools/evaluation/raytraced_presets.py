@@ -117,7 +117,7 @@ def compare_presets(
         start = process_time()
         image = session.frame()
         seconds = process_time() - start
-        whole = inside & (image.coverage >= _WHOLE)
+        whole = inside & (image.sums.coverage >= _WHOLE)
         errors = errors_of(_encoded(image.sums.radiance, ev, view), wanted, whole)
         tried.append(Tried(name, seconds, errors, image.codes()))
     converged = replace(scene, view=replace(scene.view, exposure_ev=ev)).codes(truth)

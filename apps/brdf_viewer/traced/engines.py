@@ -100,11 +100,11 @@ class RaytracedJob:
         """Yield ever better pictures until the preset's samples are there."""
         grounded = self._session.scene.view.surface_look.ground
         for image in self._session.passes():
-            self._newest = image
-            pixels = add_coverage(image.sums.radiance, image.coverage)
+            self._newest, sums = image, image.sums
+            pixels = add_coverage(sums.radiance, sums.coverage)
             if grounded:
-                pixels = np.concatenate([pixels, image.sums.darkness.astype(np.float32)], axis=-1)
-            yield TracedFrame(pixels, image.samples, image.of, None, image.seconds)
+                pixels = np.concatenate([pixels, sums.darkness.astype(np.float32)], axis=-1)
+            yield TracedFrame(pixels, sums.samples, image.scene.quality.samples, None, sums.seconds)
 
     def denoise_picture(self, pixels: NDArray[np.float32]) -> NDArray[np.float32]:
         return pixels

@@ -7,12 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from brdf_suite.acquisition.reconstruction.reconstruction import Acquisition
-from brdf_suite.acquisition.reconstruction.table import (
-    Acquired,
-    kept_calibration,
-    kept_positions,
-    reconstruct,
-)
+from brdf_suite.acquisition.reconstruction.table import Acquired, kept_work, reconstruct
 from brdf_suite.errors import FileError
 from brdf_suite.files.measured.brdftable import write_brdftable
 from brdf_suite.files.measured.merl import write_merl
@@ -48,8 +43,8 @@ def acquire(
     """
     check_output(output, overwrite)
     work = work_path(output)
-    calibration = None if restart else kept_calibration(acquisition, work)
-    if calibration is None:
+    kept = None if restart else kept_work(acquisition, work)
+    if kept is None:
         # What nothing can be made of is refused, and warnings are kept for the user.
         report(progress, 0.0, "checking the files")
         for finding in acquisition.source.findings(None):
@@ -59,7 +54,7 @@ def acquire(
                 acquisition.notice(f"{finding.path}: {finding.reason}.")
         acquisition.calibrate(subrange(progress, 0.0, 0.25))
     else:
-        acquisition.take_calibration(calibration)
+        acquisition.take_calibration(kept[0])
     found = reconstruct(acquisition, subrange(progress, 0.25, 0.99), work, restart=restart)
     write_acquired(found, output, overwrite=overwrite)
     work.unlink()
@@ -83,14 +78,11 @@ def acquire_partial(
     """
     check_output(output, overwrite)
     work = work_path(output)
-    done = () if restart else kept_positions(acquisition, work)
-    if not done:
+    kept = None if restart else kept_work(acquisition, work)
+    if kept is None or not kept[1]:
         raise FileError(work, "holds no finished position, so there is nothing to write yet")
-    calibration = kept_calibration(acquisition, work)
-    if calibration is None:
-        raise FileError(work, "holds no calibration")
-    acquisition.take_calibration(calibration)
-    acquisition.options = replace(acquisition.options, positions=tuple(sorted(done)))
+    acquisition.take_calibration(kept[0])
+    acquisition.options = replace(acquisition.options, positions=tuple(sorted(kept[1])))
     found = reconstruct(acquisition, progress, work)
     write_acquired(found, output, overwrite=overwrite)
     return found

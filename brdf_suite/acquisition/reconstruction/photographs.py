@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Protocol
@@ -21,7 +21,7 @@ from brdf_suite.acquisition.reconstruction.options import AcquireOptions
 from brdf_suite.acquisition.reconstruction.work_file import StepClock
 from brdf_suite.acquisition.response.response import Response
 from brdf_suite.acquisition.session.check import check_session
-from brdf_suite.acquisition.session.finding import SessionFinding, exposures_lost
+from brdf_suite.acquisition.session.finding import SessionFinding
 from brdf_suite.acquisition.session.series import (
     PhotographSeries,
     SeriesKind,
@@ -80,9 +80,9 @@ class FolderSource:
         for finding in self._checked:
             if finding.severity == "position" and finding.position == k:
                 raise finding.error()
-        lost = exposures_lost(self._checked, k)
-        found = read_position(self.folder, self.session, k, leave_out=lost)
         skipped = [one for one in self._checked if one.position == k and one.severity == "exposure"]
+        lost = [one.exposure for one in skipped if one.exposure is not None]
+        found = read_position(self.folder, self.session, k, leave_out=lost)
         return replace(found, findings=(*skipped, *found.findings))
 
     def series(self, kind: SeriesKind) -> PhotographSeries | None:
@@ -155,7 +155,7 @@ class Calibration:
         return {
             "response": None if self.response is None else self.response.to_json(),
             "intrinsics": None if self.intrinsics is None else self.intrinsics.to_json(),
-            "geometry": self.geometry.to_json(),
+            "geometry": asdict(self.geometry),
             "figures": dict(self.figures),
             "left_out": [[k, reason] for k, reason in self.left_out.items()],
             "notices": list(self.notices),

@@ -161,8 +161,10 @@ def reconstruct(
         return _Reconstruction(acquisition, kept, done).run(progress, partial)
 
 
-def kept_calibration(acquisition: Acquisition, work: Path) -> Calibration | None:
-    """Return the calibration in a work file of the same session and options; None where there is none.
+def kept_work(acquisition: Acquisition, work: Path) -> tuple[Calibration, tuple[int, ...]] | None:
+    """Return the calibration in a work file of the same session and options, and which positions are done in it.
+
+    None where there is no such file, or nothing in it.
 
     Raises
     ------
@@ -174,16 +176,8 @@ def kept_calibration(acquisition: Acquisition, work: Path) -> Calibration | None
     with open_work(work) as kept:
         if not kept.records:
             return None
-        _taken_up(kept, work_key(acquisition))
-        return Calibration.from_json(kept.records[0].values["calibration"])
-
-
-def kept_positions(acquisition: Acquisition, work: Path) -> tuple[int, ...]:
-    """Return which positions are done in a work file of the same session and options; errors as above."""
-    if not work.exists():
-        return ()
-    with open_work(work) as kept:
-        return tuple(_taken_up(kept, work_key(acquisition)))
+        positions = tuple(_taken_up(kept, work_key(acquisition)))
+        return Calibration.from_json(kept.records[0].values["calibration"]), positions
 
 
 def work_key(acquisition: Acquisition) -> str:

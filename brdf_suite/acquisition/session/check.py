@@ -15,6 +15,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 import numpy as np
+from scipy.ndimage import uniform_filter
 
 from brdf_suite.acquisition.photographs.reading import PhotographFacts, photograph_facts, read_photograph
 from brdf_suite.acquisition.session.finding import SessionFinding, Severity
@@ -137,16 +138,10 @@ def highlight_column(codes: AnyArray, bit_depth: int) -> float | None:
         if top <= black:
             continue
         # A hot pixel is alone, a highlight is not: a mean of three columns and rows keeps it below.
-        smooth = _of_three(_of_three(brightness - black).T).T
+        smooth = uniform_filter(brightness - black, 3, mode="nearest")
         bright = np.where(smooth >= _BRIGHT * smooth.max(), smooth, 0.0)
         return float((bright.sum(axis=0) * np.arange(bright.shape[1])).sum() / bright.sum())
     return None
-
-
-def _of_three(values: AnyArray) -> AnyArray:
-    padded = np.pad(values, ((0, 0), (1, 1)), mode="edge")
-    mean: AnyArray = (padded[:, :-2] + padded[:, 1:-1] + padded[:, 2:]) / 3.0
-    return mean
 
 
 def _longest_rise(values: list[float], slack: float) -> list[int]:

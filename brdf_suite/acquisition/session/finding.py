@@ -43,9 +43,3 @@ class SessionFinding:
     def to_json(self) -> dict[str, object]:
         """Return the fields that are there."""
         return {name: value for name, value in vars(self).items() if value not in (None, "")}
-
-
-def exposures_lost(findings: tuple[SessionFinding, ...], position: int) -> frozenset[int]:
-    """Return the indices of the exposures that are left out of a position."""
-    own = [f.exposure for f in findings if f.severity == "exposure" and f.position == position]
-    return frozenset(exposure for exposure in own if exposure is not None)

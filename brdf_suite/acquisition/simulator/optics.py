@@ -56,14 +56,6 @@ def lengths(vectors: Floats) -> Floats:
     return np.asarray(np.sqrt(np.einsum("ij,ij->i", vectors, vectors)))
 
 
-def tilt_camera(height: float, distance: float, tilt: float) -> tuple[Floats, Floats]:
-    """Return centre and axes of a camera at (0, height, distance) that looks along -z, tilted up by radians."""
-    sine, cosine = math.sin(tilt), math.cos(tilt)
-    # The axis into the scene is (0, sin, -cos); right stays +x, and down is what completes a right-handed frame.
-    turn = np.array([[1.0, 0.0, 0.0], [0.0, -cosine, -sine], [0.0, sine, -cosine]])
-    return np.array([0.0, height, distance]), turn
-
-
 def distort(lens: Lens, u: Floats, v: Floats) -> tuple[Floats, Floats]:
     """Return where an ideal image point is seen, both in focal lengths."""
     r2 = u * u + v * v

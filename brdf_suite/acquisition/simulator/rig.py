@@ -25,7 +25,6 @@ from brdf_suite.acquisition.simulator.optics import (
     SimulatedCamera,
     SimulatedLamp,
     profile_table,
-    tilt_camera,
 )
 from brdf_suite.acquisition.simulator.picture import (
     BOARD_COLUMNS,
@@ -255,5 +254,8 @@ def _optics(settings: SimulatorSettings) -> SimulatedCamera:
     # The principal point is never quite the middle of the picture.
     principal = (0.5 * (width - 1) + 0.004 * width, 0.5 * (height - 1) - 0.003 * height)
     lens = Lens(focal, focal, *principal, settings.distortion / corner**2)
-    centre, turn = tilt_camera(settings.camera_height_m, settings.camera_distance_m, _tilt(settings))
+    sine, cosine = math.sin(_tilt(settings)), math.cos(_tilt(settings))
+    # The axis into the scene is (0, sin, -cos); right stays +x, and down is what completes a right-handed frame.
+    turn = np.array([[1.0, 0.0, 0.0], [0.0, -cosine, -sine], [0.0, sine, -cosine]])
+    centre = np.array([0.0, settings.camera_height_m, settings.camera_distance_m])
     return SimulatedCamera(centre, turn, lens)

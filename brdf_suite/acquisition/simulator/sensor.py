@@ -125,13 +125,6 @@ def curve_table(curve: Curve) -> Floats:
     return table
 
 
-def exposure_at(curve: Curve, share: float) -> Floats:
-    """Return the filling (3,) at which a share of the scale is reached."""
-    table = curve_table(curve)
-    places = np.linspace(0.0, 1.0, CURVE_STEPS + 1)
-    return np.array([np.interp(share, row, places) for row in table])
-
-
 @dataclass(frozen=True, eq=False)
 class Sensor:
     """A sensor of ``shape`` (h, w); ``gain`` and ``dark_rate`` (h, w) float32 differ from pixel to pixel."""
@@ -162,7 +155,8 @@ class Sensor:
         """Return the full well's exposure in the photographs' unit, (3,): half of full scale counts as 0.5."""
         white = 2**self.settings.bit_depth - 1
         middle = (2 ** (self.settings.bit_depth - 1) - self.black) / (white - self.black)
-        return 0.5 / exposure_at(self.settings.curve, middle)
+        places = np.linspace(0.0, 1.0, CURVE_STEPS + 1)
+        return 0.5 / np.array([np.interp(middle, row, places) for row in curve_table(self.settings.curve)])
 
     def expose(self, rate: Singles, exposures_s: tuple[float, ...], shot: int) -> Codes:
         """Return the codes (e, h, w, 3) of a picture (h, w, 3), full wells per second, at each exposure time.

@@ -19,7 +19,6 @@ import numpy as np
 import numpy.typing as npt
 
 from brdf_suite.arrays import Floats, Singles
-from brdf_suite.geometry.directions import from_half_angle_coordinates, spherical
 from brdf_suite.reflectance.tabulated.half_angle_grid import HalfAngleGrid
 
 Layout = Literal["half-angle", "linear", "traditional"]
@@ -83,18 +82,6 @@ class Parameterization:
         # θ = π/2 and Δφ = π belong to the last bin.
         ends = np.nextafter(np.array(self.shape, float), 0.0)[:, None]
         return np.asarray(np.minimum(places, ends), np.float64)
-
-    def centres(self, first: int) -> tuple[Floats, Floats]:
-        """Return ``wi`` and ``wo`` (b, c, 3) at the centres of the bins with index ``first`` along the first axis."""
-        a, b, c = self.shape
-        second = (np.arange(b) + 0.5) / b * _HALF_PI
-        third = (np.arange(c) + 0.5) / c * np.pi
-        if self.layout == "traditional":
-            wi = spherical(_HALF_PI * (first + 0.5) / a, np.zeros((b, c)))
-            return wi, spherical(second[:, None], third[None, :])
-        share = (first + 0.5) / a
-        theta_h = _HALF_PI * (share if self.layout == "linear" else share * share)
-        return from_half_angle_coordinates(theta_h, 0.0, second[:, None], third[None, :])
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,6 @@ import numpy.typing as npt
 from brdf_suite.acquisition.table.sums import GEOMETRIC_ERROR, Parameterization, TableSums
 from brdf_suite.arrays import AnyArray, Bools, Floats, Indices, Singles
 from brdf_suite.errors import ValueRangeError
-from brdf_suite.progress import Progress, report
 from brdf_suite.reflectance.blocks import in_blocks, look_up_above
 from brdf_suite.reflectance.tabulated.half_angle_grid import PHI_REACH, fill_holes
 from brdf_suite.reflectance.tabulated.isotropic import Coverage, IsotropicTable
@@ -62,7 +61,6 @@ class ParameterizedTable:
 
     def eval(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return f_r (..., 3) in 1/sr, without the cosine; 0 below the horizon."""
-
         return in_blocks(partial(look_up_above, self._between), wi, wo)
 
     def nearest(self, wi: AnyArray, wo: AnyArray) -> tuple[Singles, Bools]:
@@ -142,7 +140,6 @@ def half_angle_table(
     means: BinMeans,
     source: str = "",
     facts: Mapping[str, Any] | None = None,
-    progress: Progress | None = None,
 ) -> IsotropicTable:
     """Return the table of ``means`` (layout ``half-angle``) with its holes filled and its coverage kept.
 
@@ -155,7 +152,6 @@ def half_angle_table(
         raise ValueError(f"a table of the suite has half-angle bins, not {means.parameterization.layout}")
     if not means.measured.any():
         raise ValueRangeError("table", "no bin has a reading; nothing was measured")
-    report(progress, 0.0, "filling holes")
     values, known = means.filled()
     return IsotropicTable(values, ~known, True, source, facts or {}, means.coverage)
 

@@ -129,7 +129,6 @@ def _moved(given: list[float]) -> tuple[int, float, float]:
 
 
 _MOST_ALIKE = 6
-"""Return one notice for each kind of finding, where findings differ in names and numbers alone."""
 
 
 def add(command: argparse.ArgumentParser) -> None:

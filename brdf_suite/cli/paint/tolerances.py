@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from brdf_suite.appearance.difference.tolerance import AngleVerdict, Limits, Tolerances, find_difference
 from brdf_suite.cli.output import add_arguments
@@ -69,17 +69,12 @@ def parse_tolerances(options: argparse.Namespace, read: Sequence[float]) -> Tole
         return None
     known = [(angle, Limits(**parts, ellipsoid=options.ellipsoid)) for angle, parts in options.tolerance]
     by_angle = {angle: limits for angle, limits in known if angle is not None}
-    check_angles(by_angle, read)
-    others = [limits for angle, limits in known if angle is None]
-    return Tolerances(by_angle, others[-1] if others else None, options.difference)
-
-
-def check_angles(wanted: Iterable[float], read: Sequence[float]) -> None:
-    """Refuse a tolerance at an angle that is not read: it would judge nothing, and the sample would pass."""
-    for angle in wanted:
+    for angle in by_angle:  # it would judge nothing, and the sample would pass
         if not any(math.isclose(angle, one, abs_tol=1e-6) for one in read):
             angles = ", ".join(f"{one:g}" for one in dict.fromkeys(read))
             raise SuiteError(f"tolerance at {angle:g}°: nothing is read there; the geometry has {angles}°.")
+    others = [limits for angle, limits in known if angle is None]
+    return Tolerances(by_angle, others[-1] if others else None, options.difference)
 
 
 def verdict_text(row: AngleVerdict) -> str:

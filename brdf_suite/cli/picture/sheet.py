@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import argparse
-from dataclasses import asdict
 from pathlib import Path
 
-from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_json, print_notes
+from brdf_suite.cli.output import add_arguments, add_export, export_progress, print_written
 from brdf_suite.cli.picture.scene_options import add_picture, add_scene, parse_settings, parse_view
 from brdf_suite.reports.contact_sheet.document import write_sheet
 
@@ -49,13 +48,8 @@ def run(options: argparse.Namespace) -> int:
             form=None if options.form == "surface" else options.form,
             progress=progress,
         )
-    if options.json:
-        facts = asdict(made)
-        facts["output"] = str(facts.pop("path"))
-        print_json(facts)
-    else:
-        print_notes(made.notices)
-        print_notes(made.problems, "not drawn")
-        size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"
-        print(f"{made.path}: {made.paints} paints, {size}")
+    size = f"{made.pages} pages" if made.pages else f"{made.width}×{made.height}"
+    problems = [f"not drawn: {problem}" for problem in made.problems]
+    lines = [*problems, f"{made.path}: {made.paints} paints, {size}"]
+    print_written(made, "\n".join(lines), as_json=options.json)
     return 1 if made.problems else 0

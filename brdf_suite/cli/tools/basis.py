@@ -106,23 +106,11 @@ def run(options: argparse.Namespace) -> int:
 
 def command_line(options: argparse.Namespace, workers: int) -> str:
     """Return the command that makes this answer again; what was left out and has one default stays out."""
-    words = [
-        "brdf-suite",
-        "basis",
-        "--lobes",
-        options.lobes,
-        "--starts",
-        options.starts,
-        "--workers",
-        workers,
-    ]
-    if options.database is not None:
-        words += ["--database", options.database]
-    if options.output != _OUTPUT:
-        words += ["-o", options.output]
-    if options.default is not None:
-        words += ["--default", options.default]
-    return shlex.join(str(word) for word in words)
+    output = None if options.output == _OUTPUT else options.output
+    given = {"--lobes": options.lobes, "--starts": options.starts, "--workers": workers}
+    given |= {"--database": options.database, "-o": output, "--default": options.default}
+    words = [str(word) for pair in given.items() if pair[1] is not None for word in pair]
+    return shlex.join(["brdf-suite", "basis", *words])
 
 
 def _provenance(

@@ -42,7 +42,6 @@ def add(command: argparse.ArgumentParser) -> None:
 
 def info(options: argparse.Namespace) -> int:
     """Print the place, the sizes and the entries, the one used last first."""
-
     cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
     rows = [_row(entry) for entry in reversed(cache.entries())]
     baked = occlusion.entries()
@@ -85,7 +84,6 @@ def info(options: argparse.Namespace) -> int:
 
 def clear(options: argparse.Namespace) -> int:
     """Empty the cache and print the size of the removed files."""
-
     cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
     removed: list[tuple[int, int]] = []
     for kind in (cache, occlusion):
@@ -118,7 +116,6 @@ def clear(options: argparse.Namespace) -> int:
 
 def verify(options: argparse.Namespace) -> int:
     """Check every entry and print what is damaged; 1 where something is, removed or not."""
-
     cache, occlusion, pictures = MapCache(), occlusion_cache(), SwatchStore()
     with progress_bar("checking", quiet=options.json) as progress:
         found = cache.verify(remove_damaged=options.remove, progress=progress)
@@ -170,7 +167,6 @@ def verify(options: argparse.Namespace) -> int:
 
 def _row(entry: CacheEntry) -> dict[str, object]:
     """Return one entry as plain values; ``environment`` is empty where the file does not name it."""
-
     try:
         facts = read_header(PLAIN, entry.path)
     except FileError:

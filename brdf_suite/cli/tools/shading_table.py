@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import json
 from pathlib import Path
-from typing import Any
 
 from brdf_suite.cli.output import progress_bar
 from brdf_suite.documents.atomic import write_atomically
@@ -31,14 +30,9 @@ def run(options: argparse.Namespace) -> int:
     """Make the table and write it."""
     with progress_bar("fitting look-ups", quiet=False) as progress:
         table = shading_table(progress)
-    write_atomically(options.output, table_text(table).encode())
-    print(f"{options.output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
-    return 0
-
-
-def table_text(table: dict[str, Any]) -> str:
-    """Return the table as JSON, one lobe on a line."""
     text = json.dumps(table)
     for opening in ('{"toward_normal"', '"targets"', '"coated"', '"gloss"', '"diffuse"', '"cosines"'):
-        text = text.replace(opening, "\n" + opening)
-    return text + "\n"
+        text = text.replace(opening, "\n" + opening)  # one lobe on a line
+    write_atomically(options.output, f"{text}\n".encode())
+    print(f"{options.output}: {len(table['targets'])} targets, {len(table['exponents'])} exponents")
+    return 0

@@ -74,7 +74,8 @@ class AspecularBaseTerm:
         else:
             if base.by_half_vector:
                 farthest = float(squared_tilt(np.array(base.farthest), base.illumination, base.ior))
-                tilt = dr.minimum(_tilt_between(light, view, base.ior), d.number(farthest))
+                between = dr.squared_norm(d.slope_between(light, view, base.ior))
+                tilt = dr.minimum(between, d.number(farthest))
             else:
                 tilt = _tilt(gamma, base.illumination, base.ior)
             ground, height, u = (d.colour(part.tolist()) for part in (rule.ground, rule.height, rule.u))
@@ -109,12 +110,9 @@ class SeveralLightsTerm:
         terms = tuple(AspecularBaseTerm.of(base) for base in lights.bases)
         if len(terms) == 2:
             return cls(terms, ())
-        gamma, theta_d = np.meshgrid(
-            np.linspace(0.0, math.pi, _CELLS), np.linspace(0.0, 0.5 * math.pi, _CELLS), indexing="ij"
-        )
-        return cls(
-            terms, tuple(mi.Float(s.astype(np.float32).ravel()) for s in lights.shares(gamma, theta_d))
-        )
+        axes = np.linspace(0.0, math.pi, _CELLS), np.linspace(0.0, 0.5 * math.pi, _CELLS)
+        shares = lights.shares(*np.meshgrid(*axes, indexing="ij"))
+        return cls(terms, tuple(mi.Float(share.astype(np.float32).ravel()) for share in shares))
 
     @property
     def samplers(self) -> Sequence[Sampler]:
@@ -165,10 +163,3 @@ def _tilt(gamma: Real, illumination: float, ior: float) -> Real:
     # tan((a - b)/2) = (sin a - sin b)/(cos a + cos b).
     tangent = apart / (d.number(math.sqrt(1.0 - first * first)) + cosine)
     return tangent * tangent
-
-
-def _tilt_between(light: Vector, view: Vector, ior: float) -> Real:
-    n2 = d.number(ior * ior)
-    up = dr.sqrt(n2 - (light.x**2 + light.y**2)) + dr.sqrt(n2 - (view.x**2 + view.y**2))
-    across = (light.x + view.x) ** 2 + (light.y + view.y) ** 2
-    return across / (up * up)

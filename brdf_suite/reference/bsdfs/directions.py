@@ -73,22 +73,16 @@ class Half:
         return cls(cos_d, 0.5 * total.z / cos_d, across / up)
 
 
-def cosine_hemisphere(u: Square) -> Vector:
-    """Return directions even in the projected solid angle."""
-    return mi.warp.square_to_cosine_hemisphere(u)
-
-
-def cosine_pdf(light: Vector) -> Real:
-    """Return the density of :func:`cosine_hemisphere` per solid angle."""
-    return dr.maximum(light.z, 0.0) / math.pi
-
-
 def beckmann_mirrored(view: Vector, u: Square, slope: float) -> Vector:
     """Return the view mirrored at facets whose normals are spread as a Beckmann surface of ``slope``."""
-    tan2 = number(-slope * slope) * dr.log(dr.maximum(1.0 - u.x, 1e-30))
+    return mirrored_at(view, number(-slope * slope) * dr.log(dr.maximum(1.0 - u.x, 1e-30)), u.y)
+
+
+def mirrored_at(view: Vector, tan2: Real, turn: Real) -> Vector:
+    """Return the view mirrored at half vectors of ``tan2`` θh, at a ``turn`` 0…1 about the normal."""
     cos_h = dr.rsqrt(1.0 + tan2)
     sin_h = dr.sqrt(tan2) * cos_h
-    sine, cosine = dr.sincos(2.0 * math.pi * u.y)
+    sine, cosine = dr.sincos(2.0 * math.pi * turn)
     half = mi.Vector3f(sin_h * cosine, sin_h * sine, cos_h)
     return dr.fma(2.0 * dr.dot(view, half), half, -view)
 
@@ -105,7 +99,7 @@ def beckmann_pdf(half: Half, slope: float) -> Real:
 def lobe_about_mirror(view: Vector, u: Square, exponent: float) -> Vector:
     """Return directions of the cosine lobe of ``exponent`` about the view's mirror direction."""
     # The cosine is (1 - u)^(1/(E+1)); its complement is worked with, which has the digits.
-    away = one_minus_exp(-dr.log(dr.maximum(1.0 - u.x, 1e-30)) * number(1.0 / (exponent + 1.0)))
+    away = -exp_minus_one(dr.log(dr.maximum(1.0 - u.x, 1e-30)) * number(1.0 / (exponent + 1.0)))
     sine = dr.sqrt(dr.maximum(away * (2.0 - away), 0.0))
     y, x = dr.sincos(2.0 * math.pi * u.y)
     axis = mirrored(view)
@@ -116,21 +110,28 @@ def lobe_about_mirror(view: Vector, u: Square, exponent: float) -> Vector:
 def mirror_lobe(away: Real, exponent: float) -> Real:
     """Return (1 - ``away``)^E without loss for narrow lobes; 0 beyond a right angle."""
     inside = away < 1.0
-    power = dr.exp(number(exponent) * log_of_one_minus(dr.select(inside, away, 0.0)))
+    power = dr.exp(number(exponent) * log_one_plus(dr.select(inside, -away, 0.0)))
     return dr.select(inside, power, 0.0)
 
 
-def log_of_one_minus(x: Real) -> Real:
-    """Return ln(1 - x) for 0 ≤ x < 1, exact to single precision also for small x."""
-    # For small x the series; ln(1 - x) itself loses the digits of x.
-    series = -x * (1.0 + x * (0.5 + x * (1.0 / 3.0 + x * (0.25 + x * 0.2))))
-    return dr.select(x < 0.02, series, dr.log(dr.maximum(1.0 - x, 1e-30)))
+def slope_between(light: Vector, view: Vector, ior: float) -> Any:
+    """Return the slope of the flake that mirrors one to the other; see ``flakes.tilt.flake_slope``."""
+    n2 = number(ior * ior)
+    up = dr.sqrt(n2 - (light.x**2 + light.y**2)) + dr.sqrt(n2 - (view.x**2 + view.y**2))
+    return mi.Vector2f(light.x + view.x, light.y + view.y) / dr.maximum(up, 1e-6)
 
 
-def one_minus_exp(x: Real) -> Real:
-    """Return 1 - exp(-x) for x ≥ 0, exact to single precision also for small x."""
-    series = x * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0))))
-    return dr.select(x < 0.02, series, 1.0 - dr.exp(-x))
+def log_one_plus(x: Real) -> Real:
+    """Return ln(1 + x) for x > -1, exact to single precision also for small x."""
+    # For small x the series; ln(1 + x) itself loses the digits of x.
+    series = x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - x * (0.25 - x * 0.2))))
+    return dr.select(abs(x) < 0.02, series, dr.log(dr.maximum(1.0 + x, 1e-30)))
+
+
+def exp_minus_one(x: Real) -> Real:
+    """Return exp(x) - 1, exact to single precision also for small x; never infinite."""
+    series = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0))))
+    return dr.select(abs(x) < 0.02, series, dr.exp(dr.minimum(x, 60.0)) - 1.0)
 
 
 def luminance(colour: Colour) -> Real:

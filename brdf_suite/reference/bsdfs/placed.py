@@ -18,15 +18,16 @@ from brdf_suite.reference.bsdfs.terms import Sampler, SumTerm
 from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.mitsuba_modules import dr, mi
 from brdf_suite.reference.scene.place import (
+    Frame,
     OrangePeelSlopes,
     Place,
     Slopes,
-    TiltedFrame,
     TiltedSampler,
     WeightedSampler,
     folds,
     look_up,
     texture,
+    tilted_frame,
 )
 
 
@@ -82,10 +83,10 @@ class LayeredPaintBsdf:
         """Return the paint at a place."""
         up = mi.Vector3f(0.0, 0.0, 1.0)
         level = mi.Vector2f(0.0)
-        below = TiltedFrame.of(up, level if self.shape is None else self.shape.at(place.uv), place, view)
+        below = tilted_frame(up, level if self.shape is None else self.shape.at(place.uv), place, view)
         above = below
         if self.peel is not None:
-            above = TiltedFrame.of(below.normal, self.peel.at(place.uv), place, view)
+            above = tilted_frame(below.n, self.peel.at(place.uv), place, view)
             if self.coat is None:
                 below = above
         tilted = self.shape is not None or self.peel is not None
@@ -185,7 +186,7 @@ class TwoToneBsdf:
 
 def _of_layer(
     term: Any,
-    frame: TiltedFrame,
+    frame: Frame,
     light: Vector,
     view: Vector,
     flaked: Callable[[Colour, Vector, Vector], Colour] | None,
@@ -198,12 +199,12 @@ def _of_layer(
     return dr.select(above, value * light.z, mi.Color3f(0.0))
 
 
-def _frame_of_flakes(place: Place, below: TiltedFrame) -> Callable[[Vector], Vector]:
+def _frame_of_flakes(place: Place, below: Frame) -> Callable[[Vector], Vector]:
     """Return the rotation of directions from the tilted frame to that of the flakes, which is fixed on the object.
 
     The tangents are those of the shader's ``local_frame`` (Duff et al., JCGT 6(1), 2017), of the normal in the world.
     """
-    n = place.to_world(below.normal)
+    n = place.to_world(below.n)
     side = dr.select(n.z >= 0.0, mi.Float(1.0), mi.Float(-1.0))
     a = -1.0 / (side + n.z)
     b = n.x * n.y * a
@@ -211,7 +212,7 @@ def _frame_of_flakes(place: Place, below: TiltedFrame) -> Callable[[Vector], Vec
     t = mi.Vector3f(b, side + n.y * n.y * a, -n.y)
 
     def turned(direction: Vector) -> Vector:
-        world = place.to_world(below.to_surface(direction))
+        world = place.to_world(below.to_world(direction))
         return mi.Vector3f(dr.dot(world, s), dr.dot(world, t), direction.z)
 
     return turned

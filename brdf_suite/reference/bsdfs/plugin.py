@@ -51,15 +51,12 @@ def _plug_in() -> Any:
             return found, dr.select(active, weight, mi.Color3f(0.0))
 
         def eval(self, _context: Any, si: Any, wo: Any, active: Any = True) -> Any:
-            return self._both(si, wo, active)[0]
+            return self.eval_pdf(_context, si, wo, active)[0]
 
         def pdf(self, _context: Any, si: Any, wo: Any, active: Any = True) -> Any:
-            return self._both(si, wo, active)[1]
+            return self.eval_pdf(_context, si, wo, active)[1]
 
         def eval_pdf(self, _context: Any, si: Any, wo: Any, active: Any = True) -> tuple[Any, Any]:
-            return self._both(si, wo, active)
-
-        def _both(self, si: Any, wo: Any, active: Any) -> tuple[Any, Any]:
             view, side = _facing(si.wi)
             light = mi.Vector3f(wo.x, wo.y, wo.z * side)
             active &= (view.z > 0.0) & (light.z > 0.0)

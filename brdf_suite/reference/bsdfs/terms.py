@@ -59,11 +59,11 @@ class Diffuse:
 
     def sample(self, _view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
-        return d.cosine_hemisphere(u)
+        return mi.warp.square_to_cosine_hemisphere(u)
 
     def pdf(self, light: Vector, _view: Vector) -> Real:
         """Return the density per solid angle."""
-        return d.cosine_pdf(light)
+        return dr.maximum(light.z, 0.0) / math.pi
 
 
 @dataclass(frozen=True)

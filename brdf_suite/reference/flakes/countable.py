@@ -51,7 +51,7 @@ class FlakeLayer:
         It is c R T(light) T(view) bell / (8π m² n² cosθ'l cosθ'v): flakes of coverage c and reflectance R whose tilts
         have the density bell / (2π m²) per solid angle, below a coat of index n, θ' below it; never most of the base.
         """
-        slope = slope_between(light, view, self.ior)
+        slope = d.slope_between(light, view, self.ior)
         m2 = self.flakes.roughness**2
         most = self.strength * flake_coverage(self.flakes) * FLAKE_REFLECTANCE / (8.0 * math.pi * m2)
         wanted = d.number(most / self.ior**2) * tilt_bell(dr.squared_norm(slope), self.flakes.roughness)
@@ -62,7 +62,7 @@ class FlakeLayer:
 
     def ratio(self, place: Place, light: Vector, view: Vector, to_flakes: Any) -> Colour:
         """Return the light of the place's flakes over their mean; ``to_flakes`` turns directions to theirs."""
-        slope = slope_between(to_flakes(light), to_flakes(view), self.ior)
+        slope = d.slope_between(to_flakes(light), to_flakes(view), self.ior)
         if self.as_texture:
             reach = footprint_of_sample(PIXEL_REACH)
             seen = flakes_seen(self.flakes, place.uv, place.across, place.down, reach)
@@ -70,13 +70,6 @@ class FlakeLayer:
         else:
             found = FlakeField.of(place, self).ratio(slope)
         return dr.select(place.seen, found, mi.Color3f(1.0))
-
-
-def slope_between(light: Vector, view: Vector, ior: float) -> Any:
-    """Return the slope of the flake that mirrors one to the other; see ``flakes.tilt.flake_slope``."""
-    n2 = d.number(ior * ior)
-    up = dr.sqrt(n2 - (light.x**2 + light.y**2)) + dr.sqrt(n2 - (view.x**2 + view.y**2))
-    return mi.Vector2f(light.x + view.x, light.y + view.y) / dr.maximum(up, 1e-6)
 
 
 def tilt_bell(slope2: Real, roughness: float) -> Real:

@@ -104,17 +104,13 @@ class LightSet:
         drawn from a row evenly gives the light of all on the average.
         """
         luminous = self.strengths @ LUMINANCE
-        up = self._height()
+        up = self.ground_cosines()
         size = 1 << max(10, math.ceil(math.log2(8 * max(len(self), 1))))
         entries, factors = zip(*(_entries(light, size) for light in (luminous, luminous * up)), strict=True)
         return np.stack(entries), np.stack(factors)
 
-    def ground_irradiance(self) -> Floats:
-        """Return the irradiance (3,) of an open level ground by the environment's lights."""
-        return np.asarray(self._height() @ self.strengths)
-
-    def _height(self) -> Floats:
-        """The cosine (n,) of the environment's lights to a level ground, 0 for lamps."""
+    def ground_cosines(self) -> Floats:
+        """Return the cosine (n,) of the environment's lights to a level ground, 0 for lamps."""
         return np.where(self.kinds <= SUN, np.maximum(self.places[:, 1], 0.0), 0.0)
 
 

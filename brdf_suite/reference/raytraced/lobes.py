@@ -20,8 +20,8 @@ from typing import Any
 
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Half, Real, Square, Vector
-from brdf_suite.reference.bsdfs.terms import FacetLobe
-from brdf_suite.reference.mitsuba_modules import dr, mi
+from brdf_suite.reference.bsdfs.terms import AboutMirror, FacetLobe, Facets
+from brdf_suite.reference.mitsuba_modules import dr
 
 _EVEN = 1e4
 LARGEST_SLOPE = 0.12
@@ -44,58 +44,29 @@ def equivalent_exponent(slope: float) -> float:
 def cosine_lobe_mirrored(view: Vector, u: Square, exponent: Real) -> Vector:
     """Return the view mirrored at half vectors of a cosine lobe about the normal; some lie below the horizon."""
     # cos θ = r^(1/(n+1)), so tan² θ = exp(-2 ln r / (n+1)) - 1: no difference of numbers near 1.
-    tan2 = exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
-    cosine = dr.rsqrt(1.0 + tan2)
-    sine = dr.sqrt(tan2) * cosine
-    y, x = dr.sincos(2.0 * math.pi * u.y)
-    half = mi.Vector3f(sine * x, sine * y, cosine)
-    return dr.fma(2.0 * dr.dot(view, half), half, -view)
+    tan2 = d.exp_minus_one(-2.0 * dr.log(dr.maximum(1.0 - u.x, 1e-30)) / (exponent + 1.0))
+    return d.mirrored_at(view, tan2, u.y)
 
 
 def cosine_lobe_pdf(half: Half, exponent: Real) -> Real:
     """Return the density of :func:`cosine_lobe_mirrored` per solid angle."""
-    power = dr.exp(-0.5 * exponent * log_one_plus(half.tan2_h))
+    power = dr.exp(-0.5 * exponent * d.log_one_plus(half.tan2_h))
     return (exponent + 1.0) * (0.5 / math.pi) * power / (4.0 * half.cos_d)
 
 
-def exp_minus_one(x: Real) -> Real:
-    """Return exp(x) - 1 for x ≥ 0, exact to single precision also for small x; never infinite."""
-    x = dr.minimum(x, 60.0)
-    series = x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0))))
-    return dr.select(x < 0.02, series, dr.exp(x) - 1.0)
-
-
-def log_one_plus(x: Real) -> Real:
-    """Return ln(1 + x) for x ≥ 0, exact to single precision also for small x."""
-    series = x * (1.0 - x * (0.5 - x * (1.0 / 3.0 - x * (0.25 - x * 0.2))))
-    return dr.select(x < 0.02, series, dr.log(1.0 + x))
-
-
 @dataclass(frozen=True, eq=False)
-class FacetGlint:
-    """A narrow microfacet lobe: a ``term`` with its value, the sampling ``slope``, and its ``share``.
+class FacetGlint(Facets):
+    """A narrow microfacet lobe: a ``term`` with its value, sampled as a cosine lobe.
 
-    ``share`` is how much the lobe sends of what all narrow ones do, as a luminance; with ``ior`` it follows Fresnel.
+    ``weight`` is how much the lobe sends of what all narrow ones do, as a luminance.
     """
 
-    term: Any
-    slope: float
-    share: float
-    ior: float | None = None
+    term: Any = None
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out."""
         return self.slope >= LEAST_SUNLIT_SLOPE
-
-    def weight(self, view: Vector) -> Real:
-        """Return the share of a mixture, to a common factor."""
-        share = d.number(self.share)
-        return share if self.ior is None else share * d.fresnel(view.z, self.ior)
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return self.term.eval(light, view)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -107,34 +78,15 @@ class FacetGlint:
 
 
 @dataclass(frozen=True, eq=False)
-class MirrorLobe:
-    """A narrow cosine lobe of fitted weights about the mirror direction, sampled by itself."""
+class MirrorLobe(AboutMirror):
+    """A narrow cosine lobe of fitted weights about the mirror direction, sampled by itself; ``term`` has its value."""
 
-    term: Any
-    exponent: float
-    share: float
+    term: Any = None
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out."""
         return self.exponent <= 0.5 / LEAST_SUNLIT_SLOPE**2
-
-    def weight(self, _view: Vector) -> Real:
-        """Return the share of a mixture, to a common factor."""
-        return d.number(self.share)
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return self.term.eval(light, view)
-
-    def sample(self, view: Vector, u: Square) -> Vector:
-        """Return directions to the light."""
-        return d.lobe_about_mirror(view, u, self.exponent)
-
-    def pdf(self, light: Vector, view: Vector) -> Real:
-        """Return the density of :meth:`sample` per solid angle."""
-        away = d.one_minus_mirror_cosine(light, view)
-        return d.number((self.exponent + 1.0) / (2.0 * math.pi)) * d.mirror_lobe(away, self.exponent)
 
 
 @dataclass(frozen=True, eq=False)

@@ -46,7 +46,7 @@ class Split:
         """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
         total: Colour = mi.Color3f(0.0)
         for lobe in self.sunlit if sunlit else self.narrow:
-            total += lobe.eval(light, view)
+            total += lobe.term.eval(light, view)
         return total
 
     def sample(self, view: Vector, choice: Real, u: Square) -> tuple[Vector, Colour, Real]:
@@ -56,7 +56,7 @@ class Split:
         """
         if not self.narrow:
             return mi.Vector3f(0.0, 0.0, 1.0), mi.Color3f(0.0), mi.Float(1.0)
-        shares = [lobe.weight(view) for lobe in self.narrow]
+        shares = [lobe.share(view) for lobe in self.narrow]
         total = shares[0]
         for share in shares[1:]:
             total = total + share
@@ -68,7 +68,7 @@ class Split:
             drawn = lobe.sample(view, u)
             above = (drawn.z > 0.0) & (view.z > 0.0)
             pdf = lobe.pdf(drawn, view) * share / total
-            value = lobe.eval(drawn, view) * (drawn.z / pdf)
+            value = lobe.term.eval(drawn, view) * (drawn.z / pdf)
             light = dr.select(chosen, drawn, light)
             weight = dr.select(chosen, dr.select(above & (pdf > 0.0), value, 0.0), weight)
             if lobe.is_sunlit:
@@ -79,10 +79,9 @@ class Split:
 
 
 @dataclass(frozen=True, eq=False)
-class MirroredSplit:
+class MirroredSplit(Split):
     """A split whose narrow lobes are replaced by mirror reflection with their whole albedo."""
 
-    split: Split
     albedo: Any
 
     @classmethod
@@ -96,26 +95,12 @@ class MirroredSplit:
         means = np.array(weight).reshape(3, _MIRROR_NODES, _MIRROR_SAMPLES).mean(axis=2)
         table = mi.Float(np.ascontiguousarray(means.T, np.float32).ravel())
         dr.eval(table)
-        return cls(split, table)
-
-    @property
-    def broad(self) -> Any:
-        """The broad part."""
-        return self.split.broad
-
-    @property
-    def narrow(self) -> tuple[Any, ...]:
-        """The narrow lobes."""
-        return self.split.narrow
+        return cls(split.broad, split.narrow, table)
 
     @property
     def sunlit(self) -> tuple[Any, ...]:
         """None: mirrored rays hit suns as well."""
         return ()
-
-    def narrow_value(self, light: Vector, view: Vector, *, sunlit: bool = False) -> Colour:
-        """Return f_r of the narrow lobes, or of those that suns light, 1/sr."""
-        return mi.Color3f(0.0) if sunlit else self.split.narrow_value(light, view)
 
     def sample(self, view: Vector, _choice: Real, _u: Square) -> tuple[Vector, Colour, Real]:
         """Return the mirror direction, the lobes' albedo for the view, and 1: the ray finds suns as well."""
@@ -182,7 +167,7 @@ class PartOfWeights(LobeWeightsTerm):
         return LobeWeightsTerm._gains(self.whole or self, cosine)
 
 
-def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split | MirroredSplit:
+def split(term: Any, *, mirror: bool = False, tables: TableSplit = "clamp") -> Split:
     """Return a term cut in two; ``mirror``: its narrow lobes are mirrored, and then fewer lobes are narrow."""
     largest = LARGEST_MIRROR_SLOPE if mirror else LARGEST_SLOPE
     broad, narrow = _parts(term, largest, tables, mirror)
@@ -198,12 +183,12 @@ def _parts(term: Any, largest: float, tables: TableSplit, mirror: bool) -> tuple
     if isinstance(term, CoatLobeTerm):
         if term.roughness > largest:
             return [term], []
-        return [], [FacetGlint(term, term.roughness, 1.0, term.ior)]
+        return [], [FacetGlint(1.0, term.roughness, term.ior, term)]
     if isinstance(term, FacetLobe):
         if term.slope > largest:
             return [WideFacets(term)], []
         share = 4.0 * term.scale * luminance(term.ks)
-        return [], [FacetGlint(term, term.slope, share, term.ior)]
+        return [], [FacetGlint(share, term.slope, term.ior, term)]
     if isinstance(term, UnderCoat):
         broad, narrow = _parts(term.base, largest, tables, mirror)
         seen = [ThroughCoat(term, part) for part in broad]
@@ -231,5 +216,5 @@ def _of_lobe_weights(term: LobeWeightsTerm, largest: float) -> tuple[list[Any], 
         only = (np.arange(len(term.exponents)) == k)[:, None]
         lobe = PartOfWeights.of(term, 0.0 * term.kd, only)
         share = luminance((term.kdd + term.kg)[k]) * 2.0 * math.pi / (float(term.exponents[k]) + 1.0)
-        lobes.append(MirrorLobe(lobe, float(term.exponents[k]), share))
+        lobes.append(MirrorLobe(share, float(term.exponents[k]), lobe))
     return [broad], lobes

@@ -72,41 +72,18 @@ class DifferenceAngleTable:
 
 
 @dataclass(frozen=True, eq=False)
-class ClampedTerm:
-    """A term clamped to ``cap``."""
-
-    term: Any
-    cap: DifferenceAngleTable | FittedPeak
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return dr.minimum(self.term.eval(light, view), self.cap.eval(light, view))
-
-
-@dataclass(frozen=True, eq=False)
-class ExcessTerm:
-    """The excess of a term over ``cap``."""
-
-    term: Any
-    cap: DifferenceAngleTable | FittedPeak
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return dr.maximum(self.term.eval(light, view) - self.cap.eval(light, view), 0.0)
-
-
-@dataclass(frozen=True, eq=False)
 class BandTerm:
-    """The part of a term between two caps."""
+    """The part of a term above ``low`` and below ``high``; None: no bound."""
 
     term: Any
-    low: DifferenceAngleTable
-    high: DifferenceAngleTable
+    low: DifferenceAngleTable | FittedPeak | None = None
+    high: DifferenceAngleTable | FittedPeak | None = None
 
     def eval(self, light: Vector, view: Vector) -> Colour:
         """Return f_r in 1/sr."""
-        value, low = self.term.eval(light, view), self.low.eval(light, view)
-        return dr.minimum(value, self.high.eval(light, view)) - dr.minimum(value, low)
+        value = self.term.eval(light, view)
+        top = value if self.high is None else dr.minimum(value, self.high.eval(light, view))
+        return top if self.low is None else top - dr.minimum(value, self.low.eval(light, view))
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,20 +105,16 @@ class FacetMixture:
 
     term: Any
     lobes: tuple[tuple[float, float], ...]
-    share: float = 1.0
+    weight: float = 1.0
 
     @property
     def is_sunlit(self) -> bool:
         """Whether suns light it, and its rays leave them out: where none of its lobes is narrower than that."""
         return min(slope for _, slope in self.lobes) >= LEAST_SUNLIT_SLOPE
 
-    def weight(self, _view: Vector) -> Real:
+    def share(self, _view: Vector) -> Real:
         """Return the share of a mixture with other narrow lobes."""
-        return d.number(self.share)
-
-    def eval(self, light: Vector, view: Vector) -> Colour:
-        """Return f_r in 1/sr."""
-        return self.term.eval(light, view)
+        return d.number(self.weight)
 
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light."""
@@ -174,12 +147,13 @@ def split_by_values(term: Any, how: TableSplit, *, mirror: bool = False) -> tupl
     cap = find_caps(term, CLAMP_DEG)
     if how == "clamp":
         clamp = DifferenceAngleTable.of(cap)
-        return [ClampedTerm(term, clamp)], [FacetMixture(ExcessTerm(term, clamp), _mixture(facets, _FLANK))]
+        lobes = _mixture(facets, _FLANK)
+        return [BandTerm(term, high=clamp)], [FacetMixture(BandTerm(term, low=clamp), lobes)]
     peak = fitted_peak(term, cap)
     if peak is None:
         return [term], []
     only = ((1.0 - _FLANK_SHARE, peak.slope), (_FLANK_SHARE, min(2.0 * peak.slope, LARGEST_SLOPE)))
-    return [ExcessTerm(term, peak)], [FacetMixture(ClampedTerm(term, peak), only)]
+    return [BandTerm(term, low=peak)], [FacetMixture(BandTerm(term, high=peak), only)]
 
 
 def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list[Any]]:
@@ -189,8 +163,8 @@ def _clamped_twice(term: Any, facets: Sequence[Facets]) -> tuple[list[Any], list
     narrow = [f for f in facets if f.slope < _INNER_FLANK]
     total = sum(f.weight for f in facets)
     share = min(max(sum(f.weight for f in narrow) / total, _LEAST_SHARE), 1.0 - _LEAST_SHARE)
-    return [ClampedTerm(term, outer)], [
-        FacetMixture(ExcessTerm(term, inner), _mixture(narrow, _INNER_FLANK), share),
+    return [BandTerm(term, high=outer)], [
+        FacetMixture(BandTerm(term, low=inner), _mixture(narrow, _INNER_FLANK), share),
         FacetMixture(BandTerm(term, outer, inner), _OUTER_LOBES, 1.0 - share),
     ]
 

@@ -26,9 +26,10 @@ import numpy as np
 from brdf_suite.reference.bsdfs import directions as d
 from brdf_suite.reference.bsdfs.directions import Colour, Real, Vector
 from brdf_suite.reference.flakes.cells import scramble
+from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.flakes.texture import FlakesSeen, flakes_seen
 from brdf_suite.reference.mitsuba_modules import dr, mi
-from brdf_suite.reference.raytraced.flakes import SparkleField, sparkling
+from brdf_suite.reference.raytraced.flakes import sparkling
 from brdf_suite.reference.raytraced.light_set import ENVIRONMENT, NEAR_LAMP, SUN, LightSet
 from brdf_suite.reference.raytraced.numbers import in_cube, in_pixel
 from brdf_suite.reference.raytraced.quality import Quality
@@ -71,7 +72,7 @@ class LightArrays:
         )
         kinds, table = mi.UInt32(dealt.kinds), mi.UInt32(entries.ravel())
         dr.eval(places, strengths, spreads, drawn, kinds, table)
-        ground = d.colour(np.maximum(dealt.ground_irradiance(), 1e-12).tolist())
+        ground = d.colour(np.maximum(dealt.ground_cosines() @ dealt.strengths, 1e-12).tolist())
         bits = dr.opaque(mi.UInt32, int(entries.shape[1]).bit_length() - 1)
         lamps, suns = bool((dealt.kinds > SUN).any()), bool((dealt.kinds == SUN).any())
         return cls(places, strengths, spreads, kinds, table, bits, drawn, ground, lamps, suns)
@@ -106,7 +107,7 @@ class TracerScene:
     sky: TracedSky
     lights: LightArrays
     height: Real | None
-    sparkle: SparkleField | None
+    sparkle: FlakeLayer | None
     paint: int
     depth: int = DEFAULT_DEPTH
 

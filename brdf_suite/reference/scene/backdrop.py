@@ -97,9 +97,3 @@ def sample_cube(faces: npt.NDArray[np.float32], directions: Floats) -> npt.NDArr
     bottom = faces[face, j + 1, i] * (1.0 - u) + faces[face, j + 1, i + 1] * u
     found: npt.NDArray[np.float32] = top * (1.0 - v) + bottom * v
     return found.reshape(directions.shape)
-
-
-def compose_picture(radiance: Floats, coverage: Floats, behind: Any) -> Floats:
-    """Return the whole picture's radiance: the object's, and the backdrop's where the object leaves room."""
-    room = np.clip(1.0 - coverage, 0.0, 1.0)[..., None]
-    return np.asarray(radiance + room * behind)

@@ -111,16 +111,11 @@ _BESIDE = (0.37, 0.61)
 
 @dataclass(frozen=True, eq=False)
 class Slopes:
-    """A tiled relief: slopes ``image`` (h, w, 2) dh/du and dh/dv, its first row at v = 0; ``tiles`` per millimetre."""
+    """A tiled relief: a :func:`texture` of slopes dh/du and dh/dv; ``tiles`` per millimetre; a factor on the slopes."""
 
     texture: Any
     tiles: tuple[float, float]
     strength: float
-
-    @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: tuple[float, float], strength: float) -> Slopes:
-        """Return the relief; ``strength`` is a factor on the slopes."""
-        return cls(texture(image), tiles, strength)
 
     def at(self, uv: Any) -> Any:
         """Return the slopes at a place, millimetres."""
@@ -130,16 +125,14 @@ class Slopes:
 
 @dataclass(frozen=True, eq=False)
 class OrangePeelSlopes:
-    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition."""
+    """Orange peel: a tile of slopes of mean square 1, laid twice, the second time rotated, to avoid repetition.
+
+    It is a :func:`texture`, ``tiles`` per millimetre, made a root mean square ``slope``.
+    """
 
     texture: Any
     tiles: float
     slope: float
-
-    @classmethod
-    def of(cls, image: npt.NDArray[Any], tiles: float, slope: float) -> OrangePeelSlopes:
-        """Return the peel of a tile (n, n, 2), ``tiles`` per millimetre, with a root mean square ``slope``."""
-        return cls(texture(image), tiles, slope)
 
     def at(self, uv: Any) -> Any:
         """Return the slopes at a place, millimetres."""
@@ -169,35 +162,19 @@ def look_up(image: Any, at: Any) -> Any:
     return mi.Vector2f(found[0], found[1]) if len(found) > 1 else found[0]
 
 
-@dataclass(frozen=True, eq=False)
-class TiltedFrame:
-    """A shading frame about a normal tilted from z, in the coordinates of the surface."""
+Frame = Any
+"""mi.Frame3f; its world is the surface."""
 
-    frame: Any
 
-    @classmethod
-    def of(cls, normal: Vector, slopes: Any, place: Place, view: Vector) -> TiltedFrame:
-        """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
-        m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
-        cosine = dr.dot(m, view)
-        bent = dr.normalize(m + (_LOWEST - cosine) * view)
-        n = dr.select(cosine >= _LOWEST, m, bent)
-        # The axes stay those of the surface, but for the lean: flakes keep their tilts.
-        s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
-        return cls(mi.Frame3f(s, dr.cross(n, s), n))
-
-    @property
-    def normal(self) -> Vector:
-        """The tilted normal."""
-        return self.frame.n
-
-    def to_local(self, direction: Vector) -> Vector:
-        """Return a direction of the surface in this frame."""
-        return self.frame.to_local(direction)
-
-    def to_surface(self, direction: Vector) -> Vector:
-        """Return a direction of this frame as the surface has it."""
-        return self.frame.to_world(direction)
+def tilted_frame(normal: Vector, slopes: Any, place: Place, view: Vector) -> Frame:
+    """Return the frame of a surface with ``slopes`` over ``normal``; if it faces away it is bent to the view."""
+    m = dr.normalize(normal - slopes.x * place.along_u - slopes.y * place.along_v)
+    cosine = dr.dot(m, view)
+    bent = dr.normalize(m + (_LOWEST - cosine) * view)
+    n = dr.select(cosine >= _LOWEST, m, bent)
+    # The axes stay those of the surface, but for the lean: flakes keep their tilts.
+    s = dr.normalize(mi.Vector3f(1.0, 0.0, 0.0) - n * n.x)
+    return mi.Frame3f(s, dr.cross(n, s), n)
 
 
 @dataclass(frozen=True, eq=False)
@@ -209,7 +186,7 @@ class TiltedSampler:
     """
 
     sampler: Sampler
-    frame: TiltedFrame
+    frame: Frame
 
     def share(self, view: Vector) -> Real:
         """Return the share of a mixture."""
@@ -218,7 +195,7 @@ class TiltedSampler:
     def sample(self, view: Vector, u: Square) -> Vector:
         """Return directions to the light; those below the tilted horizon are lost."""
         light = self.sampler.sample(self.frame.to_local(view), u)
-        found = self.frame.to_surface(light)
+        found = self.frame.to_world(light)
         folded = mi.Vector3f(found.x, found.y, abs(found.z))
         return dr.select(light.z > 0.0, folded, mi.Vector3f(0.0))
 

@@ -52,19 +52,23 @@ def gloss_reading(reflectance: Reflectance, angle_deg: int) -> float:
 @cache
 def _receptor(angle_deg: int) -> tuple[Floats, Floats, Floats]:
     """wi (1, 3), wo (n, 3), and the weight (n,) of f_r in gloss units."""
-    theta = math.radians(angle_deg)
     blurs = [math.radians(width) / math.sqrt(12.0) for width in SOURCE_DEG]
     halves = [0.5 * math.radians(width) for width in receptor_deg(angle_deg)]
     (u, du), (v, dv) = (_graded(half, blur) for half, blur in zip(halves, blurs, strict=True))
     window = np.outer(
         du * _blurred_box(u, halves[0], blurs[0]), dv * _blurred_box(v, halves[1], blurs[1])
     ).ravel()
-    polar, side = (grid.ravel() for grid in np.meshgrid(theta + u, v, indexing="ij"))
-    wo = np.stack((np.cos(side) * np.sin(polar), np.sin(side), np.cos(side) * np.cos(polar)), axis=-1)
-    wi = np.array([[-math.sin(theta), 0.0, math.cos(theta)]])
-    # dω = cos(side) dpolar dside.
-    weights = window * np.cos(side) * np.maximum(wo[:, 2], 0.0) * 100.0 / black_glass(angle_deg)
-    return wi, wo, weights
+    u, v = (grid.ravel() for grid in np.meshgrid(u, v, indexing="ij"))
+    return _seen(angle_deg, u, v, window)
+
+
+def _seen(angle_deg: int, u: Floats, v: Floats, share: Floats) -> tuple[Floats, Floats, Floats]:
+    """wi (1, 3); wo (n, 3) and weights (n,) in GU of shares (n,) of du dv, (u, v) radians off the mirror direction."""
+    theta = math.radians(angle_deg)
+    wo = np.stack((np.cos(v) * np.sin(theta + u), np.sin(v), np.cos(v) * np.cos(theta + u)), axis=-1)
+    # dω = cos v du dv.
+    weights = share * np.cos(v) * np.maximum(wo[:, 2], 0.0) * 100.0 / black_glass(angle_deg)
+    return np.array([[-math.sin(theta), 0.0, math.cos(theta)]]), wo, weights
 
 
 def _blurred_box(x: Floats, half: float, blur: float) -> Floats:
@@ -117,14 +121,9 @@ def _receptors() -> tuple[Floats, Floats, Floats]:
     nodes, shares = np.polynomial.legendre.leggauss(3)
     u, v = (grid.ravel() for grid in np.meshgrid(nodes, nodes, indexing="ij"))
     share = np.outer(shares, shares).ravel()
-    wi, wo, weights = [], [], []
+    both = []
     for angle in _ANGLES:
-        theta = math.radians(angle)
         a, b = (0.5 * math.radians(width) for width in receptor_deg(angle))
-        polar, side = theta + a * u, b * v
-        view = np.stack((np.cos(side) * np.sin(polar), np.sin(side), np.cos(side) * np.cos(polar)), axis=-1)
-        wi.append([[-math.sin(theta), 0.0, math.cos(theta)]])
-        wo.append(view)
-        # dω = cos(side) dpolar dside.
-        weights.append(share * a * b * np.cos(side) * view[:, 2] * 100.0 / black_glass(angle))
-    return np.array(wi), np.array(wo), np.array(weights)
+        both.append(_seen(angle, a * u, b * v, share * a * b))
+    wi, wo, weights = (np.array(part) for part in zip(*both, strict=True))
+    return wi, wo, weights

@@ -96,11 +96,10 @@ def metamerism(
     illuminant: str,
 ) -> float:
     """Return the metamerism index (ΔE*ab, D65 to ``illuminant``, 10°) of two spectral reflectances at a geometry."""
-    first, second = (_at_default_bands(item, geometry, aperture) for item in (reference, sample))
-    return float(metamerism_index(first, second, DEFAULT_WAVELENGTHS_NM, illuminant))
-
-
-def _at_default_bands(reflectance: SpectralReflectance, geometry: Geometry, aperture: Aperture) -> Floats:
-    """The spectrum (31,) at the suite's own bands, straight between the reflectance's."""
-    bands = np.asarray(reflectance.wavelengths_nm, float)
-    return np.interp(DEFAULT_WAVELENGTHS_NM, bands, spectrum_at(reflectance, geometry, aperture))
+    bands = DEFAULT_WAVELENGTHS_NM
+    # The spectra at the suite's own bands, straight between the reflectances'.
+    first, second = (
+        np.interp(bands, np.asarray(item.wavelengths_nm, float), spectrum_at(item, geometry, aperture))
+        for item in (reference, sample)
+    )
+    return float(metamerism_index(first, second, bands, illuminant))

@@ -33,38 +33,33 @@ class MixtureSampled:
         raise NotImplementedError
 
     def sample(self, wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-        """Return directions (..., 3) to the light of a part, for views ``wo`` and ``u`` (..., 3) in [0, 1)."""
-        return sample(self._parts, wo, u)
+        """Return directions (..., 3) to the light of a part, for views ``wo`` and ``u`` (..., 3) in [0, 1).
+
+        Of the three numbers two draw, and one chooses the part.
+        """
+        parts = self._parts
+        wo, u = np.broadcast_arrays(np.asarray(wo, float), np.asarray(u, float))
+        shape = wo.shape
+        view, even = wo.reshape(-1, 3), u.reshape(-1, 3)
+        choice = np.searchsorted(_shares(parts).cumsum()[:-1], even[:, 2], side="right")
+        out = np.empty_like(view)
+        for index, part in enumerate(parts):
+            mine = choice == index
+            if mine.any():
+                out[mine] = part.sample(view[mine], even[mine, :2])
+        return out.reshape(shape)
 
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle; 0 where either direction is below the horizon."""
-        return pdf(self._parts, wi, wo)
-
-
-def sample(parts: Sequence[MixturePart], wo: npt.ArrayLike, u: npt.ArrayLike) -> Floats:
-    """Return directions (..., 3) for views ``wo`` (..., 3) and ``u`` (..., 3): two numbers to draw, one to choose."""
-    wo, u = np.broadcast_arrays(np.asarray(wo, float), np.asarray(u, float))
-    shape = wo.shape
-    view, even = wo.reshape(-1, 3), u.reshape(-1, 3)
-    choice = np.searchsorted(_shares(parts).cumsum()[:-1], even[:, 2], side="right")
-    out = np.empty_like(view)
-    for index, part in enumerate(parts):
-        mine = choice == index
-        if mine.any():
-            out[mine] = part.sample(view[mine], even[mine, :2])
-    return out.reshape(shape)
-
-
-def pdf(parts: Sequence[MixturePart], wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
-    """Return the density (...) per solid angle of :func:`sample`; 0 where either direction is below the horizon."""
-    wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
-    light, view = wi.reshape(-1, 3), wo.reshape(-1, 3)
-    total = np.zeros(len(light))
-    for share, part in zip(_shares(parts).tolist(), parts, strict=True):
-        if share > 0.0:
-            total += share * part.pdf(light, view)
-    above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
-    return np.where(above, total, 0.0).reshape(wi.shape[:-1])
+        parts = self._parts
+        wi, wo = np.broadcast_arrays(np.asarray(wi, float), np.asarray(wo, float))
+        light, view = wi.reshape(-1, 3), wo.reshape(-1, 3)
+        total = np.zeros(len(light))
+        for share, part in zip(_shares(parts).tolist(), parts, strict=True):
+            if share > 0.0:
+                total += share * part.pdf(light, view)
+        above = (light[:, 2] > 0.0) & (view[:, 2] > 0.0)
+        return np.where(above, total, 0.0).reshape(wi.shape[:-1])
 
 
 def diffuse(weight: float) -> MixturePart:

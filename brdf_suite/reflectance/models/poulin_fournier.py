@@ -200,9 +200,8 @@ class PoulinFournier(mixture.MixtureSampled):
 
     def pdf(self, wi: npt.ArrayLike, wo: npt.ArrayLike) -> Floats:
         """Return the density (...) of :meth:`sample` per solid angle."""
-        return in_blocks(
-            lambda i, o: np.repeat(mixture.pdf(self._parts, i, o)[:, None], 3, axis=1), wi, wo, _BLOCK
-        )[..., 0]
+        whole = super().pdf
+        return in_blocks(lambda i, o: np.repeat(whole(i, o)[:, None], 3, axis=1), wi, wo, _BLOCK)[..., 0]
 
 
 def _points_about_peak(peak: Floats, low: Floats, high: Floats, exponent: float) -> tuple[Floats, Floats]:

@@ -210,9 +210,11 @@ class TensorReflectance(HalfVectorSampled):
         half = half / np.sqrt(np.einsum("ni,ni->n", half, half))[:, None]
         theta_i, phi_i = _polar(wi)
         theta_m, phi_m = _polar(half)
-        u_i = np.stack((_theta_to_u(theta_i), _phi_to_u(phi_i)), axis=1)
-        turned = _phi_to_u(phi_m - phi_i if self.isotropic else phi_m)
-        u_m = np.stack((_theta_to_u(theta_m), turned - np.floor(turned)), axis=1)
+        polar_i, polar_m = (np.sqrt(theta * (2.0 / math.pi)) for theta in (theta_i, theta_m))
+        turn_m = phi_m - phi_i if self.isotropic else phi_m
+        turn_i, turn_m = ((phi + math.pi) * (0.5 / math.pi) for phi in (phi_i, turn_m))
+        u_i = np.stack((polar_i, turn_i), axis=1)
+        u_m = np.stack((polar_m, turn_m - np.floor(turn_m)), axis=1)
         return u_i, u_m, self._blend(phi_i, theta_i), half
 
     def _blend(self, phi_i: Floats, theta_i: Floats) -> Blend:
@@ -266,11 +268,3 @@ class TensorReflectance(HalfVectorSampled):
 
 def _polar(w: Floats) -> tuple[Floats, Floats]:
     return np.arctan2(np.hypot(w[:, 0], w[:, 1]), w[:, 2]), np.arctan2(w[:, 1], w[:, 0])
-
-
-def _theta_to_u(theta: Floats) -> Floats:
-    return np.sqrt(theta * (2.0 / math.pi))
-
-
-def _phi_to_u(phi: Floats) -> Floats:
-    return (phi + math.pi) * (0.5 / math.pi)

@@ -80,19 +80,6 @@ def delta_e_of(first: Floats, second: Floats) -> Floats:
     return delta_e_2000(display_to_lab(first), display_to_lab(second))
 
 
-__all__ = [
-    "DEFAULT_FORM",
-    "FORMS",
-    "LOBES",
-    "Case",
-    "Order",
-    "PictureErrors",
-    "compare",
-    "errors_of",
-    "flip_of",
-    "summary",
-]
-
 LOBES = "the fitted lobes, traced"
 _WHOLE = 0.999
 

@@ -34,12 +34,8 @@ def write_page(path: Path, cases: Sequence[Case], order: Order) -> None:
     images = path.absolute().parent / "images"
     images.mkdir(exist_ok=True)
     for title, group in groups(cases):
-        picture = sheet(chosen(group))
-        write_png(
-            images / sheet_name(title),
-            picture,
-            {"Software": "BRDF Suite", "Title": "Agreement of the renderers"},
-        )
+        metadata = {"Software": "BRDF Suite", "Title": "Agreement of the renderers"}
+        write_png(images / sheet_name(title), sheet(chosen(group)), metadata)
     write_atomically(path, page(cases, order).encode())
 
 
@@ -48,12 +44,11 @@ def groups(cases: Sequence[Case]) -> list[tuple[str, list[Case]]]:
     found: dict[tuple[str, bool], list[Case]] = {}
     for case in cases:
         found.setdefault((case.surface, case.designed), []).append(case)
-
-    def title(surface: str, *, designed: bool) -> str:
-        paints = "Designed paints" if designed else "Cook-Torrance and measured paints"
-        return f"{paints} on the {surface.replace('_', ' ')}"
-
-    return [(title(surface, designed=designed), group) for (surface, designed), group in found.items()]
+    paints = {True: "Designed paints", False: "Cook-Torrance and measured paints"}
+    return [
+        (f"{paints[designed]} on the {surface.replace('_', ' ')}", group)
+        for (surface, designed), group in found.items()
+    ]
 
 
 def sheet_name(title: str) -> str:

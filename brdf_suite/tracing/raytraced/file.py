@@ -79,7 +79,7 @@ def render_raytraced(
         for newest in session.passes(
             begun=begun, samples=end, between=lambda share: report(tracing, *clock.progress(share))
         ):
-            clock.done(newest.samples)
+            clock.done(newest.sums.samples)
             if perf_counter() - last >= KEEP_EVERY_S:
                 write_sums(kept, newest.sums, newest.whole(), scene.key)
                 last = perf_counter()
@@ -100,9 +100,9 @@ def render_raytraced(
         **scene.file_facts(path),
         lights=chosen.lights,
         reflections=chosen.reflections,
-        samples=newest.samples,
-        rounds=newest.samples / chosen.samples,
-        seconds=newest.seconds,
+        samples=newest.sums.samples,
+        rounds=newest.sums.samples / chosen.samples,
+        seconds=newest.sums.seconds,
         resumed_samples=begun.samples if begun else 0,
     )
 
@@ -155,7 +155,7 @@ def _write(path: Path, image: RaytracedImage) -> None:
         "Software": "BRDF Suite",
         "Title": scene.name,
         "Description": f"{scene.name} on {scene.surface} in {scene.environment}, ray-traced with {quality.lights} "
-        f"lights, {quality.reflections} reflected rays and {image.samples} samples a pixel, "
+        f"lights, {quality.reflections} reflected rays and {image.sums.samples} samples a pixel, "
         f"{image.exposed_view.exposure_ev:+g} EV, tone curve {scene.view.tone_curve}",
     }
     if path.suffix.lower() == ".exr":

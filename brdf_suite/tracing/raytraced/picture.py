@@ -30,6 +30,7 @@ from brdf_suite.errors import SuiteError
 from brdf_suite.lighting.environment import Environment
 from brdf_suite.pipeline.material import Material
 from brdf_suite.progress import Progress, report
+from brdf_suite.realtime.camera import compose
 from brdf_suite.realtime.environment.backdrop import plain_backdrop
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.bsdfs import directions as d
@@ -42,13 +43,7 @@ from brdf_suite.reference.raytraced.tracer import SampleBudget, TracerScene
 from brdf_suite.reference.scene.camera import Pinhole
 from brdf_suite.reference.variant import start
 from brdf_suite.surface.mesh import Mesh
-from brdf_suite.tracing.raytraced.scene_parts import (
-    Parts,
-    PictureInputs,
-    materials_of,
-    placed,
-    sparkle_of,
-)
+from brdf_suite.tracing.raytraced.scene_parts import Parts, PictureInputs, materials_of, sparkle_of
 from brdf_suite.tracing.traced_picture import (
     SceneFacts,
     Size,
@@ -105,30 +100,10 @@ class RaytracedImage:
     scene: RaytracedScene
     sums: Sums
 
-    @property
-    def samples(self) -> int:
-        """Samples a pixel so far."""
-        return self.sums.samples
-
-    @property
-    def of(self) -> int:
-        """How many samples the quality asks for."""
-        return self.scene.quality.samples
-
-    @property
-    def seconds(self) -> float:
-        """How long it took to trace them."""
-        return self.sums.seconds
-
-    @property
-    def coverage(self) -> Floats:
-        """(h, w): the object's share of each pixel."""
-        return self.sums.coverage
-
     @cached_property
     def exposed_view(self) -> View:
         """The view with its exposure measured where it is automatic."""
-        return self.scene.measure_exposure(self.sums.radiance, self.coverage)
+        return self.scene.measure_exposure(self.sums.radiance, self.sums.coverage)
 
     def whole(self) -> Floats:
         """Return the radiance (h, w, 3) of the whole picture, working space, before exposure."""
@@ -207,7 +182,7 @@ class RaytracedSession:
         inputs = PictureInputs(*loaded, view, size, chosen, tables)
         report(progress, 0.9, "building the scene")
         shaped, bounds = self._parts.mesh(inputs)
-        inputs = replace(inputs, view=placed(view, bounds, size))
+        inputs = replace(inputs, view=replace(view, camera=compose(view.camera, bounds, size)))
         _, paint_notices = self._parts.splits(inputs, shaped)
         self._wanted = inputs
         of_files = *inputs.environment.notes, *shaped.notes

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,12 +16,12 @@ from brdf_suite.lighting.environment import Environment
 from brdf_suite.lighting.latlong import column_angles, direction, ring_angles
 from brdf_suite.pipeline.material import Material
 from brdf_suite.pipeline.paint_angles import material_weights
-from brdf_suite.realtime.camera import Bounds, compose, matrices
+from brdf_suite.realtime.camera import Bounds, matrices
 from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.reference.bsdfs.translate import translate
+from brdf_suite.reference.flakes.countable import FlakeLayer
 from brdf_suite.reference.raytraced.energy import TOLERANCE, largest_albedo
-from brdf_suite.reference.raytraced.flakes import SparkleField
 from brdf_suite.reference.raytraced.light_set import LightSet, Strata
 from brdf_suite.reference.raytraced.quality import Quality
 from brdf_suite.reference.raytraced.sky import TracedSky
@@ -163,11 +163,6 @@ class Same:
         return id(self._value)
 
 
-def placed(view: View, bounds: Bounds, size: Size) -> View:
-    """Return the view with its camera placed, as the real-time picture places it."""
-    return replace(view, camera=compose(view.camera, bounds, size))
-
-
 def materials_of(mesh: Mesh) -> list[str]:
     """Return the materials of a mesh; their places are their numbers."""
     return sorted({part.material for part in mesh.parts})
@@ -185,7 +180,7 @@ def term_of(paint: Material, view: View) -> tuple[Any, tuple[str, ...]]:
     return translated.term, notices
 
 
-def sparkle_of(paint: Material, view: View) -> SparkleField | None:
+def sparkle_of(paint: Material, view: View) -> FlakeLayer | None:
     """Return the flakes that are seen one by one; None where there are none, or the view shows none."""
     flakes = paint.flakes
     if flakes is None or view.sparkle.mode == "off" or flakes.density_per_mm2 <= 0.0:
@@ -194,4 +189,4 @@ def sparkle_of(paint: Material, view: View) -> SparkleField | None:
         ior = paint.reflectance.ior if paint.reflectance.base_under_coat else 1.0
     else:
         ior = float(getattr(paint.reflectance, "ior", 1.0))
-    return SparkleField(flakes, ior, view.sparkle.strength)
+    return FlakeLayer(flakes, ior, view.sparkle.strength)

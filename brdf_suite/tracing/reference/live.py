@@ -136,13 +136,6 @@ class LiveReference:
 
     def codes(self) -> NDArray[np.uint8]:
         """Return the picture (h, w, 3), sRGB, as a screen shows it; :class:`SuiteError` before the first pass."""
-        return self.scene.codes(self._newest())
-
-    def whole(self) -> NDArray[np.float64]:
-        """Return the radiance (h, w, 3) with the backdrop; :class:`SuiteError` before the first pass."""
-        return self.scene.whole(self._newest())
-
-    def _newest(self) -> Estimate:
         if self._estimate is None:
             raise SuiteError("Nothing has been traced yet.")
-        return self._estimate
+        return self.scene.codes(self._estimate)

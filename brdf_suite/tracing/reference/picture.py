@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
@@ -19,7 +18,7 @@ from brdf_suite.output.picture_file import PictureSettings, check_target
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.realtime.pictures.tone_curves import tone_curve
 from brdf_suite.reference.estimate_file import read_estimate, write_estimate
-from brdf_suite.reference.passes import Estimate, check_denoiser, denoise_picture, refine, trace
+from brdf_suite.reference.passes import Estimate, check_denoiser, denoise_picture, trace
 from brdf_suite.reference.variant import start
 from brdf_suite.tracing.reference.scene import ReferenceScene, prepare_reference
 from brdf_suite.tracing.traced_picture import Size, TracedFile, too_large
@@ -166,8 +165,3 @@ def render_reference(
         noise=estimate.noise,
         resumed_samples=0 if begun is None else begun.samples,
     )
-
-
-def refined(scene: ReferenceScene, estimate: Estimate | None = None) -> Iterator[Estimate]:
-    """Yield ever better estimates of a scene, without end: for a window that refines while it is idle."""
-    return refine(scene.traced, estimate)

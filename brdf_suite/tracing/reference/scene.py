@@ -33,7 +33,7 @@ from brdf_suite.realtime.environment.backdrop import BLUR_EXPONENT, plain_backdr
 from brdf_suite.realtime.material.stock_materials import stock_materials
 from brdf_suite.realtime.pictures.tone_curves import to_display
 from brdf_suite.reference.passes import Estimate
-from brdf_suite.reference.scene.backdrop import backdrop, blur_map, compose_picture, sharp
+from brdf_suite.reference.scene.backdrop import backdrop, blur_map, sharp
 from brdf_suite.reference.scene.camera import PinholeCamera
 from brdf_suite.reference.scene.ground import GroundGrid
 from brdf_suite.reference.scene.scene import SurfacePart, TracedScene, build_scene
@@ -147,7 +147,8 @@ class ReferenceScene(SceneFacts):
         if self.view.background in ("grey", "colour"):
             # A backdrop of one colour looks the same at any exposure; the environment is light like any other.
             behind = behind / 2.0 ** self.exposed_view(estimate).exposure_ev
-        return compose_picture(estimate.radiance, estimate.coverage, behind)
+        room = np.clip(1.0 - estimate.coverage, 0.0, 1.0)[..., None]
+        return np.asarray(estimate.radiance + room * behind)
 
     def exposed_view(self, estimate: Estimate) -> View:
         """Return the view with its exposure measured where it is automatic."""

@@ -95,7 +95,7 @@ def sparkle_ratio(session: RaytracedSession, progress: Progress | None = None) -
             shown = replace(view, sparkle=Sparkle(mode=mode))
             session.show(paint, shown, (1000, 800), Quality(64, 1, 1, mirror=True))
             image = session.frame()
-            means.append(float(image.sums.radiance[image.coverage == 1.0].mean()))
+            means.append(float(image.sums.radiance[image.sums.coverage == 1.0].mean()))
         ratios = {**ratios, paint: means[0] / means[1]}
     TABLES["sparkle"] = dict(ratios)
     return max(ratios.values(), key=lambda ratio: abs(np.log(ratio)))

@@ -17,7 +17,6 @@ from brdf_designer.acquire.reconstruction_session import WORK_FILE, StepRequest
 from brdf_designer.acquire.response.work import ResponseFound, open_session, response_found, thousands
 from brdf_designer.acquire.states import CoverageState
 from brdf_suite.acquisition.reconstruction.options import coverage_map, covered_share, deviation_map
-from brdf_suite.acquisition.reconstruction.work_file import POSITION, open_work
 from brdf_suite.errors import FileError, SuiteError
 from brdf_suite.progress import Progress, report, subrange
 from brdf_suite.reflectance.tabulated.isotropic import IsotropicTable
@@ -61,18 +60,17 @@ class TableRequest:
 
 def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
     """Look what an earlier run has left."""
-    from brdf_suite.acquisition.reconstruction.table import kept_calibration
+    from brdf_suite.acquisition.reconstruction.table import kept_work
 
     work = request.folder / WORK_FILE
     if not work.exists():
         return KeptWork()
     try:
         road = open_session(request)
-        calibration = kept_calibration(road, work)
-        with open_work(work) as kept:
-            done = {record.values["position"] for record in kept.records if record.tag == POSITION}
-        if calibration is None:
+        kept = kept_work(road, work)
+        if kept is None:
             return KeptWork()
+        calibration, done = kept
         road.take_calibration(calibration)
     except FileError as error:
         return KeptWork(reason=str(error))
@@ -81,17 +79,17 @@ def find_kept(request: StepRequest, _progress: Progress) -> KeptWork:
 
 def find_table(request: TableRequest, progress: Progress) -> TableFound:
     """Make the table; response and geometry first, where they are not known. What is done is kept in the folder."""
-    from brdf_suite.acquisition.reconstruction.table import kept_calibration, reconstruct
+    from brdf_suite.acquisition.reconstruction.table import kept_work, reconstruct
 
     road = open_acquisition(request.road)
     work = request.road.folder / WORK_FILE
     response = geometry = None
     start = 0.0
     if request.road.geometry is None:
-        kept = None if request.restart else kept_calibration(road, work)
+        kept = None if request.restart else kept_work(road, work)
         if kept is not None:
-            road.take_calibration(kept)
-            response, geometry = replace(response_found(road), kept=True), GeometryFound(kept, None)
+            road.take_calibration(kept[0])
+            response, geometry = replace(response_found(road), kept=True), GeometryFound(kept[0], None)
         else:
             start = 0.25
             if request.road.response is None:

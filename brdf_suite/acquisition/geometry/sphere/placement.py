@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -185,13 +185,9 @@ class RigGeometry:
         """Return the geometry with the sphere's centre elsewhere; the turntable goes with it."""
         return replace(self, centre_m=triple(centre))
 
-    def to_json(self) -> dict[str, Any]:
-        """Return plain values that JSON keeps exactly."""
-        return asdict(self)
-
     @classmethod
     def from_json(cls, value: Mapping[str, Any]) -> RigGeometry:
-        """Return the geometry that :meth:`to_json` gave as plain values."""
+        """Return the geometry whose fields (``asdict``) JSON has kept."""
         fields = {name: _tuples(item) for name, item in value.items()}
         return cls(**{**fields, "lens": Lens(**value["lens"])})
 
