@@ -196,7 +196,7 @@ class LastingViewer:
         for widget in window.findChildren(QWidget):
             if widget.isWindow() and widget.isVisible():
                 widget.close()
-        controller.camera.stop_turntable()
+        controller.camera.turntable.set_running(False)
         controller.traced.set_renderer("realtime")
         state.history.end()
         state.set_view(self.view)

@@ -72,7 +72,7 @@ class Form(QWidget):
         self._grid.addWidget(field, row, 1)
         return label
 
-    def add_wide(self, widget: QWidget) -> QWidget:
-        """Add a widget over both columns and return it."""
-        self._grid.addWidget(widget, self._grid.rowCount(), 0, 1, 2)
-        return widget
+    def add_wide(self, *widgets: QWidget) -> None:
+        """Add widgets over both columns, one below the other."""
+        for widget in widgets:
+            self._grid.addWidget(widget, self._grid.rowCount(), 0, 1, 2)

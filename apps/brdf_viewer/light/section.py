@@ -279,7 +279,7 @@ class LightingSection(Section):
         light = PARAMETERS["light_colour.brightness"]
         self.brightness = NumberField(tr("Environment"), *reach_of(light, 0.05, 2))
         self.lamps = LampFields()
-        form = Form()
+        form = self.add(Form())
         form.add_wide(self._preset_buttons())
         form.add_row(tr("Illuminant"), self.illuminant, tr("Illuminant assumed for the environment's white"))
         form.add_row("", self.adapted)
@@ -293,7 +293,6 @@ class LightingSection(Section):
                 "18 %, and the exposure value is added"
             ),
         )
-        self.add(form)
         self.add(self.lamps)
 
     def _preset_buttons(self) -> QWidget:

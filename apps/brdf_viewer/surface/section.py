@@ -163,21 +163,18 @@ class SurfaceSection(Section):
         self.recentre = self._check("recentre", tr("Centre on ground"))
         self.normals = self._list("normals", NORMALS_TITLES)
         self.flip_normals = self._check("flip_normals", tr("Flip normals"))
-        form = Form()
+        form = self.add(Form())
         form.add_row(tr("Form"), self.chooser, tr("Surface to which the paint is applied"))
         form.add_wide(self.facts)
         form.add_row("", self.occlusion)
         form.add_row("", self.ground)
-        form.add_wide(self.baking)
-        form.add_wide(self.again)
-        form.add_wide(self.parts)
+        form.add_wide(self.baking, self.again, self.parts)
         form.add_row(tr("Unit"), self.unit, tr("Unit of length in the file"))
         form.add_row(tr("Scale"), self.scale, tr(scale.meaning))
         tip = tr("Moves the centre over the origin and the lowest point to height 0")
         form.add_row(tr("Place"), self.recentre, tip)
         form.add_row(tr("Normals"), self.normals, tr("Read from the file, or recomputed"))
         form.add_row("", self.flip_normals, tr("For files whose triangles and normals point inwards"))
-        self.add(form)
 
     def set_look(self, look: SurfaceLook) -> None:
         for name in ("occlusion", "ground", "recentre", "flip_normals"):

@@ -113,7 +113,7 @@ class TracedControl(ViewerFeature):
     @property
     def process_id(self) -> int:
         """The process that traces; 0 where there is none."""
-        return 0 if self._process is None else self._process.process_id
+        return 0 if self._process is None else int(self._process.process.processId())
 
     @property
     def is_settled(self) -> bool:

@@ -76,11 +76,6 @@ class TraceProcess(ChildProcess):
         self.folder = Path(tempfile.mkdtemp(prefix="brdf-traced-"))
         self._program = [*(program or child_command(WORKER))]
 
-    @property
-    def process_id(self) -> int:
-        """The worker's process; 0 where there is none."""
-        return int(self.process.processId())
-
     def start(self) -> None:
         """Begin; what is sent is read as soon as it can be."""
         self.launch([*self._program, str(self.folder)])

@@ -19,6 +19,7 @@ import shutil
 import sys
 import threading
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -26,7 +27,7 @@ from brdf_suite.documents.store import view_from_json
 from brdf_suite.errors import SuiteError
 from brdf_viewer.traced.engines import Engines
 from brdf_viewer.traced.job import Job, TracedFrame
-from brdf_viewer.traced.picture_slots import SlotWriter
+from brdf_viewer.traced.picture_slots import SLOTS, put
 from brdf_viewer.traced.request import TraceRequest
 
 log = logging.getLogger(__name__)
@@ -70,7 +71,7 @@ class Worker:
     """Traces the newest request; everything else is dropped."""
 
     def __init__(self, folder: Path, inbox: Inbox, say: Say, engines: Engines) -> None:
-        self._slots = SlotWriter(folder)
+        self._folder, self._free_slots = folder, list(range(SLOTS))
         self._inbox, self._say, self._engines = inbox, say, engines
         self._request: TraceRequest | None = None
         self._job: Job | None = None
@@ -108,7 +109,7 @@ class Worker:
             if self._newest is not None:
                 self._attempt(lambda: self._report(self._newest))
         elif what == "taken":
-            self._slots.give_back(int(message["slot"]))
+            self._free_slots.append(int(message["slot"]))
             if self._unsent is not None:
                 self._attempt(lambda: self._report(self._unsent))
         elif what == "save":
@@ -118,7 +119,8 @@ class Worker:
         request = self._request
         assert request is not None
         if self._job is None:
-            self._job = self._engines.open(request, self._moved)
+            moved = partial(self._answer, "moved")
+            self._job = self._engines.open(request, lambda share, what: moved(fraction=share, what=what))
             title, notices, no_denoiser = self._job.title, list(self._job.notices), self._job.no_denoiser
             self._answer("opened", title=title, notices=notices, no_denoiser=no_denoiser)
             self._frames = self._job.frames()
@@ -134,10 +136,12 @@ class Worker:
 
     def _report(self, frame: TracedFrame | None) -> None:
         self._newest = self._unsent = frame
-        if frame is None or self._request is None or self._job is None or not self._slots.is_free:
+        if frame is None or self._request is None or self._job is None or not self._free_slots:
             return
         denoised = self._denoised and not self._job.no_denoiser
-        slot = self._slots.put(self._job.denoise_picture(frame.pixels) if denoised else frame.pixels)
+        slot = self._free_slots[0]
+        put(self._folder, slot, self._job.denoise_picture(frame.pixels) if denoised else frame.pixels)
+        self._free_slots.pop(0)
         self._unsent = None
         height, width = frame.pixels.shape[:2]
         done = bool((self._samples and frame.samples >= self._samples) or frame.samples == frame.of)
@@ -152,9 +156,6 @@ class Worker:
             done=done,
             denoised=denoised,
         )
-
-    def _moved(self, fraction: float, what: str) -> None:
-        self._answer("moved", fraction=fraction, what=what)
 
     def _answer(self, say: str, /, **facts: object) -> None:
         """Say what became of the present request."""
