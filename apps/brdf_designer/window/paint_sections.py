@@ -98,7 +98,7 @@ class PaintSection(QWidget):
         for key in keys:
             unit, *reach = reach_of(PARAMETERS[key], *_STEPS[key])
             unit = "×" if key == "near_specular" else unit
-            panel.add_number(key, tr(_LABELS[key]), unit, *reach, tip=tr(_TIPS[key]))
+            panel.add_parameter(key, tr(_LABELS[key]), unit, *reach, tip=tr(_TIPS[key]))
         panel.edited.connect(lambda key, value: self.session.edit(SetNumber(key, value)))
         panel.gesture_started.connect(self.session.begin_gesture)
         panel.gesture_finished.connect(self.session.end_gesture)

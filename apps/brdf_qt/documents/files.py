@@ -119,7 +119,11 @@ class DocumentFiles(QObject, Generic[T]):
 
     def save_as(self) -> bool:
         """Ask for a file and write the document to it; True where it was written."""
-        path = self.dialogs.save_path(self._suggested(), self.format.filters)
+        suggested = self.store.path
+        if suggested is None:
+            name = re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .")
+            suggested = self._folder() / f"{name or self.format.kind}{self.format.ending}"
+        path = self.dialogs.save_path(suggested, self.format.filters)
         if path is None:
             return False
         if not path.suffix:
@@ -166,9 +170,3 @@ class DocumentFiles(QObject, Generic[T]):
 
     def _folder(self) -> Path:
         return folder_beside(self.store.path, [str(path) for path in self.recent()])
-
-    def _suggested(self) -> Path:
-        if self.store.path is not None:
-            return self.store.path
-        name = re.sub(r"[^\w\- .]+", "_", self.format.name_of(self.store.value)).strip(" .")
-        return self._folder() / f"{name or self.format.kind}{self.format.ending}"

@@ -23,7 +23,7 @@ class ParameterPanel(Form):
         super().__init__(parent)
         self.fields: dict[str, NumberField] = {}
 
-    def add_number(self, key: str, name: str, *reach: Any, tip: str) -> None:
+    def add_parameter(self, key: str, name: str, *reach: Any, tip: str) -> None:
         """Add a number; ``reach`` as :class:`NumberField` takes it after its name, ``tip`` explains the term."""
         self.fields[key] = field = NumberField(name, *reach)
         field.setObjectName(f"field_{key}")

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from brdf_suite.documents.view_settings import LightColour
 from brdf_suite.pipeline.lobe_fit import LobeFit, refit_under
+from brdf_suite.progress import Progress
 from brdf_suite.reflectance.protocol import has_spectra
 from brdf_viewer.light.section import Spectra, is_tinted
 from brdf_viewer.scene.viewer_state import ViewerState
@@ -56,13 +57,7 @@ class RelitPaint(QObject):
         self._runner.cancel(_KEY)
         if wanted is not None:
             request = (wanted[0], LightColour(self._state.view.light_colour.illuminant))
-            self._runner.submit(
-                _KEY,
-                lambda request, progress: refit_under(*request, progress),
-                request,
-                done=self._done,
-                failed=self._not_fitted,
-            )
+            self._runner.submit(_KEY, _refit, request, done=self._done, failed=self._not_fitted)
         self.state_changed.emit()
 
     def _done(self, fit: LobeFit) -> None:
@@ -82,3 +77,7 @@ class RelitPaint(QObject):
         if fit is None or not is_tinted(colour):
             return None
         return (fit, colour.illuminant) if isinstance(fit, LobeFit) and has_spectra(fit.reflectance) else None
+
+
+def _refit(request: tuple[LobeFit, LightColour], progress: Progress) -> LobeFit:
+    return refit_under(*request, progress)

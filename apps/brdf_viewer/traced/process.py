@@ -89,10 +89,9 @@ class TraceProcess(ChildProcess):
         shutil.rmtree(self.folder, ignore_errors=True)  # in the temporary folder, which is emptied anyway
 
     def take_line(self, line: str) -> None:
-        if line:
-            self._take(json.loads(line))
-
-    def _take(self, answer: dict[str, Any]) -> None:
+        if not line:
+            return
+        answer = json.loads(line)
         what, generation = answer["say"], int(answer.get("generation", 0))
         if what == "picture":
             self._take_picture(answer, generation)

@@ -19,7 +19,6 @@ import shutil
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from functools import partial
 from pathlib import Path
 from typing import Any, TextIO
 
@@ -119,8 +118,7 @@ class Worker:
         request = self._request
         assert request is not None
         if self._job is None:
-            moved = partial(self._answer, "moved")
-            self._job = self._engines.open(request, lambda share, what: moved(fraction=share, what=what))
+            self._job = self._engines.open(request, self._moved)
             title, notices, no_denoiser = self._job.title, list(self._job.notices), self._job.no_denoiser
             self._answer("opened", title=title, notices=notices, no_denoiser=no_denoiser)
             self._frames = self._job.frames()
@@ -156,6 +154,9 @@ class Worker:
             done=done,
             denoised=denoised,
         )
+
+    def _moved(self, fraction: float, what: str) -> None:
+        self._answer("moved", fraction=fraction, what=what)
 
     def _answer(self, say: str, /, **facts: object) -> None:
         """Say what became of the present request."""
